@@ -1,0 +1,40 @@
+package org.maestro.knowledge;
+
+import java.util.List;
+import java.util.function.Consumer;
+import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.Home;
+
+/** The store. Thread-safe; writes are atomic, each yields at most one change. */
+public interface KnowledgeBase extends AutoCloseable {
+
+  /** The home as it is now: the file's, and the devices that joined. */
+  Home home();
+
+  /** A device joined or sent a new description; it speaks only of itself. */
+  void describe(Device device);
+
+  /** Ground MAESTRO-SL facts said by a source: {@code (in rose zone-b)}, {@code (not (open door-1))}, {@code (= (level lamp-b1) 0.5)}. */
+  void state(Source source, List<String> facts);
+
+  /** Writes what the result teaches: {@code learns}, or the effect, or {@code error.refs}. */
+  void learn(FeatureRun run);
+
+  /** The member is gone: what it said of itself, and what was carried by it, become unknown. */
+  void lost(String member);
+
+  Snapshot snapshot();
+
+  /** Listeners are told after each change, on the writer's thread, and must hand over at once. */
+  void watch(Consumer<Change> listener);
+
+  @Override
+  void close();
+
+  /**
+   * What one write changed.
+   *
+   * @param facts the new beliefs, and {@code (unknown ...)} for what was lost, in MAESTRO-SL
+   */
+  record Change(long version, Source source, List<String> facts) {}
+}

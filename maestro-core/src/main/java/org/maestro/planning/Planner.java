@@ -1,0 +1,16 @@
+package org.maestro.planning;
+
+import java.util.List;
+
+/** Finds cheapest plans. Thread-safe; a call computes on the caller's thread. */
+public interface Planner {
+
+  PlanningResult plan(PlanningTask task);
+
+  /**
+   * Whether these steps, in their order, still lead from the task's facts to its goal, and at what cost.
+   *
+   * @return a plan with the steps' present prices, or empty when a precondition fails or the goal is missed
+   */
+  java.util.Optional<Plan> revalidate(PlanningTask task, List<Step> steps);
+}

@@ -1,0 +1,21 @@
+package org.maestro.planning;
+
+import java.util.List;
+import java.util.Set;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.sl.Facts;
+import org.maestro.sl.Formula;
+
+/**
+ * What is to be planned.
+ *
+ * @param facts what is known now; immutable while planning
+ * @param goal free variables are existential, and bound in the plan
+ * @param barred steps that failed twice with unchanged facts: they may not be used
+ */
+public record PlanningTask(
+    Vocabulary vocabulary,
+    Facts facts,
+    List<PricedFeature> features,
+    Formula goal,
+    Set<StepKey> barred) {}

@@ -1,0 +1,33 @@
+package org.maestro.ontology.home;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.maestro.ontology.vocabulary.FeatureType;
+
+/**
+ * A device with the features it offers, from the home file or from the description that it sends.
+ *
+ * @param individual its name is the member's id on the bus
+ * @param container topic of the abstraction container its agent lives in, such as {@code lights}
+ * @param driver which driver kind runs it in the simulation or on hardware, such as {@code lamp}
+ * @param reports what the member reports of itself: the driver's own word for a value, and the fact it means, such as
+ *     {@code level} and {@code (= (level ?self) ?level)}, {@code zone} and {@code (in ?self ?zone)}
+ */
+public record Device(
+    Individual individual,
+    Optional<String> container,
+    Optional<String> driver,
+    List<FeatureType> features,
+    Map<String, String> reports) {
+  public Device {
+    features = List.copyOf(features);
+    reports = Collections.unmodifiableMap(new TreeMap<>(reports));
+  }
+
+  public String id() {
+    return individual.name();
+  }
+}

@@ -1,0 +1,24 @@
+package org.maestro.ontology.home;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.maestro.sl.Term;
+
+/**
+ * A thing of a home: a person, an object, a room, a zone, a door or a device.
+ *
+ * @param name local name, unique in the home
+ * @param classes local names of all its classes, superclasses included
+ * @param properties values by the property's local name: numbers, names, texts (poses, outlines), truths
+ */
+public record Individual(
+    String name, String iri, String label, Set<String> classes, Map<String, List<Term>> properties) {
+  public Individual {
+    classes = Collections.unmodifiableSet(new TreeSet<>(classes));
+    properties = Collections.unmodifiableMap(new TreeMap<>(properties));
+  }
+}

@@ -1,0 +1,45 @@
+package org.maestro.ontology.vocabulary;
+
+import java.time.Duration;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.maestro.sl.Formula;
+import org.maestro.sl.TypedVariable;
+
+/**
+ * A predicate or numeric fluent of the vocabulary.
+ *
+ * @param fluent true when its value is a number
+ * @param observable true, false or unknown; others are closed-world
+ * @param functional its last argument is the value of a state variable of the arguments before
+ * @param validFor age after which an observed fact is unknown again; {@code validForByClass} overrides it by class of the first
+ *     argument
+ * @param derivedWhen holds exactly when the formula does; never in effects
+ * @param observedWhen an observation of positions decides it; may be set by effects too
+ * @param likelyWhen where an unknown atom is expected first, {@code (usuallyIn ?x ?p)}
+ * @param computedBy local name of a geometry function
+ */
+public record PredicateDeclaration(
+    String name,
+    String iri,
+    String label,
+    List<TypedVariable> parameters,
+    boolean fluent,
+    boolean observable,
+    boolean functional,
+    boolean symmetric,
+    Optional<Duration> validFor,
+    Map<String, Duration> validForByClass,
+    Optional<Formula> derivedWhen,
+    Optional<Formula> observedWhen,
+    Optional<Formula> likelyWhen,
+    Optional<String> computedBy,
+    Optional<String> unit) {
+  public PredicateDeclaration {
+    parameters = List.copyOf(parameters);
+    validForByClass = Collections.unmodifiableMap(new TreeMap<>(validForByClass));
+  }
+}

@@ -1,0 +1,29 @@
+package org.maestro.ontology.vocabulary;
+
+import java.util.Collections;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/** The typed read model of a loaded vocabulary, keyed by local name. Immutable. */
+public record Vocabulary(
+    Map<String, ClassDeclaration> classes,
+    Map<String, PredicateDeclaration> predicates,
+    Map<String, FeatureType> features) {
+  public Vocabulary {
+    classes = Collections.unmodifiableMap(new TreeMap<>(classes));
+    predicates = Collections.unmodifiableMap(new TreeMap<>(predicates));
+    features = Collections.unmodifiableMap(new TreeMap<>(features));
+  }
+
+  public Optional<PredicateDeclaration> predicate(String name) {
+    return Optional.ofNullable(predicates.get(name));
+  }
+
+  /** Whether the class is the ancestor or under it; a name without declaration is a class of its own. */
+  public boolean isA(String className, String ancestor) {
+    ClassDeclaration declared = classes.get(className);
+    return className.equals(ancestor)
+        || declared != null && declared.ancestors().contains(ancestor);
+  }
+}

@@ -1,0 +1,77 @@
+package org.maestro.sl;
+
+import java.util.List;
+
+/** A condition: of a goal, a precondition, a derived predicate or a question. */
+public sealed interface Formula {
+
+  /** A predicate applied to terms; a class name with one term is an atom too. */
+  record Atom(String predicate, List<Term> arguments) implements Formula {
+    public Atom {
+      arguments = List.copyOf(arguments);
+    }
+
+    public boolean isGround() {
+      return arguments.stream().allMatch(Term::isGround);
+    }
+  }
+
+  record And(List<Formula> operands) implements Formula {
+    public And {
+      operands = List.copyOf(operands);
+    }
+  }
+
+  record Or(List<Formula> operands) implements Formula {
+    public Or {
+      operands = List.copyOf(operands);
+    }
+  }
+
+  record Not(Formula operand) implements Formula {}
+
+  record Imply(Formula premise, Formula conclusion) implements Formula {}
+
+  record Exists(List<TypedVariable> variables, Formula body) implements Formula {
+    public Exists {
+      variables = List.copyOf(variables);
+    }
+  }
+
+  record Forall(List<TypedVariable> variables, Formula body) implements Formula {
+    public Forall {
+      variables = List.copyOf(variables);
+    }
+  }
+
+  /** A comparison of numbers, or the equality of two terms. */
+  record Comparison(Relation relation, Expression left, Expression right) implements Formula {}
+
+  /** The atom is neither known true nor excluded, or is too old. */
+  record UnknownAtom(Atom atom) implements Formula {}
+
+  /** The fluent has no known number, or one too old. */
+  record UnknownNumber(Expression.Fluent fluent) implements Formula {}
+
+  /** To hold until cancelled; legal as a goal only. */
+  record Keep(Formula body) implements Formula {}
+
+  /** The comparisons. */
+  enum Relation {
+    EQUAL("="),
+    LESS("<"),
+    AT_MOST("<="),
+    GREATER(">"),
+    AT_LEAST(">=");
+
+    private final String symbol;
+
+    Relation(String symbol) {
+      this.symbol = symbol;
+    }
+
+    public String symbol() {
+      return symbol;
+    }
+  }
+}

@@ -1,0 +1,25 @@
+package org.maestro.sl;
+
+/** What an atom speaks about: a variable, a named individual, an IRI or a literal value. */
+public sealed interface Term {
+
+  /** A variable; {@code name} is without the question mark. */
+  record Variable(String name) implements Term {}
+
+  /** A bare name of an individual, such as {@code Cup} or {@code zone-b}. */
+  record Name(String text) implements Term {}
+
+  /** A full IRI, written between angle brackets. */
+  record Iri(String text) implements Term {}
+
+  record Number(double value) implements Term {}
+
+  /** A quoted string; a position or pose is written so too: {@code "2.1 0.4 0.1"}, metres and degrees. */
+  record Text(String value) implements Term {}
+
+  record Truth(boolean value) implements Term {}
+
+  default boolean isGround() {
+    return !(this instanceof Variable);
+  }
+}

@@ -1,0 +1,81 @@
+package org.maestro.rats.link;
+
+import java.time.Duration;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.MemberState;
+import org.maestro.rats.protocol.MemberStatus;
+import org.maestro.rats.protocol.Observation;
+import org.maestro.rats.protocol.Progress;
+import org.maestro.rats.protocol.Result;
+
+/**
+ * The controller's end of the bus. Any thread may call it; nothing blocks. Listeners are told on the transport's thread (the clock's,
+ * when stepped) and must hand over at once.
+ */
+public interface RatsLink extends AutoCloseable {
+
+  /** Members whose status was ever seen on this site and not cleared, latest first known. */
+  Collection<Member> members();
+
+  /** Tells the listener of all members known now, then of each change. */
+  void watch(MemberListener listener);
+
+  /**
+   * Calls a member's feature; exactly one result follows, TIMED_OUT or FAILED with MEMBER_LOST at the latest.
+   *
+   * @param parameters JSON values
+   */
+  CallHandle call(
+      String member,
+      String feature,
+      Map<String, Object> parameters,
+      Duration timeout,
+      Optional<String> task,
+      CallListener listener);
+
+  /** Asks the member for the price of parameter sets ({@code $cost}); one answer for each set, in order. */
+  void cost(
+      String member,
+      String feature,
+      List<Map<String, Object>> parameterSets,
+      Consumer<List<CostAnswer>> answer);
+
+  /** Sends {@code $safe} to every member (M37). */
+  void safe();
+
+  @Override
+  void close();
+
+  /** A member as the link knows it. */
+  record Member(
+      String id,
+      MemberStatus.Phase phase,
+      String boot,
+      Optional<String> description,
+      Optional<MemberState> state) {}
+
+  interface MemberListener {
+    /** Status, description or state changed; a member is usable when READY and described. */
+    void changed(Member member);
+  }
+
+  interface CallListener {
+    default void progressed(Progress progress) {}
+
+    default void observed(Observation observation) {}
+
+    void ended(Result result);
+  }
+
+  interface CallHandle {
+    String callId();
+
+    /** Sends {@code $cancel}; the result still comes through the listener. */
+    void cancel();
+  }
+}
