@@ -17,8 +17,8 @@ public interface KnowledgeBase extends AutoCloseable {
   /** Ground MAESTRO-SL facts said by a source: {@code (in rose zone-b)}, {@code (not (open door-1))}, {@code (= (level lamp-b1) 0.5)}. */
   void state(Source source, List<String> facts);
 
-  /** Writes what the result teaches: {@code learns}, or the effect, or {@code error.refs}. */
-  void learn(FeatureRun run);
+  /** Writes what the result teaches: {@code learns}, or the effect, or {@code error.refs}. Returns what that changed. */
+  Change learn(FeatureRun run);
 
   /** The member is gone: what it said of itself, and what was carried by it, become unknown. */
   void lost(String member);
