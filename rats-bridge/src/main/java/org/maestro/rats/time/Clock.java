@@ -6,6 +6,13 @@ import java.time.Instant;
 /**
  * Simulated time. Any thread may call it. Actions run one at a time on the clock's thread (the paced clock's own, or the one that
  * drives a stepped clock); they must not block.
+ *
+ * <p>Simultaneous actions run in the order in which they were scheduled. On a stepped clock that order is the same in every run
+ * as long as one rule is kept: <em>an action sets going at most one activity on another thread, and that activity holds a ticket
+ * until it is done</em>. The clock runs the next action only when no ticket is held, so there is never more than one logical
+ * activity that could schedule anything, and the sequence of the schedule calls follows from the sequence of the actions alone.
+ * Whoever has to wake several threads (a message to many receivers) schedules one action for each of them. The order does not look
+ * at names, so that renaming a device changes nothing.
  */
 public interface Clock {
 
@@ -16,15 +23,20 @@ public interface Clock {
   Instant start();
 
   /**
-   * Runs the action after the delay of simulated time. Simultaneous actions run in the order of their owner's name, then of
-   * the calls.
+   * Runs the action after the delay of simulated time. Simultaneous actions run in the order of these calls.
    *
-   * @param owner who the action belongs to: a member's or agent's id
+   * @param delay zero or more; a negative one counts as zero
+   * @param owner who the action belongs to, for messages: a member's or agent's id
    */
   Timer schedule(Duration delay, String owner, Runnable action);
 
   /** Keeps a stepped clock from moving until the ticket is closed; costs nothing on a paced one. */
   Ticket hold(String holder);
+
+  /** Simulated seconds per second of wall time; 1 on a stepped clock, which has no relation to it. */
+  default double speed() {
+    return 1.0;
+  }
 
   default Instant instant() {
     return start().plus(now());

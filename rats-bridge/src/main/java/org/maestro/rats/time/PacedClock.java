@@ -1,0 +1,91 @@
+package org.maestro.rats.time;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Wall time times a speed. One daemon thread runs the actions; what they throw goes to the log and the clock goes on. After
+ * {@link #close} nothing runs any more and scheduling does nothing.
+ */
+public final class PacedClock implements Clock, AutoCloseable {
+
+  private static final Logger LOG = LoggerFactory.getLogger(PacedClock.class);
+  private static final Timer NOTHING_TO_CANCEL = () -> {};
+  private static final Ticket FREE_TICKET = () -> {};
+
+  private final double speed;
+  private final Instant start = Instant.now();
+  private final long startNanos = System.nanoTime();
+  private final ScheduledThreadPoolExecutor executor;
+
+  /**
+   * @param speed simulated seconds per second of wall time, above 0
+   */
+  public PacedClock(double speed) {
+    if (!(speed > 0) || Double.isInfinite(speed)) {
+      throw new IllegalArgumentException(
+          "The speed of a paced clock must be a number above 0, not " + speed);
+    }
+    this.speed = speed;
+    this.executor =
+        new ScheduledThreadPoolExecutor(
+            1,
+            runnable -> {
+              Thread thread = new Thread(runnable, "maestro-clock");
+              thread.setDaemon(true);
+              return thread;
+            },
+            (task, stopped) -> LOG.debug("The clock is closed: an action is dropped"));
+    executor.setRemoveOnCancelPolicy(true);
+    executor.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
+  }
+
+  @Override
+  public Duration now() {
+    return Duration.ofNanos(Math.round((System.nanoTime() - startNanos) * speed));
+  }
+
+  @Override
+  public Instant start() {
+    return start;
+  }
+
+  @Override
+  public double speed() {
+    return speed;
+  }
+
+  @Override
+  public Timer schedule(Duration delay, String owner, Runnable action) {
+    if (executor.isShutdown()) {
+      return NOTHING_TO_CANCEL;
+    }
+    long wallNanos = Math.max(0, Math.round(delay.toNanos() / speed));
+    ScheduledFuture<?> future =
+        executor.schedule(() -> run(owner, action), wallNanos, TimeUnit.NANOSECONDS);
+    return () -> future.cancel(false);
+  }
+
+  private static void run(String owner, Runnable action) {
+    try {
+      action.run();
+    } catch (RuntimeException | AssertionError failure) {
+      LOG.error("An action of {} failed; the clock goes on", owner, failure);
+    }
+  }
+
+  @Override
+  public Ticket hold(String holder) {
+    return FREE_TICKET;
+  }
+
+  @Override
+  public void close() {
+    executor.shutdownNow();
+  }
+}

@@ -1,0 +1,182 @@
+package org.maestro.rats.time;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.PriorityQueue;
+import java.util.Set;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Time that jumps from event to event. It has no thread: whoever calls {@link #runUntil} drives it and runs the actions. It never
+ * moves while a ticket is held. Any thread may schedule, hold and read; order and determinism are described at {@link Clock}.
+ */
+public final class SteppedClock implements Clock {
+
+  private static final Instant START = Instant.parse("2026-01-01T00:00:00Z");
+  private static final Duration DEFAULT_STALL_LIMIT = Duration.ofSeconds(30);
+
+  private final Object monitor = new Object();
+  private final PriorityQueue<Event> events =
+      new PriorityQueue<>(
+          Comparator.comparing((Event event) -> event.due)
+              .thenComparingLong(event -> event.sequence));
+  private final Set<HeldTicket> tickets = new LinkedHashSet<>();
+  private final Duration stallLimit;
+  private volatile Duration now = Duration.ZERO;
+  private long nextSequence;
+  private Thread driver;
+
+  public SteppedClock() {
+    this(DEFAULT_STALL_LIMIT);
+  }
+
+  /**
+   * @param stallLimit wall time that the clock waits for a held ticket before {@link ClockStalledException}
+   */
+  public SteppedClock(Duration stallLimit) {
+    this.stallLimit = stallLimit;
+  }
+
+  @Override
+  public Duration now() {
+    return now;
+  }
+
+  @Override
+  public Instant start() {
+    return START;
+  }
+
+  @Override
+  public Timer schedule(Duration delay, String owner, Runnable action) {
+    synchronized (monitor) {
+      Duration due = delay.isNegative() ? now : now.plus(delay);
+      Event event = new Event(due, nextSequence++, action);
+      events.add(event);
+      return () -> {
+        synchronized (monitor) {
+          events.remove(event);
+        }
+      };
+    }
+  }
+
+  @Override
+  public Ticket hold(String holder) {
+    HeldTicket ticket = new HeldTicket(holder);
+    synchronized (monitor) {
+      tickets.add(ticket);
+    }
+    return ticket;
+  }
+
+  /**
+   * Runs events in order until the condition holds or the limit of simulated time has passed; then now is the end of the limit.
+   * The condition is read on the calling thread before each event while no ticket is held. What an action throws ends the call; the
+   * clock stays usable.
+   *
+   * @param limit simulated time from now
+   * @return whether the condition holds
+   * @throws ClockStalledException when a ticket is held for longer than the stall limit of wall time
+   * @throws IllegalStateException when another thread, or an action of this clock, drives it already
+   */
+  public boolean runUntil(BooleanSupplier condition, Duration limit) {
+    takeTheWheel();
+    try {
+      Duration end = now.plus(limit);
+      while (true) {
+        awaitTickets();
+        if (condition.getAsBoolean()) {
+          return true;
+        }
+        Event event = nextBefore(end);
+        if (event == null) {
+          return false;
+        }
+        event.action.run();
+      }
+    } finally {
+      synchronized (monitor) {
+        driver = null;
+      }
+    }
+  }
+
+  /** Lets the given simulated time pass. */
+  public void run(Duration duration) {
+    runUntil(() -> false, duration);
+  }
+
+  private void takeTheWheel() {
+    synchronized (monitor) {
+      if (driver != null) {
+        throw new IllegalStateException(
+            "The stepped clock is already driven by the thread " + driver.getName());
+      }
+      driver = Thread.currentThread();
+    }
+  }
+
+  private Event nextBefore(Duration end) {
+    synchronized (monitor) {
+      Event event = events.peek();
+      if (event == null || event.due.compareTo(end) > 0) {
+        now = end;
+        return null;
+      }
+      events.remove();
+      now = event.due;
+      return event;
+    }
+  }
+
+  private void awaitTickets() {
+    long deadline = System.nanoTime() + stallLimit.toNanos();
+    synchronized (monitor) {
+      while (!tickets.isEmpty()) {
+        long leftMillis = (deadline - System.nanoTime()) / 1_000_000;
+        if (leftMillis <= 0) {
+          throw new ClockStalledException(now, stallLimit, holders());
+        }
+        try {
+          monitor.wait(leftMillis);
+        } catch (InterruptedException interrupted) {
+          Thread.currentThread().interrupt();
+          throw new IllegalStateException(
+              "The thread that drives the stepped clock was interrupted while these held a ticket: "
+                  + String.join(", ", holders()),
+              interrupted);
+        }
+      }
+    }
+  }
+
+  private List<String> holders() {
+    List<String> names = new ArrayList<>();
+    tickets.forEach(ticket -> names.add(ticket.holder));
+    return names;
+  }
+
+  private record Event(Duration due, long sequence, Runnable action) {}
+
+  private final class HeldTicket implements Ticket {
+    private final String holder;
+
+    private HeldTicket(String holder) {
+      this.holder = holder;
+    }
+
+    @Override
+    public void close() {
+      synchronized (monitor) {
+        if (tickets.remove(this) && tickets.isEmpty()) {
+          monitor.notifyAll();
+        }
+      }
+    }
+  }
+}
