@@ -38,5 +38,25 @@ public sealed interface Expression {
     public String symbol() {
       return symbol;
     }
+
+    /** The result for one or more operands; not finite after a division by zero. */
+    public double apply(double... operands) {
+      double result = operands[0];
+      if (operands.length == 1 && this == MINUS) {
+        return -result;
+      }
+      for (int i = 1; i < operands.length; i++) {
+        result =
+            switch (this) {
+              case PLUS -> result + operands[i];
+              case MINUS -> result - operands[i];
+              case TIMES -> result * operands[i];
+              case DIVIDE -> result / operands[i];
+              case MIN -> Math.min(result, operands[i]);
+              case MAX -> Math.max(result, operands[i]);
+            };
+      }
+      return result;
+    }
   }
 }
