@@ -1,0 +1,122 @@
+package org.maestro.ontology.home;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** A simple polygon of the floor plan, such as a room's or a zone's outline; its last corner is joined to its first. */
+public record Polygon(List<Point2> corners) {
+
+  public Polygon {
+    corners = List.copyOf(corners);
+    if (corners.size() < 3) {
+      throw new IllegalArgumentException(
+          "An outline needs three corners or more, but has " + corners.size() + ".");
+    }
+  }
+
+  /**
+   * Reads {@code "x1 y1, x2 y2, ..."} in metres.
+   *
+   * @throws IllegalArgumentException when the text is anything else
+   */
+  public static Polygon parse(String outline) {
+    List<Point2> corners = new ArrayList<>();
+    for (String corner : outline.split(",")) {
+      double[] numbers = Pose.numbers(corner);
+      if (numbers.length != 2) {
+        throw new IllegalArgumentException(
+            "A corner of an outline is two numbers, but here is \"" + corner.strip() + "\".");
+      }
+      corners.add(new Point2(numbers[0], numbers[1]));
+    }
+    return new Polygon(corners);
+  }
+
+  /** Square metres. */
+  public double area() {
+    double twice = 0;
+    for (Segment edge : edges()) {
+      twice += edge.from().x() * edge.to().y() - edge.to().x() * edge.from().y();
+    }
+    return Math.abs(twice) / 2;
+  }
+
+  public Point2 centroid() {
+    double twice = 0;
+    double x = 0;
+    double y = 0;
+    for (Segment edge : edges()) {
+      Point2 a = edge.from();
+      Point2 b = edge.to();
+      double cross = a.x() * b.y() - b.x() * a.y();
+      twice += cross;
+      x += (a.x() + b.x()) * cross;
+      y += (a.y() + b.y()) * cross;
+    }
+    return new Point2(x / (3 * twice), y / (3 * twice));
+  }
+
+  public List<Segment> edges() {
+    List<Segment> edges = new ArrayList<>();
+    for (int i = 0; i < corners.size(); i++) {
+      edges.add(new Segment(corners.get(i), corners.get((i + 1) % corners.size())));
+    }
+    return edges;
+  }
+
+  /** Whether the point lies inside or on the edge. */
+  public boolean contains(Point2 point) {
+    boolean inside = false;
+    for (Segment edge : edges()) {
+      if (edge.distance(point) <= Segment.TOLERANCE) {
+        return true;
+      }
+      Point2 a = edge.from();
+      Point2 b = edge.to();
+      if (a.y() > point.y() != b.y() > point.y()
+          && point.x() < (b.x() - a.x()) * (point.y() - a.y()) / (b.y() - a.y()) + a.x()) {
+        inside = !inside;
+      }
+    }
+    return inside;
+  }
+
+  /** The length of edge that both share; metres. */
+  public double sharedEdge(Polygon other) {
+    double shared = 0;
+    for (Segment edge : edges()) {
+      for (Segment opposite : other.edges()) {
+        if (edge.isInLineWith(opposite)) {
+          double first = edge.share(opposite.from());
+          double second = edge.share(opposite.to());
+          double overlap =
+              Math.min(1, Math.max(first, second)) - Math.max(0, Math.min(first, second));
+          shared += Math.max(0, overlap) * edge.length();
+        }
+      }
+    }
+    return shared;
+  }
+
+  /**
+   * Points of a square grid that lie inside, for areas that are measured by sampling.
+   *
+   * @param spacing metres
+   */
+  public List<Point2> samples(double spacing) {
+    double left = corners.stream().mapToDouble(Point2::x).min().orElseThrow();
+    double right = corners.stream().mapToDouble(Point2::x).max().orElseThrow();
+    double bottom = corners.stream().mapToDouble(Point2::y).min().orElseThrow();
+    double top = corners.stream().mapToDouble(Point2::y).max().orElseThrow();
+    List<Point2> samples = new ArrayList<>();
+    for (double x = left + spacing / 2; x < right; x += spacing) {
+      for (double y = bottom + spacing / 2; y < top; y += spacing) {
+        Point2 point = new Point2(x, y);
+        if (contains(point)) {
+          samples.add(point);
+        }
+      }
+    }
+    return samples;
+  }
+}

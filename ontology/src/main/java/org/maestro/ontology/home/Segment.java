@@ -1,0 +1,58 @@
+package org.maestro.ontology.home;
+
+/** A straight piece of the floor plan, such as a wall or a door's opening. */
+public record Segment(Point2 from, Point2 to) {
+
+  /** Positions along a wall closer than this are one; metres. */
+  static final double TOLERANCE = 1e-6;
+
+  public double length() {
+    return from.distance(to);
+  }
+
+  public Point2 middle() {
+    return at(0.5);
+  }
+
+  /** The point at a share of the length, 0 at the beginning, 1 at the end. */
+  public Point2 at(double share) {
+    return new Point2(
+        from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()));
+  }
+
+  /** Whether both have a point in common, ends included. */
+  public boolean intersects(Segment other) {
+    double ofFrom = Point2.turn(from, to, other.from);
+    double ofTo = Point2.turn(from, to, other.to);
+    double ofThisFrom = Point2.turn(other.from, other.to, from);
+    double ofThisTo = Point2.turn(other.from, other.to, to);
+    if (ofFrom * ofTo < 0 && ofThisFrom * ofThisTo < 0) {
+      return true;
+    }
+    return distance(other.from) <= TOLERANCE
+        || distance(other.to) <= TOLERANCE
+        || other.distance(from) <= TOLERANCE
+        || other.distance(to) <= TOLERANCE;
+  }
+
+  /** Shortest distance from a point; metres. */
+  public double distance(Point2 point) {
+    return at(Math.max(0, Math.min(1, share(point)))).distance(point);
+  }
+
+  /** Where along the line the point's foot lies: 0 at the beginning, 1 at the end, beyond them outside. */
+  double share(Point2 point) {
+    double dx = to.x() - from.x();
+    double dy = to.y() - from.y();
+    double squared = dx * dx + dy * dy;
+    return squared == 0 ? 0 : ((point.x() - from.x()) * dx + (point.y() - from.y()) * dy) / squared;
+  }
+
+  /** Whether the other lies on the same straight line. */
+  boolean isInLineWith(Segment other) {
+    double length = length();
+    return length > 0
+        && Math.abs(Point2.turn(from, to, other.from)) / length <= 10 * TOLERANCE
+        && Math.abs(Point2.turn(from, to, other.to)) / length <= 10 * TOLERANCE;
+  }
+}
