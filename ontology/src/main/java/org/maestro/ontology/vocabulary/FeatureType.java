@@ -56,4 +56,28 @@ public record FeatureType(
     occupies = Collections.unmodifiableSet(new TreeSet<>(occupies));
     refersTo = Collections.unmodifiableMap(new TreeMap<>(refersTo));
   }
+
+  /** The same feature with another effect. */
+  public FeatureType withEffect(Effect other) {
+    return new FeatureType(
+        name,
+        iri,
+        task,
+        sentence,
+        inputs,
+        binds,
+        outputs,
+        precondition,
+        other,
+        learns,
+        continuous,
+        endedBy,
+        frequencyHertz,
+        occupies,
+        cost,
+        seconds,
+        exit,
+        procedure,
+        refersTo);
+  }
 }

@@ -1,0 +1,98 @@
+package org.maestro.coordination;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.maestro.knowledge.KnowledgeBase;
+
+/**
+ * Pursues the goals of one scope. Confined to one thread: the owner's, on which all ports answer too.
+ *
+ * <p>Source: paper section 3.3, checklist M4, M17, M21, M55, M76.
+ */
+public final class Coordinator {
+  private final Ports ports;
+  private final Roster roster = new Roster();
+  private final Occupancy occupancy = new Occupancy();
+  private final ExactPrices exactPrices = new ExactPrices();
+  private final Map<String, GoalPursuit> pursuits = new LinkedHashMap<>();
+  private int lastNumber;
+
+  public Coordinator(Ports ports) {
+    this.ports = ports;
+  }
+
+  /**
+   * Takes a goal on.
+   *
+   * @param ended told once, how it ended
+   * @return the goal's id, G1, G2 ...
+   * @throws InvalidGoalException when it speaks of what nobody knows
+   */
+  public String submit(GoalRequest request, Consumer<GoalOutcome> ended) {
+    new GoalCheck(ports.knowledge().home()).check(request.goal());
+    String id = "G" + ++lastNumber;
+    GoalPursuit pursuit =
+        new GoalPursuit(
+            id,
+            request,
+            ports,
+            roster,
+            occupancy,
+            exactPrices,
+            outcome -> {
+              ended.accept(outcome);
+              advanceAll();
+            });
+    pursuits.put(id, pursuit);
+    ports.thinking().think(() -> id, started -> pursuit.start());
+    return id;
+  }
+
+  /** Returns whether there is such a goal. */
+  public boolean cancel(String goalId, String who) {
+    GoalPursuit pursuit = pursuits.get(goalId);
+    if (pursuit == null) {
+      return false;
+    }
+    pursuit.cancel(who);
+    return true;
+  }
+
+  public void memberPresent(String member) {
+    roster.present(member);
+  }
+
+  /** The member is gone: what it knew of itself is forgotten, and plans that count on it are made anew. */
+  public void memberLost(String member, String reason) {
+    if (!roster.isPresent(member)) {
+      return;
+    }
+    roster.absent(member, reason);
+    exactPrices.forget(member);
+    ports.knowledge().lost(member);
+    List.copyOf(pursuits.values()).forEach(pursuit -> pursuit.memberLost(member));
+  }
+
+  public void knowledgeChanged(KnowledgeBase.Change change) {
+    exactPrices.forget(change.source().agent());
+    List.copyOf(pursuits.values()).forEach(pursuit -> pursuit.knowledgeChanged(change));
+    advanceAll();
+  }
+
+  public boolean isPresent(String member) {
+    return roster.isPresent(member);
+  }
+
+  public List<GoalStatus> goals() {
+    List<GoalStatus> goals = new ArrayList<>();
+    pursuits.values().forEach(pursuit -> goals.add(pursuit.status()));
+    return goals;
+  }
+
+  private void advanceAll() {
+    List.copyOf(pursuits.values()).forEach(GoalPursuit::advance);
+  }
+}

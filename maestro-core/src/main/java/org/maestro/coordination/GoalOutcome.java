@@ -1,0 +1,39 @@
+package org.maestro.coordination;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import org.maestro.sl.Term;
+
+/**
+ * How a goal ended.
+ *
+ * @param confirmed a sensor has seen it, where its predicate can be seen at all
+ * @param binding values of the goal's free variables
+ * @param reasons why it failed, in sentences; empty when reached
+ * @param calls feature calls started
+ * @param replans plans made after the first, without the one that confirms
+ * @param decisionMillis wall time from the goal's arrival to its first call; 0 when none was needed
+ */
+public record GoalOutcome(
+    String id,
+    String goal,
+    GoalState state,
+    boolean confirmed,
+    Map<String, Term> binding,
+    List<String> reasons,
+    int calls,
+    int replans,
+    Duration submittedAt,
+    Duration endedAt,
+    double decisionMillis) {
+
+  public boolean reached() {
+    return state == GoalState.ACHIEVED;
+  }
+
+  /** Simulated time from arrival to end. */
+  public Duration duration() {
+    return endedAt.minus(submittedAt);
+  }
+}

@@ -1,0 +1,459 @@
+package org.maestro.coordination;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import org.maestro.knowledge.FeatureRun;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.knowledge.Snapshot;
+import org.maestro.planning.Plan;
+import org.maestro.planning.PlanningResult;
+import org.maestro.planning.PlanningTask;
+import org.maestro.planning.PricedFeature;
+import org.maestro.planning.Step;
+import org.maestro.planning.StepKey;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Term;
+
+/**
+ * One goal on its way: plan, award, execute in partial order, compare what is known with what the plan needs, plan again, confirm,
+ * end. The coordinator's thread only.
+ *
+ * <p>While a step is under way, changes that only concern what the step handles do not disturb the plan: its own report will say
+ * how it ended.
+ */
+final class GoalPursuit {
+  private static final int MOST_PLANS = 60;
+  private static final double SAME_COST = 1e-6;
+
+  private final String id;
+  private final GoalRequest request;
+  private final Ports ports;
+  private final Roster roster;
+  private final Occupancy occupancy;
+  private final ExactPrices exactPrices;
+  private final GoalStory story;
+  private final Consumer<GoalOutcome> ended;
+  private final Duration submittedAt;
+  private final long submittedNanos = System.nanoTime();
+
+  private final FailureMemory failures = new FailureMemory();
+  private final Map<StepKey, Underway> underway = new LinkedHashMap<>();
+  private final List<Crew.Performance> established = new ArrayList<>();
+  private final Set<Integer> done = new LinkedHashSet<>();
+  private GoalState state = GoalState.SUBMITTED;
+  private String detail = "";
+  private Optional<Plan> plan = Optional.empty();
+  private List<PricedFeature> features = List.of();
+  private Optional<Confirmation> confirmation = Optional.empty();
+  private Optional<String> planAgain = Optional.empty();
+  private boolean planning;
+  private int plans;
+  private int confirmingPlans;
+  private int calls;
+  private double decisionMillis;
+
+  private record Underway(Step step, Crew.Performance performance) {}
+
+  GoalPursuit(
+      String id,
+      GoalRequest request,
+      Ports ports,
+      Roster roster,
+      Occupancy occupancy,
+      ExactPrices exactPrices,
+      Consumer<GoalOutcome> ended) {
+    this.id = id;
+    this.request = request;
+    this.ports = ports;
+    this.roster = roster;
+    this.occupancy = occupancy;
+    this.exactPrices = exactPrices;
+    this.story = new GoalStory(id, ports.story(), ports.clock(), ports.knowledge());
+    this.ended = ended;
+    this.submittedAt = ports.clock().now();
+  }
+
+  void start() {
+    story.submitted(request);
+    plan(Optional.empty());
+  }
+
+  GoalStatus status() {
+    return new GoalStatus(id, SlPrinter.print(request.goal()), request.requester(), state, detail);
+  }
+
+  void cancel(String who) {
+    if (!state.isFinal()) {
+      end(GoalState.CANCELLED, false, Map.of(), List.of("Cancelled by " + who + "."));
+    }
+  }
+
+  /** Something changed that no step of this goal reported. */
+  void knowledgeChanged(KnowledgeBase.Change change) {
+    if (!state.isFinal() && plan.isPresent() && !planning && !isInFlux(change)) {
+      reconsider(() -> story.becauseOf(change));
+    }
+  }
+
+  void memberLost(String member) {
+    if (state.isFinal() || planning || plan.isEmpty()) {
+      return;
+    }
+    if (remaining().stream().anyMatch(step -> step.member().equals(member))) {
+      plan(Optional.of(member + " is lost (" + roster.absence(member) + ")"));
+    }
+  }
+
+  /** A component became free, perhaps one that a step of this goal waits for. */
+  void advance() {
+    if (state.isFinal() || planning || plan.isEmpty()) {
+      return;
+    }
+    List<Step> waiting = new ArrayList<>();
+    for (Step step : plan.get().steps()) {
+      if (!done.contains(step.number())
+          && !underway.containsKey(step.key())
+          && done.containsAll(step.after())) {
+        if (occupancy.isFree(step.member(), step.feature().occupies())
+            && underway.values().stream().noneMatch(u -> clashes(u.step(), step))) {
+          begin(step);
+        } else {
+          waiting.add(step);
+        }
+      }
+    }
+    if (underway.isEmpty() && !waiting.isEmpty()) {
+      Step first = waiting.get(0);
+      become(GoalState.WAITING, occupancy.holders(first.member(), first.feature().occupies()));
+    }
+  }
+
+  private static boolean clashes(Step running, Step next) {
+    return running.member().equals(next.member())
+        && running.feature().occupies().stream().anyMatch(next.feature().occupies()::contains);
+  }
+
+  private void plan(Optional<String> why) {
+    if (planning) {
+      planAgain = why;
+      return;
+    }
+    if (plans >= MOST_PLANS) {
+      end(
+          GoalState.FAILED,
+          false,
+          Map.of(),
+          List.of("It was planned " + plans + " times without getting there; given up."));
+      return;
+    }
+    planning = true;
+    plans++;
+    if (confirmation.isPresent()) {
+      confirmingPlans++;
+    }
+    become(confirmation.isPresent() ? GoalState.CONFIRMING : GoalState.PLANNING, why.orElse(""));
+    story.planning(plans, why);
+    new PlanningRound(ports, exactPrices, subject(), barred(), this::planned).start();
+  }
+
+  private void planned(PlanningRound.Ended round) {
+    planning = false;
+    if (state.isFinal()) {
+      round.tender().award(Map.of());
+      return;
+    }
+    features = round.features();
+    story.bids(round.tender().bids(), round.questions());
+    if (planAgain.isPresent()) {
+      Optional<String> why = planAgain;
+      planAgain = Optional.empty();
+      round.tender().award(Map.of());
+      plan(why);
+    } else if (round.result() instanceof PlanningResult.Found found) {
+      adopt(found.plan(), round.tender());
+    } else {
+      round.tender().award(Map.of());
+      noPlan(round.result());
+    }
+  }
+
+  private void adopt(Plan found, Market.Tender tender) {
+    plan = Optional.of(found);
+    done.clear();
+    story.plan(plans, found, confirmation.isPresent());
+    Map<String, List<Step>> parts = new TreeMap<>();
+    found.steps().forEach(s -> parts.computeIfAbsent(s.member(), m -> new ArrayList<>()).add(s));
+    tender.award(parts);
+    Set<StepKey> wanted =
+        found.steps().stream().map(Step::key).collect(java.util.stream.Collectors.toSet());
+    List.copyOf(underway.values()).stream()
+        .filter(u -> !wanted.contains(u.step().key()))
+        .forEach(
+            u -> {
+              story.cancelled(u.step());
+              u.performance().cancel();
+            });
+    if (confirmation.isEmpty()) {
+      become(GoalState.RUNNING, "");
+    }
+    continueOrSettle();
+  }
+
+  private void noPlan(PlanningResult result) {
+    plan = Optional.empty();
+    if (!underway.isEmpty()) {
+      become(GoalState.WAITING, "what is under way has to end first");
+      return;
+    }
+    if (confirmation.isPresent() && holds().isPresent()) {
+      story.unconfirmed();
+      end(GoalState.ACHIEVED, false, holds().get().goalBinding(), List.of());
+      return;
+    }
+    if (confirmation.isPresent()) {
+      confirmation = Optional.empty();
+      plan(Optional.of("it cannot be seen any more that the goal is reached"));
+      return;
+    }
+    end(GoalState.FAILED, false, Map.of(), story.reasons(result));
+  }
+
+  private void begin(Step step) {
+    calls++;
+    if (calls == 1) {
+      decisionMillis = (System.nanoTime() - submittedNanos) / 1e6;
+    }
+    if (state == GoalState.WAITING) {
+      become(GoalState.RUNNING, "");
+    }
+    occupancy.take(step.member(), step.feature().occupies(), id);
+    story.begun(step, plan.orElseThrow().steps().size());
+    Map<String, Argument> arguments =
+        new CallArguments(ports.knowledge().home(), ports.knowledge().snapshot())
+            .of(step.feature(), step.bindings());
+    Duration timeout = Duration.ofMillis((long) (step.seconds() * 3_000) + 15_000);
+    Crew.Performance[] performance = new Crew.Performance[1];
+    performance[0] =
+        ports
+            .crew()
+            .perform(
+                new Crew.Order(id, step, arguments, timeout),
+                report -> reported(step, report, performance[0]));
+    underway.put(step.key(), new Underway(step, performance[0]));
+  }
+
+  private void reported(Step step, Crew.Report report, Crew.Performance performance) {
+    underway.remove(step.key());
+    occupancy.release(step.member(), step.feature().occupies(), id);
+    exactPrices.forget(step.member());
+    String factsBefore = factsUnder(step.key());
+    KnowledgeBase.Change change = ports.knowledge().learn(run(step, report));
+    if (state.isFinal()) {
+      return;
+    }
+    if (report.succeeded()) {
+      done(step);
+      if (step.feature().continuous()) {
+        established.add(performance);
+      }
+      story.done(step, change);
+    } else {
+      String factsNow = factsUnder(step.key());
+      failures.note(step.key(), factsBefore.equals(factsNow) ? factsNow : factsBefore);
+      story.failed(step, report.problem().orElse("no reason given"), change);
+    }
+    if (planning) {
+      planAgain = Optional.of(story.becauseOf(change));
+    } else if (plan.isEmpty()) {
+      if (underway.isEmpty()) {
+        plan(Optional.of("what was under way has ended"));
+      }
+    } else {
+      reconsider(() -> report.problem().orElseGet(() -> story.becauseOf(change)));
+    }
+  }
+
+  private void done(Step step) {
+    plan.ifPresent(
+        p ->
+            p.steps().stream()
+                .filter(s -> s.key().equals(step.key()) && !done.contains(s.number()))
+                .findFirst()
+                .ifPresent(s -> done.add(s.number())));
+  }
+
+  private FeatureRun run(Step step, Crew.Report report) {
+    Map<String, Term> bindings = new TreeMap<>(step.bindings());
+    bindings.put("self", new Term.Name(step.member()));
+    return new FeatureRun(
+        step.member(),
+        step.feature(),
+        bindings,
+        report.succeeded(),
+        report.outputs(),
+        report.refs());
+  }
+
+  /** Is the rest of the plan still good, from what is known now? */
+  private void reconsider(java.util.function.Supplier<String> why) {
+    if (holds().isPresent()) {
+      settle(holds().get().goalBinding());
+      return;
+    }
+    List<Step> remaining = remaining();
+    Optional<Step> unable =
+        remaining.stream().filter(step -> !roster.isPresent(step.member())).findFirst();
+    if (unable.isPresent()) {
+      plan(Optional.of(roster.absence(unable.get().member())));
+      return;
+    }
+    Optional<Plan> still = ports.planner().revalidate(task(subject().planned()), remaining);
+    double expected = remaining.stream().mapToDouble(Step::cost).sum();
+    if (remaining.isEmpty() || still.isEmpty() || still.get().cost() > expected + SAME_COST) {
+      plan(Optional.of(why.get() + blockedStep(remaining)));
+    } else {
+      continueOrSettle();
+    }
+  }
+
+  private String blockedStep(List<Step> remaining) {
+    PlanningTask anything = task(new Formula.And(List.of()));
+    for (int n = 1; n <= remaining.size(); n++) {
+      if (ports.planner().revalidate(anything, remaining.subList(0, n)).isEmpty()) {
+        return "; step "
+            + remaining.get(n - 1).number()
+            + " ("
+            + story.sentence(remaining.get(n - 1))
+            + ") is not possible so";
+      }
+    }
+    return "";
+  }
+
+  private void continueOrSettle() {
+    if (plan.orElseThrow().steps().isEmpty() || remaining().isEmpty()) {
+      Optional<Plan> reached = holds();
+      if (reached.isPresent()) {
+        settle(reached.get().goalBinding());
+        return;
+      }
+    }
+    advance();
+  }
+
+  /** The goal holds by what is known: end, or have it seen first. */
+  private void settle(Map<String, Term> binding) {
+    Optional<Confirmation> needed =
+        Confirmation.needed(
+            request.goal(),
+            binding,
+            ports.knowledge().snapshot(),
+            ports.knowledge().home().vocabulary());
+    if (needed.isEmpty()) {
+      end(GoalState.ACHIEVED, true, binding, List.of());
+    } else if (confirmation.isEmpty()) {
+      confirmation = needed;
+      plan = Optional.empty();
+      story.confirming(needed.get().things());
+      plan(Optional.empty());
+    } else if (underway.isEmpty() && remaining().isEmpty()) {
+      confirmation = needed;
+      plan(Optional.of("it was not seen"));
+    } else {
+      advance();
+    }
+  }
+
+  private void end(
+      GoalState how, boolean confirmed, Map<String, Term> binding, List<String> reasons) {
+    become(how, String.join(" ", reasons));
+    List.copyOf(underway.values()).forEach(u -> u.performance().cancel());
+    established.forEach(Crew.Performance::cancel);
+    GoalOutcome outcome =
+        new GoalOutcome(
+            id,
+            SlPrinter.print(request.goal()),
+            how,
+            confirmed,
+            binding,
+            reasons,
+            calls,
+            Math.max(0, plans - confirmingPlans - 1),
+            submittedAt,
+            ports.clock().now(),
+            decisionMillis);
+    story.ended(outcome);
+    ended.accept(outcome);
+  }
+
+  private Optional<Plan> holds() {
+    return ports.planner().revalidate(task(request.goal()), List.of());
+  }
+
+  private List<Step> remaining() {
+    return plan.map(Plan::steps).orElse(List.of()).stream()
+        .filter(step -> !done.contains(step.number()))
+        .toList();
+  }
+
+  /** Whether all that changed concerns things that steps under way are handling. */
+  private boolean isInFlux(KnowledgeBase.Change change) {
+    Set<String> handled = new LinkedHashSet<>();
+    for (Underway u : underway.values()) {
+      handled.add(u.step().member());
+      u.step()
+          .bindings()
+          .values()
+          .forEach(term -> handled.add(SlPrinter.print(term)));
+    }
+    return change.facts().stream()
+        .allMatch(fact -> handled.stream().anyMatch(name -> mentions(fact, name)));
+  }
+
+  private static boolean mentions(String fact, String name) {
+    return List.of(fact.replaceAll("[()]", " ").split("\\s+")).contains(name);
+  }
+
+  private PlanningRound.Subject subject() {
+    return new PlanningRound.Subject(id, request.goal(), confirmation);
+  }
+
+  private PlanningTask task(Formula goal) {
+    Snapshot snapshot = ports.knowledge().snapshot();
+    return new PlanningTask(
+        subject().vocabulary(ports.knowledge().home()), snapshot, features, goal, barred());
+  }
+
+  private Set<StepKey> barred() {
+    return failures.barred(this::factsUnder);
+  }
+
+  private String factsUnder(StepKey key) {
+    return Optional.ofNullable(ports.knowledge().home().devices().get(key.member())).stream()
+        .flatMap(device -> device.features().stream())
+        .filter(feature -> feature.name().equals(key.feature()))
+        .findFirst()
+        .map(
+            feature -> {
+              Map<String, Term> bindings = new TreeMap<>(key.bindings());
+              bindings.put("self", new Term.Name(key.member()));
+              return FactsUnder.of(
+                  feature.precondition(), bindings, ports.knowledge().snapshot());
+            })
+        .orElse("");
+  }
+
+  private void become(GoalState next, String why) {
+    state = next;
+    detail = why;
+  }
+}

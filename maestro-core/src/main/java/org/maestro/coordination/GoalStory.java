@@ -1,0 +1,200 @@
+package org.maestro.coordination;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.maestro.knowledge.Belief;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.ontology.vocabulary.Price;
+import org.maestro.planning.Plan;
+import org.maestro.planning.PlanningResult;
+import org.maestro.planning.Step;
+import org.maestro.rats.time.Clock;
+import org.maestro.sl.SlPrinter;
+
+/** Tells one goal's story in sentences as it happens. */
+final class GoalStory {
+  private static final int MOST_FACTS = 6;
+
+  private final String goalId;
+  private final Story story;
+  private final Clock clock;
+  private final KnowledgeBase knowledge;
+
+  GoalStory(String goalId, Story story, Clock clock, KnowledgeBase knowledge) {
+    this.goalId = goalId;
+    this.story = story;
+    this.clock = clock;
+    this.knowledge = knowledge;
+  }
+
+  void submitted(GoalRequest request) {
+    tell(
+        StoryEntry.Kind.GOAL,
+        request.requester() + " asks for: " + sentences().fact(request.goal()) + ".");
+    List<String> texts =
+        knowledge.snapshot().beliefs().stream().map(Belief::fact).collect(Collectors.toList());
+    List<String> named = names(request);
+    for (String name : named) {
+      List<String> facts =
+          texts.stream()
+              .filter(fact -> mentions(fact, name))
+              .map(sentences()::fact)
+              .limit(MOST_FACTS)
+              .toList();
+      tell(
+          StoryEntry.Kind.KNOWN,
+          facts.isEmpty()
+              ? "Where " + name + " is, nobody knows."
+              : "Known of " + name + ": " + String.join("; ", facts) + ".");
+    }
+  }
+
+  private List<String> names(GoalRequest request) {
+    String text = SlPrinter.print(request.goal());
+    return knowledge.home().individuals().keySet().stream()
+        .filter(name -> mentions(text, name))
+        .toList();
+  }
+
+  private static boolean mentions(String fact, String name) {
+    return List.of(fact.replaceAll("[()]", " ").trim().split("\\s+")).contains(name);
+  }
+
+  void planning(int number, Optional<String> why) {
+    why.ifPresent(
+        reason -> tell(StoryEntry.Kind.REPLAN, "Plan again, because " + reason + "."));
+  }
+
+  void bids(List<Bid> bids, int questions) {
+    List<String> offers =
+        bids.stream()
+            .filter(bid -> bid.refusal().isEmpty())
+            .map(bid -> bid.member() + " " + prices(bid.prices()))
+            .toList();
+    List<String> refusals =
+        bids.stream()
+            .filter(bid -> bid.refusal().isPresent())
+            .map(bid -> bid.member() + " (" + bid.refusal().get() + ")")
+            .toList();
+    tell(
+        StoryEntry.Kind.BIDS,
+        (offers.isEmpty() ? "Nobody bids" : "Bids: " + String.join("; ", offers))
+            + (refusals.isEmpty() ? "" : ". Refused: " + String.join("; ", refusals))
+            + (questions == 0 ? "." : ". Exact prices asked: " + questions + "."));
+  }
+
+  private static String prices(Map<String, Price> prices) {
+    return prices.entrySet().stream()
+        .map(e -> e.getKey() + " " + price(e.getValue()))
+        .collect(Collectors.joining(", "));
+  }
+
+  private static String price(Price price) {
+    return price instanceof Price.Stated stated
+        ? SlPrinter.print(stated.cost())
+        : "at least " + SlPrinter.print(((Price.Asked) price).atLeast());
+  }
+
+  void plan(int number, Plan plan, boolean confirming) {
+    if (plan.steps().isEmpty()) {
+      return;
+    }
+    tell(
+        confirming ? StoryEntry.Kind.CONFIRM : StoryEntry.Kind.PLAN,
+        "Plan "
+            + number
+            + " (cost "
+            + Sentences.number(plan.cost())
+            + "): "
+            + sentences().plan(plan.steps())
+            + ".");
+  }
+
+  void begun(Step step, int steps) {
+    tell(
+        StoryEntry.Kind.STEP,
+        "Step " + step.number() + " of " + steps + ": " + sentences().step(step) + ".");
+  }
+
+  void done(Step step, KnowledgeBase.Change change) {
+    tell(StoryEntry.Kind.DONE, step.member() + " reports: " + facts(change) + ".");
+  }
+
+  void failed(Step step, String problem, KnowledgeBase.Change change) {
+    tell(
+        StoryEntry.Kind.FAILED,
+        "That failed: "
+            + step.member()
+            + " says "
+            + problem
+            + (change.facts().isEmpty() ? "" : " (" + facts(change) + ")")
+            + ".");
+  }
+
+  void cancelled(Step step) {
+    tell(StoryEntry.Kind.STEP, "No longer wanted: " + sentences().step(step) + ".");
+  }
+
+  void confirming(Collection<String> things) {
+    tell(
+        StoryEntry.Kind.CONFIRM,
+        "It should be so now; it is to be seen: " + String.join(", ", things) + ".");
+  }
+
+  void unconfirmed() {
+    tell(StoryEntry.Kind.CONFIRM, "Nobody can look there: the report is taken for it.");
+  }
+
+  void ended(GoalOutcome outcome) {
+    String binding =
+        outcome.binding().isEmpty() ? "" : " (" + sentences().binding(outcome.binding()) + ")";
+    tell(
+        StoryEntry.Kind.END,
+        switch (outcome.state()) {
+          case ACHIEVED -> "Reached" + (outcome.confirmed() ? "" : ", but not seen") + binding + ".";
+          case CANCELLED -> String.join(" ", outcome.reasons());
+          default -> "Not reached. " + String.join(" ", outcome.reasons());
+        });
+  }
+
+  List<String> reasons(PlanningResult result) {
+    if (result instanceof PlanningResult.Impossible impossible) {
+      List<String> reasons =
+          impossible.explanation().obstacles().stream().map(sentences()::obstacle).toList();
+      return reasons.isEmpty() ? List.of("No agent can bring it about.") : reasons;
+    }
+    if (result instanceof PlanningResult.GaveUp gaveUp) {
+      return List.of(gaveUp.reason());
+    }
+    throw new IllegalStateException("A plan that was found is no reason: " + result);
+  }
+
+  String becauseOf(KnowledgeBase.Change change) {
+    return facts(change);
+  }
+
+  String sentence(Step step) {
+    return sentences().step(step);
+  }
+
+  private String facts(KnowledgeBase.Change change) {
+    if (change.facts().isEmpty()) {
+      return "nothing new";
+    }
+    List<String> first =
+        change.facts().stream().limit(MOST_FACTS).map(sentences()::fact).toList();
+    int more = change.facts().size() - first.size();
+    return String.join(", ", first) + (more > 0 ? " and " + more + " more" : "");
+  }
+
+  private Sentences sentences() {
+    return new Sentences(knowledge.home().vocabulary());
+  }
+
+  private void tell(StoryEntry.Kind kind, String text) {
+    story.tell(new StoryEntry(goalId, clock.now(), kind, text));
+  }
+}

@@ -1,0 +1,175 @@
+package org.maestro.coordination;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.maestro.knowledge.Snapshot;
+import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.Price;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.planning.PlanningResult;
+import org.maestro.planning.PlanningTask;
+import org.maestro.planning.PricedFeature;
+import org.maestro.planning.PricedFeature.ExactPrice;
+import org.maestro.planning.Step;
+import org.maestro.planning.StepKey;
+import org.maestro.sl.Formula;
+
+/**
+ * One round from goal to plan: candidate features, a contract-net round for their prices, the cheapest plan, exact prices for those
+ * of its steps whose price was a lower bound, the plan found again, until the cheapest plan has exact prices.
+ */
+final class PlanningRound {
+
+  /** What to plan for: in a confirming round, the goal is extended by what has to be seen. */
+  record Subject(String goalId, Formula goal, Optional<Confirmation> confirmation) {
+    Formula planned() {
+      return confirmation.map(c -> c.goal(goal)).orElse(goal);
+    }
+
+    Vocabulary vocabulary(Home home) {
+      return confirmation
+          .map(c -> Confirmation.extend(home.vocabulary()))
+          .orElse(home.vocabulary());
+    }
+
+    PricedFeature feature(PricedFeature priced) {
+      return confirmation.map(c -> Confirmation.extend(priced)).orElse(priced);
+    }
+  }
+
+  /**
+   * How the round ended.
+   *
+   * @param questions exact prices asked
+   */
+  record Ended(
+      Market.Tender tender, PlanningResult result, List<PricedFeature> features, int questions) {}
+
+  private final Ports ports;
+  private final ExactPrices exactPrices;
+  private final Subject subject;
+  private final Set<StepKey> barred;
+  private final Consumer<Ended> then;
+  private int questions;
+
+  PlanningRound(
+      Ports ports,
+      ExactPrices exactPrices,
+      Subject subject,
+      Set<StepKey> barred,
+      Consumer<Ended> then) {
+    this.ports = ports;
+    this.exactPrices = exactPrices;
+    this.subject = subject;
+    this.barred = barred;
+    this.then = then;
+  }
+
+  void start() {
+    Map<String, List<String>> candidates =
+        Relevance.candidates(subject.goal(), ports.knowledge().home());
+    ports
+        .market()
+        .callForPrices(
+            new CallForPrices(subject.goalId(), subject.goal(), candidates), this::solve);
+  }
+
+  private void solve(Market.Tender tender) {
+    Home home = ports.knowledge().home();
+    Snapshot snapshot = ports.knowledge().snapshot();
+    List<PricedFeature> features = features(tender.bids(), home);
+    Set<StepKey> unusable = new HashSet<>(barred);
+    unusable.addAll(exactPrices.declined());
+    PlanningTask task =
+        new PlanningTask(
+            subject.vocabulary(home), snapshot, features, subject.planned(), unusable);
+    ports
+        .thinking()
+        .think(
+            () -> ports.planner().plan(task),
+            result -> solved(tender, features, result, home, snapshot));
+  }
+
+  private void solved(
+      Market.Tender tender,
+      List<PricedFeature> features,
+      PlanningResult result,
+      Home home,
+      Snapshot snapshot) {
+    Map<List<String>, List<Step>> inexact = new LinkedHashMap<>();
+    if (result instanceof PlanningResult.Found found) {
+      for (Step step : found.plan().steps()) {
+        if (!step.exactPrice()) {
+          inexact
+              .computeIfAbsent(
+                  List.of(step.member(), step.feature().name()), k -> new ArrayList<>())
+              .add(step);
+        }
+      }
+    }
+    if (inexact.isEmpty()) {
+      then.accept(new Ended(tender, result, features, questions));
+      return;
+    }
+    CallArguments arguments = new CallArguments(home, snapshot);
+    int[] open = {inexact.size()};
+    inexact.forEach(
+        (memberAndFeature, steps) -> {
+          questions += steps.size();
+          ports
+              .market()
+              .exactPrices(
+                  memberAndFeature.get(0),
+                  memberAndFeature.get(1),
+                  steps.stream().map(s -> arguments.of(s.feature(), s.bindings())).toList(),
+                  quotes -> {
+                    note(steps, quotes);
+                    if (--open[0] == 0) {
+                      solve(tender);
+                    }
+                  });
+        });
+  }
+
+  private void note(List<Step> steps, List<Market.Quote> quotes) {
+    for (int i = 0; i < steps.size(); i++) {
+      Optional<ExactPrice> price =
+          i < quotes.size() && quotes.get(i) instanceof Market.Quote.Priced priced
+              ? Optional.of(new ExactPrice(priced.cost(), priced.seconds()))
+              : Optional.empty();
+      exactPrices.put(steps.get(i).key(), price);
+    }
+  }
+
+  private List<PricedFeature> features(List<Bid> bids, Home home) {
+    Map<String, Bid> bidByMember = new LinkedHashMap<>();
+    bids.forEach(bid -> bidByMember.put(bid.member(), bid));
+    List<Device> devices = new ArrayList<>(home.devices().values());
+    devices.sort(Comparator.comparingDouble(Device::order).thenComparing(Device::id));
+    List<PricedFeature> features = new ArrayList<>();
+    for (Device device : devices) {
+      Bid bid = bidByMember.get(device.id());
+      if (bid != null) {
+        for (FeatureType type : device.features()) {
+          Price price = bid.prices().get(type.name());
+          if (price != null) {
+            features.add(
+                subject.feature(
+                    new PricedFeature(
+                        device.id(), type, price, exactPrices.of(device.id(), type.name()))));
+          }
+        }
+      }
+    }
+    return features;
+  }
+}

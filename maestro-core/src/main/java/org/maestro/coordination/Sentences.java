@@ -1,0 +1,157 @@
+package org.maestro.coordination;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.planning.PlanningResult;
+import org.maestro.planning.Step;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Term;
+
+/** Puts facts, steps and obstacles into plain sentences, by the labels and sentences of the vocabulary. */
+public final class Sentences {
+  private static final Pattern PLACE_HOLDER = Pattern.compile("\\{([A-Za-z][A-Za-z0-9-]*)}");
+
+  private final Vocabulary vocabulary;
+
+  public Sentences(Vocabulary vocabulary) {
+    this.vocabulary = vocabulary;
+  }
+
+  /** A fact as it stands in a belief or a change. */
+  public String fact(String slText) {
+    return fact(SlParser.formula(slText));
+  }
+
+  public String fact(Formula formula) {
+    if (formula instanceof Formula.Atom atom) {
+      return atom(atom, false);
+    }
+    if (formula instanceof Formula.Not not && not.operand() instanceof Formula.Atom atom) {
+      return atom(atom, true);
+    }
+    if (formula instanceof Formula.UnknownAtom unknown) {
+      return "it is no longer known whether " + atom(unknown.atom(), false);
+    }
+    if (formula instanceof Formula.UnknownNumber unknown) {
+      return quantity(unknown.fluent()) + " is no longer known";
+    }
+    if (formula instanceof Formula.Comparison comparison
+        && comparison.left() instanceof Expression.Fluent fluent) {
+      String verb =
+          comparison.relation() == Formula.Relation.EQUAL
+              ? " is "
+              : " " + comparison.relation().symbol() + " ";
+      return quantity(fluent) + verb + value(comparison.right()) + unit(fluent);
+    }
+    return SlPrinter.print(formula);
+  }
+
+  public String step(Step step) {
+    Matcher matcher = PLACE_HOLDER.matcher(step.feature().sentence());
+    return matcher.replaceAll(
+        found -> {
+          String name = found.group(1);
+          Term term = name.equals("self") ? new Term.Name(step.member()) : step.bindings().get(name);
+          return Matcher.quoteReplacement(term == null ? "?" : term(term));
+        });
+  }
+
+  public String plan(List<Step> steps) {
+    return steps.stream()
+        .map(step -> step.number() + ". " + step(step))
+        .collect(Collectors.joining("; "));
+  }
+
+  public String obstacle(PlanningResult.Obstacle obstacle) {
+    return "%s: %s needed, possible: %s (needed by %s)"
+        .formatted(obstacle.condition(), obstacle.needed(), obstacle.possible(), obstacle.neededBy());
+  }
+
+  public String binding(Map<String, Term> binding) {
+    return binding.entrySet().stream()
+        .map(e -> "?" + e.getKey() + " = " + term(e.getValue()))
+        .collect(Collectors.joining(", "));
+  }
+
+  private String atom(Formula.Atom atom, boolean negated) {
+    List<String> terms = atom.arguments().stream().map(Sentences::term).toList();
+    Optional<String> label = vocabulary.predicate(atom.predicate()).map(PredicateDeclaration::label);
+    if (label.isEmpty() || terms.isEmpty()) {
+      String kind =
+          Optional.ofNullable(vocabulary.classes().get(atom.predicate()))
+              .map(c -> c.label())
+              .orElse(atom.predicate());
+      return String.join(", ", terms) + (negated ? " is not " : " is ") + "a " + kind;
+    }
+    String verb = negated ? negate(label.get()) : label.get();
+    return terms.get(0)
+        + " "
+        + verb
+        + (terms.size() > 1 ? " " + String.join(", ", terms.subList(1, terms.size())) : "");
+  }
+
+  private static String negate(String label) {
+    if (label.startsWith("is ") || label.equals("is")) {
+      return "is not" + label.substring(2);
+    }
+    if (label.startsWith("can ")) {
+      return "cannot" + label.substring(3);
+    }
+    return "does not: " + label;
+  }
+
+  private String quantity(Expression.Fluent fluent) {
+    String label =
+        vocabulary
+            .predicate(fluent.name())
+            .map(PredicateDeclaration::label)
+            .orElse(fluent.name());
+    return "the "
+        + label
+        + " of "
+        + fluent.arguments().stream().map(Sentences::term).collect(Collectors.joining(", "));
+  }
+
+  private String unit(Expression.Fluent fluent) {
+    return vocabulary
+        .predicate(fluent.name())
+        .flatMap(PredicateDeclaration::unit)
+        .map(unit -> " " + unit)
+        .orElse("");
+  }
+
+  private static String value(Expression expression) {
+    return expression instanceof Expression.OfTerm ofTerm
+        ? term(ofTerm.term())
+        : SlPrinter.print(expression);
+  }
+
+  private static String term(Term term) {
+    if (term instanceof Term.Name name) {
+      return name.text();
+    }
+    if (term instanceof Term.Number number) {
+      return number(number.value());
+    }
+    if (term instanceof Term.Text text) {
+      return "(" + text.value() + ")";
+    }
+    return SlPrinter.print(term);
+  }
+
+  /** At most two decimals: for people. */
+  public static String number(double value) {
+    String text = String.format(Locale.ROOT, "%.2f", value);
+    return text.contains(".") ? text.replaceAll("0+$", "").replaceAll("\\.$", "") : text;
+  }
+}

@@ -1,0 +1,25 @@
+package org.maestro.coordination;
+
+import java.time.Duration;
+
+/**
+ * One sentence of a goal's story.
+ *
+ * @param at simulated time since the platform's start
+ */
+public record StoryEntry(String goalId, Duration at, Kind kind, String text) {
+
+  public enum Kind {
+    GOAL,
+    KNOWN,
+    BIDS,
+    PLAN,
+    STEP,
+    DONE,
+    FAILED,
+    LEARNT,
+    REPLAN,
+    CONFIRM,
+    END
+  }
+}
