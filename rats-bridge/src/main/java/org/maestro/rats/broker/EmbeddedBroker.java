@@ -1,0 +1,113 @@
+package org.maestro.rats.broker;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.URI;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.apache.activemq.artemis.api.core.SimpleString;
+import org.apache.activemq.artemis.api.core.TransportConfiguration;
+import org.apache.activemq.artemis.core.config.impl.ConfigurationImpl;
+import org.apache.activemq.artemis.core.remoting.impl.netty.NettyAcceptorFactory;
+import org.apache.activemq.artemis.core.remoting.impl.netty.TransportConstants;
+import org.apache.activemq.artemis.core.server.embedded.EmbeddedActiveMQ;
+import org.apache.activemq.artemis.core.settings.impl.AddressSettings;
+
+/**
+ * An MQTT 5 broker in this process, on loopback, without a journal: sessions are clean, and members publish what is retained again.
+ * Any thread may use it. After {@link #close} no thread and no file of it is left.
+ */
+public final class EmbeddedBroker implements AutoCloseable {
+
+  private static final String HOST = "127.0.0.1";
+
+  private final EmbeddedActiveMQ server;
+  private final URI uri;
+
+  private EmbeddedBroker(EmbeddedActiveMQ server, URI uri) {
+    this.server = server;
+    this.uri = uri;
+  }
+
+  /** Starts on a free port. */
+  public static EmbeddedBroker start() {
+    return start(0);
+  }
+
+  /**
+   * @param port 0 for a free one
+   * @throws BrokerStartException when the port is taken, or the broker does not start
+   */
+  public static EmbeddedBroker start(int port) {
+    int chosen = usable(port);
+    EmbeddedActiveMQ server = new EmbeddedActiveMQ();
+    server.setConfiguration(configuration(chosen));
+    try {
+      server.start();
+    } catch (Exception failure) {
+      stop(server);
+      throw new BrokerStartException(chosen, failure);
+    }
+    if (!server.getActiveMQServer().getRemotingService().isStarted()) {
+      stop(server);
+      throw new BrokerStartException(chosen);
+    }
+    return new EmbeddedBroker(server, URI.create("tcp://" + HOST + ":" + chosen));
+  }
+
+  /** What clients connect to. */
+  public URI uri() {
+    return uri;
+  }
+
+  @Override
+  public void close() {
+    stop(server);
+  }
+
+  private static void stop(EmbeddedActiveMQ server) {
+    try {
+      server.stop();
+    } catch (Exception failure) {
+      throw new IllegalStateException("The embedded broker did not stop cleanly", failure);
+    }
+  }
+
+  private static int usable(int port) {
+    try (ServerSocket probe = new ServerSocket()) {
+      probe.setReuseAddress(true);
+      probe.bind(new InetSocketAddress(InetAddress.getByName(HOST), port));
+      return probe.getLocalPort();
+    } catch (IOException taken) {
+      throw new BrokerStartException(port, taken);
+    }
+  }
+
+  private static ConfigurationImpl configuration(int port) {
+    Map<String, Object> acceptor = new LinkedHashMap<>();
+    acceptor.put(TransportConstants.HOST_PROP_NAME, HOST);
+    acceptor.put(TransportConstants.PORT_PROP_NAME, port);
+    acceptor.put(TransportConstants.PROTOCOLS_PROP_NAME, "MQTT");
+    acceptor.put(TransportConstants.TCP_NODELAY_PROPNAME, true);
+    ConfigurationImpl configuration = new ConfigurationImpl();
+    configuration.setPersistenceEnabled(false);
+    configuration.setSecurityEnabled(false);
+    configuration.setJMXManagementEnabled(false);
+    configuration.setMessageCounterEnabled(false);
+    configuration.setMaxDiskUsage(-1);
+    configuration.setName("rats-" + port);
+    configuration.addAddressSetting("#", quietAboutDeadLetters());
+    configuration.addAcceptorConfiguration(
+        new TransportConfiguration(NettyAcceptorFactory.class.getName(), acceptor, "mqtt"));
+    return configuration;
+  }
+
+  /** Addresses without queues: what cannot be delivered is dropped, and the broker does not warn of each topic. */
+  private static AddressSettings quietAboutDeadLetters() {
+    return new AddressSettings()
+        .setDeadLetterAddress(SimpleString.of("dead-letters"))
+        .setExpiryAddress(SimpleString.of("expired"));
+  }
+}

@@ -1,0 +1,146 @@
+package org.maestro.rats.transport;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.maestro.rats.time.Clock;
+
+/**
+ * A broker within the process, on a clock: each message takes 1 ms of simulated time, and each delivery is an action of its own, in
+ * the order of the receivers' connects. On a stepped clock it is deterministic. It keeps retained messages and publishes wills.
+ * Any thread may call it.
+ */
+public final class InProcessBus {
+
+  /** From publisher to subscriber, and to connect. */
+  static final Duration HOP = Duration.ofMillis(1);
+
+  private final Clock clock;
+  private final Map<String, InProcessTransport> connected = new LinkedHashMap<>();
+  private final List<InProcessTransport> wanting = new ArrayList<>();
+  private final Map<String, Kept> retained = new TreeMap<>();
+  private boolean running = true;
+
+  public InProcessBus(Clock clock) {
+    this.clock = clock;
+  }
+
+  /** A new client; it connects when it is opened. A second client of the same id takes the first one's place. */
+  public Transport client(String clientId) {
+    return new InProcessTransport(this, clock, clientId);
+  }
+
+  /** The broker goes down: all connections are lost, and so is what it retained. */
+  public void stop() {
+    List<InProcessTransport> lost;
+    synchronized (this) {
+      running = false;
+      retained.clear();
+      lost = List.copyOf(connected.values());
+      wanting.addAll(lost);
+      connected.clear();
+    }
+    lost.forEach(client -> client.lost("the bus is down"));
+  }
+
+  /** The broker comes back, empty; the clients connect again. */
+  public void restart() {
+    List<InProcessTransport> returning;
+    synchronized (this) {
+      running = true;
+      returning = List.copyOf(wanting);
+      wanting.clear();
+    }
+    returning.forEach(this::connect);
+  }
+
+  void connect(InProcessTransport client) {
+    clock.schedule(HOP, client.clientId(), () -> accept(client));
+  }
+
+  private void accept(InProcessTransport client) {
+    if (!client.wanted()) {
+      return;
+    }
+    InProcessTransport former;
+    synchronized (this) {
+      if (!running) {
+        wanting.add(client);
+        return;
+      }
+      former = connected.remove(client.clientId());
+      connected.put(client.clientId(), client);
+    }
+    if (former != null) {
+      former.lost("another client took the id " + client.clientId());
+    }
+    client.accepted();
+  }
+
+  synchronized boolean holds(InProcessTransport client) {
+    return connected.get(client.clientId()) == client;
+  }
+
+  /** Takes the client off; its will, if any, is routed as if the client had published it. */
+  void remove(InProcessTransport client, Optional<Transport.Will> will) {
+    boolean wasConnected;
+    synchronized (this) {
+      wanting.remove(client);
+      wasConnected = connected.remove(client.clientId(), client);
+    }
+    if (wasConnected) {
+      will.ifPresent(
+          last ->
+              clock.schedule(
+                  HOP,
+                  client.clientId(),
+                  () -> route(Publication.retained(last.topic(), last.payload()), clock.now())));
+    }
+  }
+
+  /** Keeps the message if it is retained, and schedules its deliveries. */
+  void route(Publication publication, Duration publishedAt) {
+    Kept kept = new Kept(publication, publishedAt);
+    List<InProcessTransport> receivers;
+    synchronized (this) {
+      if (!running) {
+        return;
+      }
+      if (publication.retained() && publication.payload().length == 0) {
+        retained.remove(publication.topic());
+      } else if (publication.retained()) {
+        retained.put(publication.topic(), kept);
+      }
+      receivers = List.copyOf(connected.values());
+    }
+    receivers.forEach(
+        receiver -> receiver.deliver(publication.topic(), () -> kept.message(clock.now())));
+  }
+
+  /** What is retained under the filter, in the order of topics. */
+  synchronized List<Message> retained(TopicFilter filter) {
+    Duration now = clock.now();
+    return retained.values().stream()
+        .filter(kept -> filter.matches(kept.publication.topic()))
+        .flatMap(kept -> kept.message(now).stream())
+        .toList();
+  }
+
+  private record Kept(Publication publication, Duration publishedAt) {
+
+    /** Empty when it has expired. */
+    private Optional<Message> message(Duration now) {
+      Optional<Duration> left =
+          publication.expiry().map(expiry -> expiry.minus(now.minus(publishedAt)));
+      if (left.isPresent() && (left.get().isNegative() || left.get().isZero())) {
+        return Optional.empty();
+      }
+      return Optional.of(
+          new Message(publication.topic(), publication.payload(), publication.retained(), left));
+    }
+  }
+}

@@ -1,0 +1,143 @@
+package org.maestro.rats.transport;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.maestro.rats.time.Clock;
+
+/** A client of the {@link InProcessBus}. */
+final class InProcessTransport implements Transport {
+
+  private final InProcessBus bus;
+  private final Clock clock;
+  private final String clientId;
+  private final List<Subscription> subscriptions = new ArrayList<>();
+  private Optional<Will> will = Optional.empty();
+  private ConnectionListener listener;
+  private boolean wanted;
+
+  InProcessTransport(InProcessBus bus, Clock clock, String clientId) {
+    this.bus = bus;
+    this.clock = clock;
+    this.clientId = clientId;
+  }
+
+  @Override
+  public String clientId() {
+    return clientId;
+  }
+
+  @Override
+  public void subscribe(String filter, RetainedMessages retained, MessageHandler handler) {
+    Subscription subscription = new Subscription(TopicFilter.of(filter), retained, handler);
+    synchronized (this) {
+      subscriptions.add(subscription);
+    }
+    if (bus.holds(this)) {
+      sendRetained(subscription);
+    }
+  }
+
+  @Override
+  public void open(Optional<Will> lastWill, ConnectionListener connectionListener) {
+    synchronized (this) {
+      will = lastWill;
+      listener = connectionListener;
+      wanted = true;
+    }
+    bus.connect(this);
+  }
+
+  @Override
+  public void publish(Publication publication, Completion completion) {
+    if (!bus.holds(this)) {
+      completion.completed(
+          Optional.of(new PublishException(publication.topic(), "there is no connection")));
+      return;
+    }
+    Duration publishedAt = clock.now();
+    clock.schedule(
+        InProcessBus.HOP,
+        clientId,
+        () -> {
+          bus.route(publication, publishedAt);
+          completion.completed(Optional.empty());
+        });
+  }
+
+  @Override
+  public void close() {
+    leave(Optional.empty());
+  }
+
+  @Override
+  public void die() {
+    leave(will);
+  }
+
+  private void leave(Optional<Will> lastWill) {
+    synchronized (this) {
+      wanted = false;
+    }
+    bus.remove(this, lastWill);
+  }
+
+  synchronized boolean wanted() {
+    return wanted;
+  }
+
+  void accepted() {
+    subscriptions().forEach(this::sendRetained);
+    clock.schedule(Duration.ZERO, clientId, () -> whileConnected(listener::connected));
+  }
+
+  void lost(String reason) {
+    clock.schedule(
+        Duration.ZERO,
+        clientId,
+        () -> {
+          if (wanted()) {
+            listener.lost(reason);
+          }
+        });
+  }
+
+  /** Schedules one action for each subscription that matches. */
+  void deliver(String topic, Supplier<Optional<Message>> message) {
+    for (Subscription subscription : subscriptions()) {
+      if (subscription.filter.matches(topic)) {
+        clock.schedule(
+            Duration.ZERO,
+            clientId,
+            () -> whileConnected(() -> message.get().ifPresent(subscription.handler::arrived)));
+      }
+    }
+  }
+
+  private void sendRetained(Subscription subscription) {
+    if (subscription.retained == RetainedMessages.IGNORE) {
+      return;
+    }
+    for (Message message : bus.retained(subscription.filter)) {
+      clock.schedule(
+          Duration.ZERO,
+          clientId,
+          () -> whileConnected(() -> subscription.handler.arrived(message)));
+    }
+  }
+
+  private void whileConnected(Runnable action) {
+    if (bus.holds(this)) {
+      action.run();
+    }
+  }
+
+  private synchronized List<Subscription> subscriptions() {
+    return List.copyOf(subscriptions);
+  }
+
+  private record Subscription(
+      TopicFilter filter, RetainedMessages retained, MessageHandler handler) {}
+}

@@ -1,0 +1,294 @@
+package org.maestro.rats.transport;
+
+import java.net.URI;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.ThreadLocalRandom;
+import java.util.concurrent.TimeUnit;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A client of an MQTT 5 broker. One daemon thread of its own does everything, and tells handlers, listeners and completions; it
+ * reconnects by itself after 0.2 to 2 s. For paced clocks: messages under way in a real broker hold no ticket of a stepped one.
+ */
+public final class PahoTransport implements Transport {
+
+  private static final Logger LOG = LoggerFactory.getLogger(PahoTransport.class);
+  private static final Duration KEEP_ALIVE = Duration.ofSeconds(15);
+  private static final long STALLED_NANOS = KEEP_ALIVE.multipliedBy(3).dividedBy(2).toNanos();
+  private static final long SHORTEST_RETRY_MILLIS = 200;
+  private static final long LONGEST_RETRY_MILLIS = 2_000;
+  private static final long GOODBYE_MILLIS = 2_000;
+
+  private final URI broker;
+  private final String clientId;
+  private final ScheduledThreadPoolExecutor loop;
+  private final Events events = new Events();
+  private final List<PahoSubscription> subscriptions = new ArrayList<>();
+  private final PublishQueue queue = new PublishQueue();
+  private final CountDownLatch goodbye = new CountDownLatch(1);
+  private volatile Thread loopThread;
+  private Optional<Will> will = Optional.empty();
+  private ConnectionListener listener;
+  private PahoConnection connection;
+  private boolean ready;
+  private boolean leaving;
+  private int attempts;
+  private long lastSignOfLife = System.nanoTime();
+
+  /**
+   * @param broker such as {@code tcp://127.0.0.1:1883}
+   */
+  public PahoTransport(URI broker, String clientId) {
+    this.broker = broker;
+    this.clientId = clientId;
+    loop =
+        new ScheduledThreadPoolExecutor(
+            1,
+            runnable -> {
+              Thread thread = new Thread(runnable, "rats-transport-" + clientId);
+              thread.setDaemon(true);
+              loopThread = thread;
+              return thread;
+            },
+            (task, stopped) -> LOG.debug("The transport of {} is closed", clientId));
+    loop.setRemoveOnCancelPolicy(true);
+  }
+
+  @Override
+  public String clientId() {
+    return clientId;
+  }
+
+  @Override
+  public void subscribe(String filter, RetainedMessages retained, MessageHandler handler) {
+    PahoSubscription subscription =
+        new PahoSubscription(TopicFilter.of(filter), retained, handler);
+    perform(
+        () -> {
+          subscriptions.add(subscription);
+          if (ready) {
+            PahoConnection current = connection;
+            current.subscribe(List.of(subscription), failure -> subscribed(current, failure));
+          }
+        });
+  }
+
+  @Override
+  public void open(Optional<Will> lastWill, ConnectionListener connectionListener) {
+    perform(
+        () -> {
+          will = lastWill;
+          listener = connectionListener;
+          attempt();
+        });
+    loop.scheduleWithFixedDelay(
+        () -> guarded(this::showLife), 1, 1, TimeUnit.SECONDS);
+  }
+
+  @Override
+  public void publish(Publication publication, Completion completion) {
+    if (loop.isShutdown()) {
+      PublishQueue.refuse(publication, completion, "the transport is closed");
+      return;
+    }
+    perform(
+        () -> {
+          if (ready && !leaving) {
+            queue.add(publication, completion, this::send);
+          } else {
+            PublishQueue.refuse(publication, completion, "there is no connection to " + broker);
+          }
+        });
+  }
+
+  @Override
+  public void close() {
+    perform(
+        () -> {
+          leaving = true;
+          sayGoodbyeWhenDone();
+        });
+    if (Thread.currentThread() != loopThread) {
+      awaitGoodbye();
+      end();
+    } else {
+      loop.schedule(this::end, GOODBYE_MILLIS, TimeUnit.MILLISECONDS);
+    }
+  }
+
+  @Override
+  public void die() {
+    perform(
+        () -> {
+          leaving = true;
+          goodbye.countDown();
+          drop("it died");
+        });
+    end();
+  }
+
+  private void end() {
+    perform(() -> drop("the transport is closed"));
+    loop.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
+    loop.shutdown();
+  }
+
+  private void awaitGoodbye() {
+    try {
+      if (!goodbye.await(GOODBYE_MILLIS, TimeUnit.MILLISECONDS)) {
+        LOG.debug("{} left without goodbye: the broker did not answer in time", clientId);
+      }
+    } catch (InterruptedException interrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void sayGoodbyeWhenDone() {
+    if (!leaving || !queue.isEmpty() || goodbye.getCount() == 0) {
+      return;
+    }
+    if (connection == null || !ready) {
+      goodbye.countDown();
+    } else {
+      connection.disconnect(goodbye::countDown);
+    }
+  }
+
+  private void attempt() {
+    if (!leaving) {
+      connection = new PahoConnection(broker, clientId, KEEP_ALIVE, will, events);
+      connection.connect();
+    }
+  }
+
+  private void established(PahoConnection source) {
+    if (subscriptions.isEmpty()) {
+      subscribed(source, Optional.empty());
+    } else {
+      source.subscribe(List.copyOf(subscriptions), failure -> subscribed(source, failure));
+    }
+  }
+
+  private void subscribed(PahoConnection source, Optional<String> failure) {
+    perform(
+        () -> {
+          if (source != connection) {
+            return;
+          }
+          if (failure.isPresent()) {
+            lost("a subscription failed: " + failure.get());
+          } else if (!ready) {
+            ready = true;
+            attempts = 0;
+            listener.connected();
+          }
+        });
+  }
+
+  private void lost(String reason) {
+    drop("the connection was lost: " + reason);
+    if (leaving) {
+      goodbye.countDown();
+      return;
+    }
+    long ceiling =
+        Math.min(LONGEST_RETRY_MILLIS, (2 * SHORTEST_RETRY_MILLIS) << Math.min(attempts++, 4));
+    long delay = ThreadLocalRandom.current().nextLong(SHORTEST_RETRY_MILLIS, ceiling + 1);
+    loop.schedule(() -> guarded(this::attempt), delay, TimeUnit.MILLISECONDS);
+    LOG.debug("{} has no connection to {} ({}); next try in {} ms", clientId, broker, reason, delay);
+    listener.lost(reason);
+  }
+
+  private void drop(String reason) {
+    if (connection != null) {
+      connection.cut();
+      connection = null;
+    }
+    ready = false;
+    queue.failAll(reason);
+  }
+
+  private void send(PublishQueue.Entry entry) {
+    connection.publish(
+        entry.publication(),
+        failure ->
+            perform(
+                () -> {
+                  queue.completed(entry, failure, this::send);
+                  sayGoodbyeWhenDone();
+                }));
+  }
+
+  private void showLife() {
+    if (!reconnectedAfterStall()) {
+      lastSignOfLife = System.nanoTime();
+    }
+  }
+
+  /** What arrived while this loop stood still may be stale, and must not be acted on. */
+  private boolean reconnectedAfterStall() {
+    boolean stalled = System.nanoTime() - lastSignOfLife > STALLED_NANOS;
+    if (stalled) {
+      lastSignOfLife = System.nanoTime();
+      if (connection != null) {
+        lost("this process stood still for too long");
+      }
+    }
+    return stalled;
+  }
+
+  private void dispatch(Message message) {
+    if (reconnectedAfterStall()) {
+      return;
+    }
+    for (PahoSubscription subscription : List.copyOf(subscriptions)) {
+      if (subscription.filter().matches(message.topic())) {
+        subscription.handler().arrived(message);
+      }
+    }
+  }
+
+  private void perform(Runnable action) {
+    loop.execute(() -> guarded(action));
+  }
+
+  private void guarded(Runnable action) {
+    try {
+      action.run();
+    } catch (RuntimeException failure) {
+      LOG.error("A listener of the transport of {} failed; the transport goes on", clientId, failure);
+    }
+  }
+
+  private final class Events implements PahoConnection.Events {
+    @Override
+    public void established(PahoConnection source) {
+      performFor(source, () -> PahoTransport.this.established(source));
+    }
+
+    @Override
+    public void ended(PahoConnection source, String reason) {
+      performFor(source, () -> lost(reason));
+    }
+
+    @Override
+    public void arrived(PahoConnection source, Message message) {
+      performFor(source, () -> dispatch(message));
+    }
+
+    private void performFor(PahoConnection source, Runnable action) {
+      perform(
+          () -> {
+            if (source == connection) {
+              action.run();
+            }
+          });
+    }
+  }
+}

@@ -1,0 +1,39 @@
+package org.maestro.rats.transport;
+
+import java.util.List;
+
+/** An MQTT topic filter: {@code +} stands for one level, {@code #} at the end for the parent and all below. */
+record TopicFilter(String text, List<String> levels) {
+
+  static TopicFilter of(String text) {
+    List<String> levels = List.of(text.split("/", -1));
+    for (int index = 0; index < levels.size(); index++) {
+      String level = levels.get(index);
+      boolean wildcardInside = level.length() > 1 && (level.contains("+") || level.contains("#"));
+      boolean hashBeforeTheEnd = level.equals("#") && index < levels.size() - 1;
+      if (text.isEmpty() || wildcardInside || hashBeforeTheEnd) {
+        throw new IllegalArgumentException(
+            "'" + text + "' is no topic filter: + takes a whole level, # the last one");
+      }
+    }
+    return new TopicFilter(text, levels);
+  }
+
+  boolean matches(String topic) {
+    String[] parts = topic.split("/", -1);
+    for (int index = 0; index < levels.size(); index++) {
+      String level = levels.get(index);
+      if (level.equals("#")) {
+        return true;
+      }
+      if (index >= parts.length || !(level.equals("+") || level.equals(parts[index]))) {
+        return false;
+      }
+      boolean onlyHashFollows = index == levels.size() - 2 && levels.get(index + 1).equals("#");
+      if (index == parts.length - 1 && onlyHashFollows) {
+        return true;
+      }
+    }
+    return parts.length == levels.size();
+  }
+}

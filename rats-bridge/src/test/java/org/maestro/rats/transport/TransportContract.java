@@ -1,0 +1,249 @@
+package org.maestro.rats.transport;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.maestro.rats.transport.Transport.RetainedMessages;
+
+/** What every transport must do; run over each of them. */
+abstract class TransportContract {
+
+  private final List<Transport> opened = new ArrayList<>();
+
+  /** A transport that is not open yet. */
+  abstract Transport client(String id);
+
+  abstract void stopBroker();
+
+  abstract void restartBroker();
+
+  /** Waits until the condition holds, at most some seconds, and fails if it does not. */
+  abstract void await(BooleanSupplier condition);
+
+  @AfterEach
+  void closeAll() {
+    opened.forEach(Transport::close);
+  }
+
+  @Test
+  void deliversToEverySubscriberInOrder() {
+    Inbox first = new Inbox();
+    Inbox second = new Inbox();
+    open("first", first, "site/call/#", RetainedMessages.SEND);
+    open("second", second, "site/+/cca", RetainedMessages.SEND);
+    Transport publisher = open("publisher");
+    for (int number = 0; number < 200; number++) {
+      publisher.publish(reliable("site/call/cca", "n" + number), failure -> {});
+    }
+    await(() -> first.size() == 200 && second.size() == 200);
+    for (int number = 0; number < 200; number++) {
+      assertThat(first.text(number)).isEqualTo("site/call/cca=n" + number);
+      assertThat(second.text(number)).isEqualTo("site/call/cca=n" + number);
+    }
+    assertThat(first.messages.get(0).retained()).isFalse();
+  }
+
+  @Test
+  void tellsTheCompletionOfEachPublishOnce() {
+    Transport publisher = open("publisher");
+    List<Optional<PublishException>> completions = new CopyOnWriteArrayList<>();
+    for (int number = 0; number < 300; number++) {
+      publisher.publish(reliable("a/b", "x"), completions::add);
+      publisher.publish(Publication.stream("a/c", bytes("y")), completions::add);
+    }
+    await(() -> completions.size() == 600);
+    assertThat(completions).allMatch(Optional::isEmpty);
+  }
+
+  @Test
+  void keepsRetainedMessagesAndSendsThemToWhomWantsThem() {
+    Transport publisher = open("publisher");
+    publish(publisher, Publication.retained("m/rose/status", bytes("ready")));
+    publish(publisher, Publication.retained("m/rose/state", bytes("standby")));
+    publish(publisher, Publication.clearing("m/rose/state"));
+    Inbox wanting = new Inbox();
+    Inbox ignoring = new Inbox();
+    open("ignoring", ignoring, "m/rose/status", RetainedMessages.IGNORE);
+    open("wanting", wanting, "m/#", RetainedMessages.SEND);
+    await(() -> wanting.size() == 1);
+    assertThat(wanting.text(0)).isEqualTo("m/rose/status=ready");
+    assertThat(wanting.messages.get(0).retained()).isTrue();
+    assertThat(ignoring.messages).isEmpty();
+    publish(publisher, Publication.retained("m/rose/status", bytes("again")));
+    await(() -> wanting.size() == 2 && ignoring.size() == 1);
+    assertThat(ignoring.messages.get(0).retained())
+        .as("the flag is delivered as it was published")
+        .isTrue();
+  }
+
+  @Test
+  void tellsWhatIsLeftOfTheExpiry() {
+    Inbox inbox = new Inbox();
+    open("reader", inbox, "a/#", RetainedMessages.SEND);
+    Transport publisher = open("publisher");
+    publish(
+        publisher,
+        Publication.reliable("a/b", bytes("x"), Optional.of(Duration.ofMillis(29_500))));
+    publish(publisher, reliable("a/b", "y"));
+    await(() -> inbox.size() == 2);
+    assertThat(inbox.messages.get(0).remainingExpiry().orElseThrow())
+        .isBetween(Duration.ofSeconds(25), Duration.ofSeconds(30));
+    assertThat(inbox.messages.get(1).remainingExpiry()).isEmpty();
+  }
+
+  @Test
+  void publishesTheWillOfAClientThatDiesOnly() {
+    Inbox inbox = new Inbox();
+    open("reader", inbox, "m/+/status", RetainedMessages.SEND);
+    Transport polite = client("polite");
+    Transport mortal = client("mortal");
+    open(polite, Optional.of(new Transport.Will("m/polite/status", bytes("lost"))));
+    open(mortal, Optional.of(new Transport.Will("m/mortal/status", bytes("lost"))));
+    polite.publish(Publication.retained("m/polite/status", bytes("disconnected")), failure -> {});
+    polite.close();
+    await(() -> inbox.size() == 1);
+    mortal.die();
+    await(() -> inbox.size() == 2);
+    assertThat(inbox.text(0)).isEqualTo("m/polite/status=disconnected");
+    assertThat(inbox.text(1)).isEqualTo("m/mortal/status=lost");
+    Inbox later = new Inbox();
+    open("late", later, "m/mortal/#", RetainedMessages.SEND);
+    await(() -> later.size() == 1);
+    assertThat(later.messages.get(0).retained()).isTrue();
+  }
+
+  @Test
+  void subscribesWhileItIsOpen() {
+    Transport publisher = open("publisher");
+    publish(publisher, Publication.retained("a/b", bytes("kept")));
+    Transport reader = open("reader");
+    Inbox inbox = new Inbox();
+    reader.subscribe("a/b", RetainedMessages.SEND, inbox);
+    await(() -> inbox.size() == 1);
+  }
+
+  @Test
+  void reconnectsToABrokerThatCameBackEmpty() {
+    Inbox inbox = new Inbox();
+    Listener listener = new Listener();
+    Transport client = client("client");
+    client.subscribe("a/#", RetainedMessages.SEND, inbox);
+    opened.add(client);
+    client.open(Optional.empty(), listener);
+    await(() -> listener.events.size() == 1);
+    publish(client, Publication.retained("a/b", bytes("kept")));
+    await(() -> inbox.size() == 1);
+    stopBroker();
+    await(() -> listener.events.size() >= 2);
+    List<Optional<PublishException>> completions = new CopyOnWriteArrayList<>();
+    client.publish(reliable("a/b", "x"), completions::add);
+    await(() -> completions.size() == 1);
+    assertThat(completions.get(0).orElseThrow()).hasMessageContaining("a/b");
+    restartBroker();
+    await(() -> listener.connectedTimes() == 2);
+    publish(client, reliable("a/c", "again"));
+    await(() -> inbox.size() == 2);
+    assertThat(inbox.text(1)).isEqualTo("a/c=again");
+  }
+
+  @Test
+  void refusesToPublishOnceClosed() {
+    Transport client = open("client");
+    client.close();
+    client.close();
+    List<Optional<PublishException>> completions = new CopyOnWriteArrayList<>();
+    client.publish(reliable("a/b", "x"), completions::add);
+    await(() -> completions.size() == 1);
+    assertThat(completions.get(0)).isPresent();
+  }
+
+  @Test
+  void refusesWhatIsNoFilter() {
+    Transport client = client("client");
+    for (String text : List.of("", "a/#/b", "a+/b", "a/b#")) {
+      assertThatThrownBy(() -> client.subscribe(text, RetainedMessages.SEND, message -> {}))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessageContaining("topic filter");
+    }
+    client.close();
+  }
+
+  private Transport open(String id) {
+    Transport client = client(id);
+    open(client, Optional.empty());
+    return client;
+  }
+
+  private void open(String id, Inbox inbox, String filter, RetainedMessages retained) {
+    Transport client = client(id);
+    client.subscribe(filter, retained, inbox);
+    open(client, Optional.empty());
+  }
+
+  private void open(Transport client, Optional<Transport.Will> will) {
+    opened.add(client);
+    Listener listener = new Listener();
+    client.open(will, listener);
+    await(() -> listener.connectedTimes() == 1);
+  }
+
+  private void publish(Transport client, Publication publication) {
+    List<Optional<PublishException>> completions = new CopyOnWriteArrayList<>();
+    client.publish(publication, completions::add);
+    await(() -> completions.size() == 1);
+    assertThat(completions.get(0)).isEmpty();
+  }
+
+  private static Publication reliable(String topic, String text) {
+    return Publication.reliable(topic, bytes(text), Optional.empty());
+  }
+
+  private static byte[] bytes(String text) {
+    return text.getBytes(UTF_8);
+  }
+
+  private static final class Inbox implements Transport.MessageHandler {
+    private final List<Message> messages = new CopyOnWriteArrayList<>();
+
+    @Override
+    public void arrived(Message message) {
+      messages.add(message);
+    }
+
+    int size() {
+      return messages.size();
+    }
+
+    String text(int index) {
+      Message message = messages.get(index);
+      return message.topic() + "=" + new String(message.payload(), UTF_8);
+    }
+  }
+
+  private static final class Listener implements Transport.ConnectionListener {
+    private final List<String> events = new CopyOnWriteArrayList<>();
+
+    @Override
+    public void connected() {
+      events.add("connected");
+    }
+
+    @Override
+    public void lost(String reason) {
+      events.add("lost: " + reason);
+    }
+
+    long connectedTimes() {
+      return events.stream().filter("connected"::equals).count();
+    }
+  }
+}
