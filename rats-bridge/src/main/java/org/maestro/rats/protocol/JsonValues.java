@@ -1,0 +1,40 @@
+package org.maestro.rats.protocol;
+
+import java.util.Map;
+
+/** What a message's values may be: texts, finite numbers, truth values, lists and maps of them. */
+final class JsonValues {
+
+  private JsonValues() {}
+
+  /**
+   * @throws IllegalArgumentException at the first value that is none of them
+   */
+  static void require(Map<String, Object> values) {
+    values.forEach((name, value) -> require(name, value));
+  }
+
+  private static void require(String path, Object value) {
+    if (value instanceof Map<?, ?> map) {
+      map.forEach(
+          (name, inner) -> {
+            if (!(name instanceof String)) {
+              throw broken(path, "has a key that is no text");
+            }
+            require(path + "." + name, inner);
+          });
+    } else if (value instanceof Iterable<?> items) {
+      items.forEach(item -> require(path + "[]", item));
+    } else if (value instanceof Number number) {
+      if (!Double.isFinite(number.doubleValue())) {
+        throw broken(path, "is not finite");
+      }
+    } else if (!(value instanceof String || value instanceof Boolean)) {
+      throw broken(path, "is neither text, number, truth value, list nor map");
+    }
+  }
+
+  private static IllegalArgumentException broken(String path, String what) {
+    return new IllegalArgumentException("A message cannot hold " + path + ": it " + what);
+  }
+}

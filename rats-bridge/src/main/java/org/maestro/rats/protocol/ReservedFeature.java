@@ -1,0 +1,36 @@
+package org.maestro.rats.protocol;
+
+import java.util.Optional;
+
+/** What every member understands, whatever its features are. */
+public enum ReservedFeature {
+  /** Ends the call {@code {"id": ...}}, by its caller or a controller (M42). */
+  CANCEL("$cancel"),
+  /** Ends everything and brings the member into a safe state (M37). */
+  SAFE("$safe"),
+  /** Asks for prices, see {@link CostExchange} (M54). */
+  COST("$cost"),
+  /** Publishes description and state again. */
+  DESCRIBE("$describe"),
+  PING("$ping");
+
+  private final String word;
+
+  ReservedFeature(String word) {
+    this.word = word;
+  }
+
+  /** The feature's id in a call. */
+  public String word() {
+    return word;
+  }
+
+  public static Optional<ReservedFeature> of(String feature) {
+    for (ReservedFeature reserved : values()) {
+      if (reserved.word.equals(feature)) {
+        return Optional.of(reserved);
+      }
+    }
+    return Optional.empty();
+  }
+}

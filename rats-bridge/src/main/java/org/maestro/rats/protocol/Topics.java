@@ -1,0 +1,124 @@
+package org.maestro.rats.protocol;
+
+import java.util.Optional;
+import java.util.regex.Pattern;
+
+/** The topics of one site, below {@code rats/1/{site}/}. */
+public record Topics(String site) {
+
+  private static final Pattern SITE = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,62}");
+
+  /**
+   * @throws IllegalArgumentException when the name is no site name
+   */
+  public Topics {
+    if (!SITE.matcher(site).matches()) {
+      throw new IllegalArgumentException(
+          "'"
+              + site
+              + "' is no site name: letters, digits, '.', '_' and '-', at most 63, a letter or digit first");
+    }
+  }
+
+  public String call(String from) {
+    return root() + "call/" + from;
+  }
+
+  /** Filter: every call, also on the bare topic. */
+  public String calls() {
+    return root() + "call/#";
+  }
+
+  public String result(String to, String member) {
+    return root() + "result/" + to + "/" + member;
+  }
+
+  /** Filter: every result for this caller. */
+  public String results(String to) {
+    return root() + "result/" + to + "/#";
+  }
+
+  public String progress(String to, String member) {
+    return root() + "progress/" + to + "/" + member;
+  }
+
+  /** Filter: the progress of every call of this caller. */
+  public String progresses(String to) {
+    return root() + "progress/" + to + "/#";
+  }
+
+  public String status(String member) {
+    return member(member) + "status";
+  }
+
+  public String description(String member) {
+    return member(member) + "description";
+  }
+
+  public String state(String member) {
+    return member(member) + "state";
+  }
+
+  public String observation(String member, String feature) {
+    return member(member) + "observation/" + feature;
+  }
+
+  /** Filter: the status of every member. */
+  public String statuses() {
+    return status("+");
+  }
+
+  /** Filter: the description of every member. */
+  public String descriptions() {
+    return description("+");
+  }
+
+  /** Filter: the state of every member. */
+  public String states() {
+    return state("+");
+  }
+
+  /** Filter: every stream of every member. */
+  public String observations() {
+    return observation("+", "+");
+  }
+
+  public String controllerStatus(String controller) {
+    return root() + "controller/" + controller + "/status";
+  }
+
+  /** Who called, by the topic; empty on the bare {@code call}. */
+  public Optional<String> callerOf(String callTopic) {
+    return after(callTopic, root() + "call/");
+  }
+
+  /** Which member a topic {@code member/{id}/...} belongs to; empty for others. */
+  public Optional<String> memberOf(String topic) {
+    return after(topic, root() + "member/").map(rest -> rest.substring(0, end(rest)));
+  }
+
+  /** Which member sent to a topic {@code result/{to}/{member}} or {@code progress/{to}/{member}}. */
+  public Optional<String> senderOf(String topic) {
+    int last = topic.lastIndexOf('/');
+    return topic.startsWith(root()) ? Optional.of(topic.substring(last + 1)) : Optional.empty();
+  }
+
+  private String member(String id) {
+    return root() + "member/" + id + "/";
+  }
+
+  private String root() {
+    return "rats/1/" + site + "/";
+  }
+
+  private static int end(String rest) {
+    int slash = rest.indexOf('/');
+    return slash < 0 ? rest.length() : slash;
+  }
+
+  private static Optional<String> after(String topic, String prefix) {
+    return topic.startsWith(prefix)
+        ? Optional.of(topic.substring(prefix.length()))
+        : Optional.empty();
+  }
+}

@@ -1,0 +1,267 @@
+package org.maestro.rats.protocol;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.StreamReadConstraints;
+import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.SerializationFeature;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import java.io.IOException;
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * The JSON of version 1, as the JSON Schemas beside it describe it. Unknown fields are ignored, an unknown major version is refused.
+ * Equal messages have equal bytes, whatever maps they hold. Safe for use by several threads.
+ *
+ * <p>Decoding throws {@link MalformedMessageException}, encoding IllegalArgumentException for values that JSON cannot hold.
+ */
+public final class WireFormat {
+
+  /** What this codec writes: major, that the topic names too, and minor. */
+  public static final String VERSION = "1.0";
+
+  /** The longest payload that is read, in bytes. */
+  public static final int MOST_BYTES = 256 * 1024;
+
+  /** How deep objects and lists may be nested. */
+  public static final int MOST_NESTING = 16;
+
+  private static final long LONGEST_TIMEOUT_MILLIS = Duration.ofDays(7).toMillis();
+
+  private final JsonMapper mapper =
+      JsonMapper.builder(
+              JsonFactory.builder()
+                  .streamReadConstraints(
+                      StreamReadConstraints.builder().maxNestingDepth(MOST_NESTING).build())
+                  .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+                  .build())
+          .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+          .enable(SerializationFeature.ORDER_MAP_ENTRIES_BY_KEYS)
+          .build();
+
+  public byte[] encode(Call call) {
+    Map<String, Object> fields = message(call.id());
+    call.member().ifPresent(member -> fields.put("r", member));
+    call.boot().ifPresent(boot -> fields.put("boot", boot));
+    fields.put("f", call.feature());
+    fields.put("p", call.parameters());
+    fields.put("t", Math.max(1, call.timeout().toMillis()));
+    fields.put("from", call.from());
+    call.task().ifPresent(task -> fields.put("task", task));
+    return bytes(fields);
+  }
+
+  public Call decodeCall(byte[] payload) {
+    Fields fields = fields(payload);
+    return new Call(
+        fields.text("id", Rule.ID),
+        fields.optionalText("r", Rule.TEXT).filter(member -> !member.isEmpty()),
+        fields.optionalText("boot", Rule.ID),
+        fields.text("f", Rule.FEATURE),
+        fields.values("p"),
+        Duration.ofMillis(fields.integer("t", 1, LONGEST_TIMEOUT_MILLIS)),
+        fields.text("from", Rule.NAME),
+        fields.optionalText("task", Rule.TEXT));
+  }
+
+  public byte[] encode(Result result) {
+    Map<String, Object> fields = message(result.id());
+    fields.put("from", result.from());
+    fields.put("outcome", result.outcome().name());
+    fields.put("z", result.state());
+    fields.put("values", result.values());
+    result.error().ifPresent(error -> fields.put("error", error(error)));
+    return bytes(fields);
+  }
+
+  public Result decodeResult(byte[] payload) {
+    Fields fields = fields(payload);
+    Outcome outcome = fields.constant("outcome", Outcome.class);
+    Optional<RatsError> error =
+        fields.has("error") || outcome != Outcome.SUCCEEDED
+            ? Optional.of(error(fields.object("error")))
+            : Optional.empty();
+    return new Result(
+        fields.text("id", Rule.ID),
+        fields.text("from", Rule.NAME),
+        outcome,
+        fields.text("z", Rule.TEXT),
+        fields.values("values"),
+        error);
+  }
+
+  public byte[] encode(Progress progress) {
+    Map<String, Object> fields = message(progress.id());
+    fields.put("from", progress.from());
+    fields.put("kind", progress.kind().name());
+    fields.put("fraction", progress.fraction());
+    fields.put("values", progress.values());
+    return bytes(fields);
+  }
+
+  public Progress decodeProgress(byte[] payload) {
+    Fields fields = fields(payload);
+    return new Progress(
+        fields.text("id", Rule.ID),
+        fields.text("from", Rule.NAME),
+        fields.constant("kind", Progress.Kind.class),
+        fields.fraction("fraction"),
+        fields.values("values"));
+  }
+
+  public byte[] encode(Observation observation) {
+    Map<String, Object> fields = message(observation.id());
+    fields.put("from", observation.from());
+    fields.put("f", observation.feature());
+    fields.put("values", observation.values());
+    return bytes(fields);
+  }
+
+  public Observation decodeObservation(byte[] payload) {
+    Fields fields = fields(payload);
+    return new Observation(
+        fields.text("id", Rule.ID),
+        fields.text("from", Rule.NAME),
+        fields.text("f", Rule.FEATURE),
+        fields.values("values"));
+  }
+
+  /** Of a member or of a controller. */
+  public byte[] encode(MemberStatus status) {
+    Map<String, Object> fields = message(status.member());
+    fields.put("status", status.phase().name().toLowerCase(Locale.ROOT));
+    fields.put("boot", status.boot());
+    return bytes(fields);
+  }
+
+  public MemberStatus decodeStatus(byte[] payload) {
+    Fields fields = fields(payload);
+    return new MemberStatus(
+        fields.text("id", Rule.NAME),
+        fields.lowerCaseConstant("status", MemberStatus.Phase.class),
+        fields.text("boot", Rule.ID));
+  }
+
+  public byte[] encode(MemberState state) {
+    Map<String, Object> fields = message(state.member());
+    fields.put("boot", state.boot());
+    fields.put("z", state.state());
+    fields.put("values", state.values());
+    fields.put("running", state.running());
+    fields.put("queue", state.queue());
+    fields.put("disabled", state.disabled());
+    return bytes(fields);
+  }
+
+  public MemberState decodeState(byte[] payload) {
+    Fields fields = fields(payload);
+    return new MemberState(
+        fields.text("id", Rule.NAME),
+        fields.text("boot", Rule.ID),
+        fields.text("z", Rule.TEXT),
+        fields.texts("values", Rule.TEXT),
+        fields.texts("running", Rule.ID),
+        fields.texts("queue", Rule.ID),
+        fields.texts("disabled", Rule.FEATURE));
+  }
+
+  private static Map<String, Object> error(RatsError error) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    fields.put("code", error.code().name());
+    fields.put("level", error.level().name());
+    fields.put("message", error.message());
+    error.hint().ifPresent(hint -> fields.put("hint", hint));
+    List<Map<String, Object>> refs = error.refs().stream().map(WireFormat::reference).toList();
+    fields.put("refs", refs);
+    fields.put("retriable", error.retriable());
+    return fields;
+  }
+
+  private static Map<String, Object> reference(RatsError.Reference reference) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    fields.put("fact", reference.fact());
+    fields.put("need", reference.need());
+    fields.put("have", reference.have());
+    return fields;
+  }
+
+  private static RatsError error(Fields fields) {
+    return new RatsError(
+        fields.constant("code", ErrorCode.class),
+        fields.constant("level", RatsError.Level.class),
+        fields.text("message", Rule.TEXT),
+        fields.optionalText("hint", Rule.TEXT),
+        fields.objects("refs").stream()
+            .map(
+                reference ->
+                    new RatsError.Reference(
+                        reference.text("fact", Rule.TEXT),
+                        reference.text("need", Rule.TEXT),
+                        reference.scalar("have")))
+            .toList(),
+        fields.truth("retriable"));
+  }
+
+  private static Map<String, Object> message(String id) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    fields.put("v", VERSION);
+    fields.put("id", id);
+    return fields;
+  }
+
+  private byte[] bytes(Map<String, Object> fields) {
+    JsonValues.require(fields);
+    try {
+      return mapper.writeValueAsBytes(fields);
+    } catch (JsonProcessingException unwritable) {
+      throw new IllegalArgumentException(
+          "The message " + fields.get("id") + " cannot be written as JSON", unwritable);
+    }
+  }
+
+  private Fields fields(byte[] payload) {
+    if (payload.length > MOST_BYTES) {
+      throw new MalformedMessageException(
+          "payload", "at most " + MOST_BYTES + " bytes", payload.length + " bytes");
+    }
+    JsonNode root;
+    try {
+      root = mapper.readTree(payload);
+    } catch (IOException unreadable) {
+      throw new MalformedMessageException(
+          "payload",
+          "one JSON object nested at most " + MOST_NESTING + " deep",
+          "not: " + firstLine(unreadable));
+    }
+    if (root == null || !root.isObject()) {
+      throw new MalformedMessageException("payload", "one JSON object", "something else");
+    }
+    requireVersion(root);
+    return new Fields(root, "");
+  }
+
+  private static void requireVersion(JsonNode root) {
+    String version = root.path("v").asText("");
+    if (!version.matches("[0-9]{1,6}\\.[0-9]{1,6}")) {
+      throw new MalformedMessageException(
+          "v", "a version such as " + VERSION, root.path("v").toString());
+    }
+    if (!version.startsWith("1.")) {
+      throw new MalformedMessageException(
+          ErrorCode.UNSUPPORTED_VERSION, "v", "of major version 1", version);
+    }
+  }
+
+  private static String firstLine(IOException unreadable) {
+    return unreadable instanceof JsonProcessingException json
+        ? json.getOriginalMessage()
+        : unreadable.getMessage();
+  }
+}
