@@ -1,0 +1,295 @@
+package org.maestro.agents;
+
+import jade.core.AID;
+import jade.lang.acl.ACLMessage;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentSkipListSet;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.GoalOutcome;
+import org.maestro.coordination.GoalRequest;
+import org.maestro.coordination.GoalStatus;
+import org.maestro.coordination.InvalidGoalException;
+import org.maestro.coordination.Ports;
+import org.maestro.coordination.Story;
+import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.Thinking;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.planning.Planner;
+import org.maestro.rats.time.Clock;
+import org.maestro.sl.Content;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.Substitution;
+
+/**
+ * The Central Coordination Agent (M76): takes goals by FIPA request, and is the coordinator's voice and ear. It answers
+ * {@code initCNP}, {@code cancel}, {@code explain}, {@code subscribe} and {@code query-ref} about goals.
+ */
+public final class CoordinatorAgent extends MaestroAgent {
+  private static final long serialVersionUID = 1L;
+
+  /** The paper's name of this agent. */
+  public static final String NAME = "CCA";
+
+  private final transient KnowledgeBase knowledge;
+  private final transient Coordinator coordinator;
+  private final transient Story archive;
+  private final transient Duration decisionTime;
+  private final transient ExecutorService planning =
+      Executors.newSingleThreadExecutor(CoordinatorAgent::planningThread);
+  private final transient Map<String, AID> agentByMember = new HashMap<>();
+  private final transient Map<String, List<StoryEntry>> stories = new LinkedHashMap<>();
+  private final transient Set<String> present = new ConcurrentSkipListSet<>();
+  private final transient List<Subscription> subscriptions = new ArrayList<>();
+
+  private record Subscription(String goalId, ACLMessage request) {}
+
+  /**
+   * @param archive where stories are kept beyond this agent's life
+   * @param decisionTime simulated time that a decision takes; zero on a paced clock
+   */
+  public CoordinatorAgent(
+      Clock clock, KnowledgeBase knowledge, Planner planner, Story archive, Duration decisionTime) {
+    super(clock);
+    this.knowledge = knowledge;
+    this.archive = archive;
+    this.decisionTime = decisionTime;
+    this.coordinator =
+        new Coordinator(
+            new Ports(
+                knowledge,
+                planner,
+                new AclMarket(this, this::agentOf),
+                new AclCrew(this, this::agentOf),
+                new OwnThread(),
+                clock,
+                this::told));
+  }
+
+  /** The members that can be used now. Any thread may ask. */
+  public Collection<String> presentMembers() {
+    return List.copyOf(present);
+  }
+
+  @Override
+  protected void setup() {
+    super.setup();
+    knowledge.watch(change -> tell(() -> coordinator.knowledgeChanged(change)));
+  }
+
+  @Override
+  protected void takeDown() {
+    planning.shutdownNow();
+  }
+
+  @Override
+  protected void received(ACLMessage message) {
+    for (Content content : Words.parse(message.getContent())) {
+      Words words = Words.of(content);
+      switch (content.operator()) {
+        case "initCNP" -> goal(message, words);
+        case "inform" -> memberNews(message, words);
+        case "cancel" -> cancel(message, words);
+        case "explain" -> explain(message, words);
+        case "subscribe" -> subscribe(message, words);
+        case "query-ref" -> goals(message);
+        default ->
+            refuse(
+                message,
+                ACLMessage.NOT_UNDERSTOOD,
+                "The CCA does not know the operator "
+                    + content.operator()
+                    + "; it knows initCNP, cancel, explain, subscribe and query-ref.");
+      }
+    }
+  }
+
+  private void goal(ACLMessage message, Words words) {
+    Formula goal = words.find("goal").map(this::formula).orElse(null);
+    if (goal == null) {
+      refuse(
+          message,
+          ACLMessage.NOT_UNDERSTOOD,
+          "initCNP needs a goal, such as (initCNP (:goal (nextTo Cup Bob))).");
+      return;
+    }
+    String requester = message.getSender().getLocalName();
+    try {
+      String id =
+          coordinator.submit(
+              new GoalRequest(goal, requester), outcome -> answer(message, goal, outcome));
+      reply(
+          message,
+          ACLMessage.AGREE,
+          Words.content("initCNP", Words.named("goal", Words.name(id))));
+    } catch (InvalidGoalException e) {
+      refuse(message, ACLMessage.REFUSE, e.getMessage());
+    }
+  }
+
+  /** A goal is a formula, or its text; a class atom may have been read as a term. */
+  private Formula formula(Words words) {
+    return words
+        .formula()
+        .or(() -> words.terms().stream().findFirst().map(t -> parse(Words.plain(t))))
+        .orElse(null);
+  }
+
+  private Formula parse(String text) {
+    return SlParser.formula(
+        text,
+        name ->
+            knowledge
+                .home()
+                .vocabulary()
+                .predicate(name)
+                .filter(PredicateDeclaration::fluent)
+                .isPresent());
+  }
+
+  private void answer(ACLMessage message, Formula goal, GoalOutcome outcome) {
+    Formula bound = new Substitution(outcome.binding()).apply(goal);
+    Content content =
+        Words.content(
+            "inform",
+            Words.named("goal", Words.name(outcome.id()), Words.formula(bound)),
+            Words.terms("binding", outcome.binding()),
+            Words.named("state", Words.name(outcome.state().name().toLowerCase())),
+            Words.named("confirmed", Words.name(String.valueOf(outcome.confirmed()))),
+            Words.named("reasons", outcome.reasons().stream().map(Words::text).toList()),
+            Words.named("calls", Words.number(outcome.calls())),
+            Words.named("replans", Words.number(outcome.replans())),
+            Words.named("seconds", Words.number(outcome.duration().toMillis() / 1000.0)),
+            Words.named("decision-ms", Words.number(outcome.decisionMillis())));
+    reply(message, outcome.reached() ? ACLMessage.INFORM : ACLMessage.FAILURE, content);
+  }
+
+  private void memberNews(ACLMessage message, Words words) {
+    Optional<String> member = words.string("member");
+    Optional<String> phase = words.string("phase");
+    if (member.isPresent() && phase.isPresent()) {
+      if (phase.get().equals("ready")) {
+        agentByMember.put(member.get(), message.getSender());
+        coordinator.memberPresent(member.get());
+        present.add(member.get());
+      } else {
+        present.remove(member.get());
+        coordinator.memberLost(member.get(), words.string("reason").orElse("lost"));
+      }
+    }
+  }
+
+  private void cancel(ACLMessage message, Words words) {
+    String id = words.string("goal").orElse("");
+    if (coordinator.cancel(id, message.getSender().getLocalName())) {
+      reply(
+          message,
+          ACLMessage.INFORM,
+          Words.content("inform", Words.named("cancelled", Words.name(id))));
+    } else {
+      refuse(message, ACLMessage.REFUSE, noSuchGoal(id));
+    }
+  }
+
+  private void explain(ACLMessage message, Words words) {
+    String id = words.string("goal").orElse("");
+    List<StoryEntry> story = stories.get(id);
+    if (story == null) {
+      refuse(message, ACLMessage.REFUSE, noSuchGoal(id));
+    } else {
+      reply(
+          message,
+          ACLMessage.INFORM,
+          story.stream().map(CoordinatorAgent::line).toArray(Content[]::new));
+    }
+  }
+
+  private void subscribe(ACLMessage message, Words words) {
+    String id = words.string("story").orElse("");
+    subscriptions.add(new Subscription(id, message));
+    stories.getOrDefault(id, List.of()).forEach(entry -> inform(message, entry));
+  }
+
+  private void goals(ACLMessage message) {
+    List<Content> lines = new ArrayList<>();
+    for (GoalStatus goal : coordinator.goals()) {
+      lines.add(
+          Words.content(
+              "inform",
+              Words.named("goal", Words.name(goal.id()), Words.text(goal.goal())),
+              Words.named("requester", Words.text(goal.requester())),
+              Words.named("state", Words.name(goal.state().name().toLowerCase())),
+              Words.named("detail", Words.text(goal.detail()))));
+    }
+    reply(message, ACLMessage.INFORM, lines.toArray(Content[]::new));
+  }
+
+  private String noSuchGoal(String id) {
+    return stories.isEmpty()
+        ? "There is no goal " + id + "; none was stated yet."
+        : "There is no goal " + id + "; there are " + String.join(", ", stories.keySet()) + ".";
+  }
+
+  private void told(StoryEntry entry) {
+    archive.tell(entry);
+    stories.computeIfAbsent(entry.goalId(), id -> new ArrayList<>()).add(entry);
+    subscriptions.stream()
+        .filter(s -> s.goalId().equals(entry.goalId()))
+        .forEach(s -> inform(s.request(), entry));
+  }
+
+  private void inform(ACLMessage subscription, StoryEntry entry) {
+    reply(subscription, ACLMessage.INFORM, line(entry));
+  }
+
+  private static Content line(StoryEntry entry) {
+    return Words.content(
+        "inform",
+        Words.named("goal", Words.name(entry.goalId())),
+        Words.named("at", Words.number(entry.at().toMillis() / 1000.0)),
+        Words.named("kind", Words.name(entry.kind().name().toLowerCase())),
+        Words.named("text", Words.text(entry.text())));
+  }
+
+  private Optional<AID> agentOf(String member) {
+    return coordinator.isPresent(member)
+        ? Optional.ofNullable(agentByMember.get(member))
+        : Optional.empty();
+  }
+
+  private static Thread planningThread(Runnable work) {
+    Thread thread = new Thread(work, "planning");
+    thread.setDaemon(true);
+    return thread;
+  }
+
+  /** Plans beside the agent, and hands the result back through the clock. */
+  private final class OwnThread implements Thinking {
+    @Override
+    public <T> void think(Supplier<T> work, Consumer<T> then) {
+      Clock.Ticket ticket = clock().hold("planning");
+      planning.execute(
+          () -> {
+            try {
+              T result = work.get();
+              clock().schedule(decisionTime, NAME, () -> tell(() -> then.accept(result)));
+            } finally {
+              ticket.close();
+            }
+          });
+    }
+  }
+}

@@ -1,0 +1,352 @@
+package org.maestro.agents;
+
+import jade.core.AID;
+import jade.domain.DFService;
+import jade.domain.FIPAAgentManagement.DFAgentDescription;
+import jade.domain.FIPAAgentManagement.ServiceDescription;
+import jade.domain.FIPANames;
+import jade.lang.acl.ACLMessage;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Function;
+import org.maestro.coordination.Argument;
+import org.maestro.ontology.home.Device;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.MemberStatus;
+import org.maestro.rats.protocol.Observation;
+import org.maestro.rats.protocol.Outcome;
+import org.maestro.rats.protocol.Progress;
+import org.maestro.rats.protocol.RatsError;
+import org.maestro.rats.protocol.Result;
+import org.maestro.rats.time.Clock;
+import org.maestro.sl.Content;
+import org.maestro.sl.Term;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The abstraction of a RATS member in the control layer (M24, M69): one class for all kinds of devices, configured by what the member
+ * describes. It answers calls for prices, prices parameter sets, performs features over the bus and says what the member says
+ * of itself. Its name is the member's id.
+ */
+public final class GenericAgent extends MaestroAgent {
+  private static final long serialVersionUID = 1L;
+  private static final Logger LOG = LoggerFactory.getLogger(GenericAgent.class);
+  private static final Duration ANSWER_WITHIN = Duration.ofSeconds(5);
+
+  private final String member;
+  private final transient RatsLink link;
+  private final transient Function<String, Device> describedBy;
+  private final transient MemberView view = new MemberView();
+  private final transient Map<String, RatsLink.CallHandle> handles = new TreeMap<>();
+  private transient Optional<String> lastDescription = Optional.empty();
+
+  /**
+   * @param describedBy reads a member's description; throws a RuntimeException with one sentence when it is faulty
+   */
+  public GenericAgent(
+      Clock clock, RatsLink link, String member, Function<String, Device> describedBy) {
+    super(clock);
+    this.member = member;
+    this.link = link;
+    this.describedBy = describedBy;
+  }
+
+  @Override
+  protected void setup() {
+    super.setup();
+    addBehaviour(new PriceResponder(this, view));
+    link.watch(
+        changed -> {
+          if (changed.id().equals(member)) {
+            tell(() -> memberChanged(changed));
+          }
+        });
+  }
+
+  private void memberChanged(RatsLink.Member changed) {
+    if (changed.phase() == MemberStatus.Phase.READY) {
+      if (changed.description().isPresent()
+          && (!view.isReady() || !changed.description().equals(lastDescription))) {
+        described(changed.description().get());
+      }
+      changed.state().ifPresent(state -> say(view.said(state.values())));
+    } else if (changed.phase() != MemberStatus.Phase.INIT && view.isReady()) {
+      view.ready(false);
+      announce("lost", member + " is " + changed.phase().name().toLowerCase());
+    }
+  }
+
+  private void described(String description) {
+    lastDescription = Optional.of(description);
+    try {
+      view.describedAs(describedBy.apply(description));
+    } catch (RuntimeException e) {
+      LOG.warn("The description of {} is refused: {}", member, e.getMessage());
+      return;
+    }
+    view.ready(true);
+    register();
+    ask(
+        message(
+            ACLMessage.REQUEST,
+            knowledgeAgent(),
+            Words.content("inform", Words.named("description", Words.text(description)))),
+        ANSWER_WITHIN,
+        reply -> {
+          if (reply.getPerformative() == ACLMessage.INFORM && view.isReady()) {
+            announce("ready", "described");
+          } else if (reply.getPerformative() != ACLMessage.AGREE) {
+            LOG.warn("{} is not used: {}", member, reply.getContent());
+          }
+        });
+  }
+
+  private void announce(String phase, String reason) {
+    send(
+        message(
+            ACLMessage.INFORM,
+            agent(CoordinatorAgent.NAME),
+            Words.content(
+                "inform",
+                Words.named("member", Words.name(member)),
+                Words.named("phase", Words.name(phase)),
+                Words.named("reason", Words.text(reason)))));
+  }
+
+  private void say(List<String> facts) {
+    if (!facts.isEmpty()) {
+      send(
+          message(
+              ACLMessage.INFORM,
+              knowledgeAgent(),
+              Words.content(
+                  "inform",
+                  Words.named("source", Words.name(member)),
+                  Words.named("facts", facts.stream().map(Words::text).toList()))));
+    }
+  }
+
+  private AID knowledgeAgent() {
+    return agent(KnowledgeAgent.NAME);
+  }
+
+  private AID agent(String localName) {
+    return getAID(localName);
+  }
+
+  /** Yellow pages: a service for each feature. The receipt is not waited for. */
+  private void register() {
+    DFAgentDescription entry = new DFAgentDescription();
+    entry.setName(getAID());
+    for (FeatureType feature : view.device().orElseThrow().features()) {
+      ServiceDescription service = new ServiceDescription();
+      service.setType(feature.name());
+      service.setName(member + "/" + feature.name());
+      service.addLanguages(LANGUAGE);
+      service.addOntologies(ONTOLOGY);
+      service.addProtocols(FIPANames.InteractionProtocol.FIPA_REQUEST);
+      entry.addServices(service);
+    }
+    send(DFService.createRequestMessage(this, getDefaultDF(), "register", entry, null));
+  }
+
+  @Override
+  protected void received(ACLMessage message) {
+    for (Content content : Words.parse(message.getContent())) {
+      Words words = Words.of(content);
+      switch (content.operator()) {
+        case "perform" -> perform(message, words);
+        case "cost" -> cost(message, words);
+        case "cancel" -> cancel(words);
+        case "inform" -> LOG.debug("{} was told {}", member, message.getContent());
+        default ->
+            refuse(
+                message,
+                ACLMessage.NOT_UNDERSTOOD,
+                member
+                    + " does not know the operator "
+                    + content.operator()
+                    + "; it knows perform, cost and cancel.");
+      }
+    }
+  }
+
+  private void perform(ACLMessage message, Words words) {
+    String name = words.string("feature").orElse("");
+    Optional<FeatureType> feature = view.feature(name);
+    if (!view.isReady() || feature.isEmpty()) {
+      refuse(
+          message,
+          ACLMessage.REFUSE,
+          view.isReady() ? member + " has no feature " + name : member + " is not there");
+      return;
+    }
+    reply(message, ACLMessage.AGREE, Words.content("perform", Words.named("feature", Words.name(name))));
+    Map<String, Argument> arguments =
+        words.find("parameters").map(Orders::arguments).orElse(Map.of());
+    Map<String, Object> parameters = new TreeMap<>();
+    Map<String, Term> bindings = new TreeMap<>();
+    arguments.forEach(
+        (key, argument) -> {
+          parameters.put(key, JsonTerms.json(argument));
+          bindings.put(key, argument.value());
+        });
+    String conversation = conversation(message);
+    view.begun(conversation, bindings);
+    Duration timeout = Duration.ofMillis((long) words.number("timeout", 30_000));
+    handles.put(
+        conversation,
+        link.call(
+            member,
+            name,
+            parameters,
+            timeout,
+            words.string("goal"),
+            new Reporter(message, conversation, feature.get())));
+  }
+
+  private static String conversation(ACLMessage message) {
+    return Optional.ofNullable(message.getConversationId()).orElse("none");
+  }
+
+  private void cost(ACLMessage message, Words words) {
+    String feature = words.string("feature").orElse("");
+    List<Map<String, Object>> sets = new ArrayList<>();
+    for (Content.Argument.Named named : words.all()) {
+      if (named.name().equals("set")) {
+        Map<String, Object> set = new TreeMap<>();
+        Orders.arguments(Words.of(named))
+            .forEach((key, argument) -> set.put(key, JsonTerms.json(argument)));
+        sets.add(set);
+      }
+    }
+    link.cost(
+        member,
+        feature,
+        sets,
+        answers ->
+            tell(
+                () ->
+                    reply(
+                        message,
+                        ACLMessage.INFORM,
+                        answers.stream().map(GenericAgent::price).toArray(Content[]::new))));
+  }
+
+  private static Content price(CostAnswer answer) {
+    if (answer.cost().isPresent()) {
+      return Words.content(
+          "cost",
+          Words.named(
+              "price",
+              Words.number(answer.cost().get()),
+              Words.number(answer.seconds().orElse(answer.cost().get()))));
+    }
+    return Words.content(
+        "cost", Words.named("reason", Words.text(answer.reason().orElse("no reason given"))));
+  }
+
+  private void cancel(Words words) {
+    words
+        .string("order")
+        .map(handles::get)
+        .ifPresent(RatsLink.CallHandle::cancel);
+  }
+
+  /** Turns what happens to one call into messages. Called on the link's thread, works on the agent's. */
+  private final class Reporter implements RatsLink.CallListener {
+    private final ACLMessage order;
+    private final String conversation;
+    private final FeatureType feature;
+    private boolean answered;
+
+    Reporter(ACLMessage order, String conversation, FeatureType feature) {
+      this.order = order;
+      this.conversation = conversation;
+      this.feature = feature;
+    }
+
+    @Override
+    public void progressed(Progress progress) {
+      if (progress.kind() == Progress.Kind.ESTABLISHED) {
+        tell(() -> succeeded(progress.values()));
+      }
+    }
+
+    @Override
+    public void observed(Observation observation) {
+      tell(() -> learnt(observation.values()));
+    }
+
+    @Override
+    public void ended(Result result) {
+      tell(
+          () -> {
+            if (result.outcome() == Outcome.SUCCEEDED) {
+              succeeded(result.values());
+            } else {
+              failed(result);
+            }
+            handles.remove(conversation);
+            view.forget(conversation);
+          });
+    }
+
+    private void succeeded(Map<String, Object> values) {
+      if (!answered) {
+        answered = true;
+        reply(
+            order,
+            ACLMessage.INFORM,
+            Words.content("inform", Words.terms("outputs", JsonTerms.terms(values))));
+        say(view.over());
+      }
+    }
+
+    private void failed(Result result) {
+      if (answered) {
+        return;
+      }
+      answered = true;
+      List<Content.Argument> refs = new ArrayList<>();
+      String problem =
+          result.error().map(RatsError::message).orElse(result.outcome().name().toLowerCase());
+      for (RatsError.Reference ref :
+          result.error().map(RatsError::refs).orElse(List.of())) {
+        refs.add(
+            Words.named(
+                "fact", Words.text(ref.fact()), Words.term(JsonTerms.term(ref.have()))));
+      }
+      reply(
+          order,
+          ACLMessage.FAILURE,
+          Words.content(
+              "inform",
+              Words.named("outcome", Words.name(result.outcome().name().toLowerCase())),
+              Words.named("problem", Words.text(problem)),
+              Words.named("refs", refs)));
+      say(view.over());
+    }
+
+    /** Each value set of a stream teaches, as the first did. */
+    private void learnt(Map<String, Object> values) {
+      send(
+          message(
+              ACLMessage.INFORM,
+              knowledgeAgent(),
+              Words.content(
+                  "inform",
+                  Words.named("member", Words.name(member)),
+                  Words.named("feature", Words.name(feature.name())),
+                  Words.terms("bindings", view.bindings(conversation)),
+                  Words.terms("outputs", JsonTerms.terms(values)))));
+    }
+  }
+}

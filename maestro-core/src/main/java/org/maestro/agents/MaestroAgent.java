@@ -1,0 +1,138 @@
+package org.maestro.agents;
+
+import jade.core.AID;
+import jade.core.Agent;
+import jade.core.behaviours.CyclicBehaviour;
+import jade.domain.FIPANames;
+import jade.lang.acl.ACLMessage;
+import jade.lang.acl.MessageTemplate;
+import java.time.Duration;
+import java.util.function.Consumer;
+import org.maestro.rats.time.Clock;
+import org.maestro.sl.Content;
+import org.maestro.sl.SlSyntaxException;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * What all MAESTRO agents have in common: messages in MAESTRO-SL, conversations that end, and work handed over from other threads.
+ * Behaviours never block. {@link #tell} may be called by any thread, everything else by the agent's own.
+ */
+public abstract class MaestroAgent extends Agent {
+  private static final long serialVersionUID = 1L;
+  private static final Logger LOG = LoggerFactory.getLogger(MaestroAgent.class);
+
+  /** The content language of all messages. */
+  public static final String LANGUAGE = "MAESTRO-SL";
+
+  /** The ontology slot of all messages, as in the paper's example. */
+  public static final String ONTOLOGY = "WorldModel";
+
+  private final transient Clock clock;
+  private final transient Conversations conversations;
+  private final transient Inbox inbox;
+
+  protected MaestroAgent(Clock clock) {
+    this.clock = clock;
+    this.conversations = new Conversations(this, clock);
+    this.inbox = new Inbox(this, clock);
+  }
+
+  protected final Clock clock() {
+    return clock;
+  }
+
+  final Conversations conversations() {
+    return conversations;
+  }
+
+  @Override
+  protected void setup() {
+    addBehaviour(inbox);
+    addBehaviour(conversations);
+    addBehaviour(new Mail());
+  }
+
+  /** Has the agent do this on its own thread, soon. Any thread may call. */
+  public final void tell(Runnable action) {
+    inbox.add(action);
+  }
+
+  final void work(Runnable action) {
+    try {
+      action.run();
+    } catch (RuntimeException e) {
+      LOG.error("{} failed at its work", getLocalName(), e);
+    }
+  }
+
+  /** A message that belongs to no conversation of ours and no contract net. */
+  protected abstract void received(ACLMessage message);
+
+  protected final void ask(ACLMessage request, Duration timeout, Consumer<ACLMessage> reply) {
+    conversations.ask(request, timeout, reply);
+  }
+
+  protected final ACLMessage message(int performative, AID receiver, Content... contents) {
+    ACLMessage message = new ACLMessage(performative);
+    message.addReceiver(receiver);
+    message.setLanguage(LANGUAGE);
+    message.setOntology(ONTOLOGY);
+    message.setProtocol(FIPANames.InteractionProtocol.FIPA_REQUEST);
+    message.setContent(Words.print(contents));
+    return message;
+  }
+
+  protected final void reply(ACLMessage to, int performative, Content... contents) {
+    ACLMessage reply = to.createReply();
+    reply.setPerformative(performative);
+    reply.setLanguage(LANGUAGE);
+    reply.setContent(Words.print(contents));
+    send(reply);
+  }
+
+  /** Says no, with a sentence. */
+  protected final void refuse(ACLMessage to, int performative, String sentence) {
+    reply(to, performative, Words.content("inform", Words.named("reason", Words.text(sentence))));
+  }
+
+  /** Messages that are neither replies to our requests nor part of a contract net. */
+  private final class Mail extends CyclicBehaviour {
+    private static final long serialVersionUID = 1L;
+    private final transient MessageTemplate template =
+        new MessageTemplate(
+            m ->
+                !FIPANames.InteractionProtocol.FIPA_CONTRACT_NET.equals(m.getProtocol())
+                    && !conversations.isOpen(m.getConversationId()));
+
+    @Override
+    public void action() {
+      ACLMessage message = receive(template);
+      if (message == null) {
+        block();
+      } else if (!isFromPlatform(message)) {
+        handle(message);
+      }
+    }
+
+    /** Receipts of AMS and DF, which nobody waits for. */
+    private boolean isFromPlatform(ACLMessage message) {
+      AID sender = message.getSender();
+      return sender != null && (sender.equals(getAMS()) || sender.equals(getDefaultDF()));
+    }
+
+    private void handle(ACLMessage message) {
+      try {
+        received(message);
+      } catch (SlSyntaxException e) {
+        refuse(message, ACLMessage.NOT_UNDERSTOOD, e.getMessage());
+      } catch (RuntimeException e) {
+        LOG.error("{} could not handle {}", getLocalName(), message.getContent(), e);
+        refuse(
+            message,
+            ACLMessage.FAILURE,
+            getLocalName() + " could not handle the message; its log says why.");
+      }
+    }
+  }
+}

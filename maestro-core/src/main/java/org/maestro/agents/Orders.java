@@ -1,0 +1,73 @@
+package org.maestro.agents;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.maestro.coordination.Argument;
+import org.maestro.coordination.Crew;
+import org.maestro.planning.Step;
+import org.maestro.sl.Content;
+import org.maestro.sl.Term;
+
+/** The wording of orders: {@code (perform (:goal G1) (:feature pick) (:parameters (:object Cup ...)))}. */
+final class Orders {
+
+  private Orders() {}
+
+  static Content step(String goalId, Step step) {
+    return Words.content(
+        "perform",
+        Words.named("goal", Words.name(goalId)),
+        Words.named("feature", Words.name(step.feature().name())),
+        Words.terms("parameters", new TreeMap<>(step.bindings())));
+  }
+
+  static Content order(Crew.Order order) {
+    return Words.content(
+        "perform",
+        Words.named("goal", Words.name(order.goalId())),
+        Words.named("feature", Words.name(order.step().feature().name())),
+        Words.named("timeout", Words.number(order.timeout().toMillis())),
+        parameters("parameters", order.parameters()));
+  }
+
+  static Content.Argument.Named parameters(String title, Map<String, Argument> parameters) {
+    List<Content.Argument> named = new ArrayList<>();
+    parameters.forEach((name, argument) -> named.add(parameter(name, argument)));
+    return Words.named(title, named);
+  }
+
+  private static Content.Argument parameter(String name, Argument argument) {
+    List<Content.Argument> parts = new ArrayList<>();
+    parts.add(Words.term(argument.value()));
+    argument.iri().ifPresent(iri -> parts.add(Words.named("iri", Words.text(iri))));
+    argument
+        .properties()
+        .forEach(
+            (property, values) ->
+                parts.add(Words.named(property, values.stream().map(Words::term).toList())));
+    return Words.named(name, parts);
+  }
+
+  /** What {@link #parameters} wrote. */
+  static Map<String, Argument> arguments(Words words) {
+    Map<String, Argument> arguments = new LinkedHashMap<>();
+    for (Content.Argument.Named named : words.all()) {
+      Words parts = Words.of(named);
+      Map<String, List<Term>> properties = new TreeMap<>();
+      for (Content.Argument.Named property : parts.all()) {
+        if (!property.name().equals("iri")) {
+          properties.put(property.name(), Words.of(property).terms());
+        }
+      }
+      Optional<String> iri = parts.string("iri");
+      parts.terms().stream()
+          .findFirst()
+          .ifPresent(value -> arguments.put(named.name(), new Argument(value, iri, properties)));
+    }
+    return arguments;
+  }
+}

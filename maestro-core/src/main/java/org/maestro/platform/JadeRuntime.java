@@ -1,0 +1,118 @@
+package org.maestro.platform;
+
+import jade.core.Profile;
+import jade.core.ProfileImpl;
+import jade.core.Runtime;
+import jade.util.leap.Properties;
+import jade.wrapper.AgentContainer;
+import jade.wrapper.StaleProxyException;
+import java.io.File;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.file.Path;
+
+/** Starts and ends JADE containers with safe defaults: loopback only, no multicast, no MTP, no files in the working directory. */
+final class JadeRuntime {
+  private static final String LOOPBACK = "127.0.0.1";
+
+  private JadeRuntime() {}
+
+  static {
+    // JADE reads it when its first class loads; without it a process has room for one platform only.
+    System.setProperty("jade.enable.multiple.platforms", "true");
+  }
+
+  static AgentContainer main(String platformName, int port, Path fileDirectory) {
+    Properties properties = common(fileDirectory);
+    properties.setProperty(Profile.MAIN, "true");
+    properties.setProperty(Profile.PLATFORM_ID, platformName);
+    properties.setProperty(Profile.LOCAL_PORT, String.valueOf(port));
+    properties.setProperty(Profile.MAIN_PORT, String.valueOf(port));
+    properties.setProperty(Profile.MAIN_HOST, LOOPBACK);
+    AgentContainer container = Runtime.instance().createMainContainer(new ProfileImpl(properties));
+    if (container == null) {
+      throw new PlatformStartException(
+          "JADE could not start on port " + port + "; choose another with --port.");
+    }
+    return container;
+  }
+
+  static AgentContainer join(String host, int mainPort, String containerName, Path fileDirectory) {
+    if (!answers(host, mainPort)) {
+      throw new PlatformStartException(
+          "No platform answers at %s:%d; start one with ./maestro run, or name another with --main HOST:PORT."
+              .formatted(host, mainPort));
+    }
+    Properties properties = common(fileDirectory);
+    properties.setProperty(Profile.MAIN, "false");
+    properties.setProperty(Profile.MAIN_HOST, host);
+    properties.setProperty(Profile.MAIN_PORT, String.valueOf(mainPort));
+    properties.setProperty(Profile.LOCAL_PORT, String.valueOf(freePort()));
+    properties.setProperty(Profile.CONTAINER_NAME, containerName);
+    AgentContainer container = Runtime.instance().createAgentContainer(new ProfileImpl(properties));
+    if (container == null) {
+      throw new PlatformStartException(
+          "The container %s could not join the platform at %s:%d; its log says why."
+              .formatted(containerName, host, mainPort));
+    }
+    return container;
+  }
+
+  static void end(AgentContainer container) {
+    try {
+      container.kill();
+    } catch (StaleProxyException e) {
+      // It is gone already, which is what was wanted.
+    }
+  }
+
+  /** The port asked for if it is free, any free one for 0. */
+  static int claim(int port) {
+    if (port == 0) {
+      return freePort();
+    }
+    try (ServerSocket socket = new ServerSocket()) {
+      socket.bind(new InetSocketAddress(LOOPBACK, port));
+      return port;
+    } catch (IOException e) {
+      throw new PlatformStartException(
+          "Port %d is in use; stop what listens there, or choose another with --port."
+              .formatted(port),
+          e);
+    }
+  }
+
+  private static int freePort() {
+    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName(LOOPBACK))) {
+      return socket.getLocalPort();
+    } catch (IOException e) {
+      throw new PlatformStartException("No free port on loopback.", e);
+    }
+  }
+
+  private static boolean answers(String host, int port) {
+    try (Socket socket = new Socket()) {
+      socket.connect(new InetSocketAddress(InetAddress.getByName(host), port), 2_000);
+      return true;
+    } catch (IOException e) {
+      return false;
+    }
+  }
+
+  private static Properties common(Path fileDirectory) {
+    Properties properties = new Properties();
+    properties.setProperty(Profile.LOCAL_HOST, LOOPBACK);
+    properties.setProperty(Profile.DETECT_MAIN, "false");
+    properties.setProperty(Profile.NO_MTP, "true");
+    properties.setProperty(Profile.FILE_DIR, fileDirectory + File.separator);
+    properties.setProperty("jade_imtp_leap_JICP_JICPServer_acceptlocalhostonly", "true");
+    properties.setProperty("jade_core_messaging_MessageManager_poolsize", "1");
+    properties.setProperty("jade_domain_df_autocleanup", "true");
+    properties.setProperty(
+        "jade_core_FullResourceManager_disablethreadgroupinterrupt", "true");
+    return properties;
+  }
+}

@@ -1,0 +1,132 @@
+package org.maestro.platform;
+
+import jade.core.Agent;
+import jade.lang.acl.ACLMessage;
+import jade.wrapper.AgentContainer;
+import jade.wrapper.StaleProxyException;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Function;
+import org.maestro.agents.DeskAgent;
+import org.maestro.agents.GenericAgent;
+import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.Words;
+import org.maestro.ontology.home.Device;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.time.Clock;
+import org.maestro.sl.Content;
+
+/**
+ * A container of this process in a platform of another (M64): as a desk from which to ask, or as the home of a topic's agents. Any
+ * thread may use it.
+ */
+public final class JoinedContainer implements AutoCloseable {
+  private static final Duration ANSWER_WITHIN = Duration.ofSeconds(20);
+
+  private final AgentContainer container;
+  private final DeskAgent desk;
+  private final Clock clock;
+
+  private JoinedContainer(AgentContainer container, DeskAgent desk, Clock clock) {
+    this.container = container;
+    this.desk = desk;
+    this.clock = clock;
+  }
+
+  /** Joins, with a desk agent named after the container. */
+  public static JoinedContainer join(String host, int port, String name, Clock clock) {
+    AgentContainer container = JadeRuntime.join(host, port, name, temporaryDirectory());
+    DeskAgent desk = new DeskAgent(clock);
+    JoinedContainer joined = new JoinedContainer(container, desk, clock);
+    joined.accept(name + "-desk", desk);
+    return joined;
+  }
+
+  public DeskAgent desk() {
+    return desk;
+  }
+
+  /** Asks an agent and waits for its final reply; not to be called by an agent. */
+  public ACLMessage ask(int performative, String agent, Content... contents) {
+    CompletableFuture<ACLMessage> reply = new CompletableFuture<>();
+    desk.request(
+        performative,
+        agent,
+        ANSWER_WITHIN,
+        message -> {
+          if (message.getPerformative() != ACLMessage.AGREE) {
+            reply.complete(message);
+          }
+        },
+        contents);
+    try {
+      return reply.get(ANSWER_WITHIN.toSeconds() + 5, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new PlatformStartException("Interrupted while waiting for " + agent + ".", e);
+    } catch (ExecutionException | TimeoutException e) {
+      throw new PlatformStartException("The agent " + agent + " did not answer.", e);
+    }
+  }
+
+  /**
+   * Takes a topic's members over.
+   *
+   * @throws PlatformStartException when the platform has no such topic to give
+   */
+  public SupervisorAgent.Handover take(String topic) {
+    ACLMessage reply =
+        ask(
+            ACLMessage.REQUEST,
+            SupervisorAgent.NAME,
+            Words.content(
+                "perform",
+                Words.named("action", Words.name("take")),
+                Words.named("topic", Words.text(topic))));
+    Words words = Words.of(Words.parse(reply.getContent()).get(0));
+    if (reply.getPerformative() != ACLMessage.INFORM) {
+      throw new PlatformStartException(
+          words.string("reason").or(() -> words.string("problem")).orElse("Refused."));
+    }
+    List<String> members =
+        words.find("members").orElseThrow().terms().stream().map(Words::plain).toList();
+    return new SupervisorAgent.Handover(
+        words.string("broker").orElseThrow(), words.string("site").orElseThrow(), members);
+  }
+
+  /** Starts the generic agents of the members here. */
+  public void host(List<String> members, RatsLink link, Function<String, Device> describedBy) {
+    members.forEach(member -> accept(member, new GenericAgent(clock, link, member, describedBy)));
+  }
+
+  private void accept(String name, Agent agent) {
+    try {
+      container.acceptNewAgent(name, agent).start();
+    } catch (StaleProxyException e) {
+      throw new PlatformStartException(
+          "The agent %s could not start; is there another of that name?".formatted(name), e);
+    }
+  }
+
+  @Override
+  public void close() {
+    JadeRuntime.end(container);
+  }
+
+  private static Path temporaryDirectory() {
+    try {
+      Path directory = Files.createTempDirectory("maestro-jade");
+      directory.toFile().deleteOnExit();
+      return directory;
+    } catch (IOException e) {
+      throw new PlatformStartException("No temporary directory can be made.", e);
+    }
+  }
+}

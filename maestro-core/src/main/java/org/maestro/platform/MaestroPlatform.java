@@ -1,0 +1,256 @@
+package org.maestro.platform;
+
+import jade.core.Agent;
+import jade.wrapper.AgentContainer;
+import jade.wrapper.StaleProxyException;
+import java.awt.GraphicsEnvironment;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Function;
+import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.DeskAgent;
+import org.maestro.agents.GenericAgent;
+import org.maestro.agents.KnowledgeAgent;
+import org.maestro.agents.SupervisorAgent;
+import org.maestro.coordination.Story;
+import org.maestro.coordination.StoryEntry;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.ontology.home.Device;
+import org.maestro.planning.Planner;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.MemberStatus;
+import org.maestro.rats.time.Clock;
+
+/**
+ * A running platform in this process: a JADE main container with CCA, knowledge agent, supervisor and desk, and an abstraction
+ * container for each topic with a generic agent for each device (M64, M68-M72). Any thread may use it.
+ */
+public final class MaestroPlatform implements AutoCloseable {
+  private static final String DEFAULT_TOPIC = "devices";
+  private static final String DESK = "desk";
+
+  private final PlatformSettings settings;
+  private final Clock clock;
+  private final RatsLink link;
+  private final KnowledgeBase knowledge;
+  private final Function<String, Device> describedBy;
+  private final Path fileDirectory;
+  private final int port;
+  private final AgentContainer main;
+  private final TopicContainers topics;
+  private final CoordinatorAgent coordinator;
+  private final DeskAgent desk;
+  private final Collection<Story> listeners = new ConcurrentLinkedQueue<>();
+
+  private MaestroPlatform(
+      PlatformSettings settings,
+      KnowledgeBase knowledge,
+      Planner planner,
+      RatsLink link,
+      Clock clock,
+      Function<String, Device> describedBy,
+      Path fileDirectory,
+      int port,
+      AgentContainer main) {
+    this.settings = settings;
+    this.clock = clock;
+    this.link = link;
+    this.describedBy = describedBy;
+    this.fileDirectory = fileDirectory;
+    this.port = port;
+    this.main = main;
+    this.knowledge = knowledge;
+    this.topics =
+        new TopicContainers(topic -> JadeRuntime.join("127.0.0.1", port, topic, fileDirectory));
+    this.coordinator =
+        new CoordinatorAgent(
+            clock, knowledge, planner, this::told, settings.decisionTime());
+    this.desk = new DeskAgent(clock);
+  }
+
+  /**
+   * Boots the platform.
+   *
+   * @param knowledge of the home whose devices get agents; closed with the platform
+   * @param describedBy reads a member's description
+   * @throws PlatformStartException when the port is taken, or there is no display for the GUI
+   */
+  public static MaestroPlatform start(
+      PlatformSettings settings,
+      KnowledgeBase knowledge,
+      Planner planner,
+      RatsLink link,
+      Clock clock,
+      Function<String, Device> describedBy) {
+    if (settings.gui() && GraphicsEnvironment.isHeadless()) {
+      throw new PlatformStartException(
+          "There is no display for the JADE GUI; run without --gui, or set DISPLAY.");
+    }
+    int port = JadeRuntime.claim(settings.port());
+    Path files = temporaryDirectory();
+    AgentContainer main = JadeRuntime.main(settings.name(), port, files);
+    MaestroPlatform platform =
+        new MaestroPlatform(
+            settings, knowledge, planner, link, clock, describedBy, files, port, main);
+    platform.boot();
+    return platform;
+  }
+
+  private void boot() {
+    Optional<StoryFile> file = settings.storyDirectory().map(StoryFile::new);
+    file.ifPresent(
+        stories -> {
+          stories.begin();
+          listeners.add(stories);
+        });
+    accept(KnowledgeAgent.NAME, new KnowledgeAgent(clock, knowledge, describedBy));
+    accept(CoordinatorAgent.NAME, coordinator);
+    accept(SupervisorAgent.NAME, new SupervisorAgent(clock, link, new Supervision()));
+    accept(DESK, desk);
+    knowledge.home().devices().values().stream()
+        .sorted(Comparator.comparingDouble(Device::order).thenComparing(Device::id))
+        .forEach(device -> place(device.id(), topic(device)));
+    link.watch(this::memberChanged);
+    if (settings.gui()) {
+      try {
+        main.createNewAgent("rma", "jade.tools.rma.rma", new Object[0]).start();
+      } catch (StaleProxyException e) {
+        throw new PlatformStartException("The JADE GUI could not start.", e);
+      }
+    }
+  }
+
+  private static String topic(Device device) {
+    return device.container().orElse(DEFAULT_TOPIC);
+  }
+
+  /** A member that no agent stands for yet: it gets one (M3, M7). */
+  private void memberChanged(RatsLink.Member member) {
+    if (member.phase() == MemberStatus.Phase.READY
+        && member.description().isPresent()
+        && !topics.places().containsKey(member.id())
+        && !knowledge.home().devices().containsKey(member.id())) {
+      String description = member.description().get();
+      Thread starter =
+          new Thread(
+              () -> place(member.id(), topic(describedBy.apply(description))), "agent-starter");
+      starter.setDaemon(true);
+      starter.start();
+    }
+  }
+
+  private void place(String member, String topic) {
+    topics.place(member, topic, id -> new GenericAgent(clock, link, id, describedBy));
+  }
+
+  private void accept(String name, Agent agent) {
+    try {
+      main.acceptNewAgent(name, agent).start();
+    } catch (StaleProxyException e) {
+      throw new PlatformStartException("The agent " + name + " could not start.", e);
+    }
+  }
+
+  private void told(StoryEntry entry) {
+    listeners.forEach(listener -> listener.tell(entry));
+  }
+
+  /** Tells the listener of every sentence of every story from now on, on the coordinator's thread. */
+  public void onStory(Story listener) {
+    listeners.add(listener);
+  }
+
+  /** The members that the CCA can use now. */
+  public Collection<String> presentMembers() {
+    return coordinator.presentMembers();
+  }
+
+  public KnowledgeBase knowledge() {
+    return knowledge;
+  }
+
+  /** Where goals are stated. */
+  public DeskAgent desk() {
+    return desk;
+  }
+
+  public int port() {
+    return port;
+  }
+
+  public List<AgentRow> agents() {
+    Map<String, RatsLink.Member> members = new TreeMap<>();
+    link.members().forEach(member -> members.put(member.id(), member));
+    List<AgentRow> rows = new ArrayList<>();
+    topics
+        .places()
+        .forEach(
+            (agent, container) -> {
+              Optional<RatsLink.Member> member = Optional.ofNullable(members.get(agent));
+              rows.add(
+                  new AgentRow(
+                      agent,
+                      container,
+                      member.map(m -> m.phase().name().toLowerCase()).orElse("absent"),
+                      member.flatMap(RatsLink.Member::state).map(s -> s.state()).orElse("-")));
+            });
+    return rows;
+  }
+
+  @Override
+  public void close() {
+    topics.close();
+    JadeRuntime.end(main);
+    knowledge.close();
+    try (var files = Files.walk(fileDirectory)) {
+      files.sorted(Comparator.reverseOrder()).forEach(file -> file.toFile().delete());
+    } catch (IOException e) {
+      throw new java.io.UncheckedIOException("Cannot clean up " + fileDirectory, e);
+    }
+  }
+
+  private static Path temporaryDirectory() {
+    try {
+      return Files.createTempDirectory("maestro-jade");
+    } catch (IOException e) {
+      throw new PlatformStartException("No temporary directory can be made.", e);
+    }
+  }
+
+  /** What the supervisor may do here. */
+  private final class Supervision implements SupervisorAgent.Containers {
+    @Override
+    public Optional<SupervisorAgent.Handover> release(String topic, String holder) {
+      return settings
+          .brokerUri()
+          .flatMap(
+              broker ->
+                  topics
+                      .release(topic, holder)
+                      .map(
+                          members ->
+                              new SupervisorAgent.Handover(broker, settings.site(), members)));
+    }
+
+    @Override
+    public List<String> topics() {
+      return topics.topics();
+    }
+
+    @Override
+    public List<SupervisorAgent.Line> agents() {
+      return MaestroPlatform.this.agents().stream()
+          .map(r -> new SupervisorAgent.Line(r.agent(), r.container(), r.phase(), r.state()))
+          .toList();
+    }
+  }
+}

@@ -1,0 +1,25 @@
+package org.maestro.platform;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Optional;
+
+/**
+ * How a platform is to run.
+ *
+ * @param name the JADE platform's name
+ * @param port of the main container on loopback; 0 for a free one
+ * @param gui whether to show the JADE remote monitoring agent
+ * @param brokerUri of the bus, told to containers that join; empty when the bus lives in this process
+ * @param site on the bus
+ * @param decisionTime simulated time that a decision takes; zero on a paced clock
+ * @param storyDirectory where stories are kept for {@code why}; empty: only in memory
+ */
+public record PlatformSettings(
+    String name,
+    int port,
+    boolean gui,
+    Optional<String> brokerUri,
+    String site,
+    Duration decisionTime,
+    Optional<Path> storyDirectory) {}

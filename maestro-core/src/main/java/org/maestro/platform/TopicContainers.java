@@ -1,0 +1,88 @@
+package org.maestro.platform;
+
+import jade.core.Agent;
+import jade.wrapper.AgentContainer;
+import jade.wrapper.AgentController;
+import jade.wrapper.StaleProxyException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+
+/**
+ * The abstraction containers of this process, one for each topic (M70), and the agents in them. Any thread may call; one at a
+ * time.
+ */
+final class TopicContainers {
+  private final Function<String, AgentContainer> newContainer;
+  private final Map<String, AgentContainer> containerByTopic = new LinkedHashMap<>();
+  private final Map<String, Placed> placedByMember = new LinkedHashMap<>();
+  private final Map<String, String> elsewhere = new LinkedHashMap<>();
+
+  private record Placed(String topic, AgentController agent) {}
+
+  TopicContainers(Function<String, AgentContainer> newContainer) {
+    this.newContainer = newContainer;
+  }
+
+  /** Starts the agent in its topic's container, unless the member has one already or the topic is held elsewhere. */
+  synchronized boolean place(String member, String topic, Function<String, Agent> newAgent) {
+    if (placedByMember.containsKey(member) || elsewhere.containsKey(topic)) {
+      return false;
+    }
+    AgentContainer container = containerByTopic.computeIfAbsent(topic, newContainer);
+    try {
+      AgentController agent = container.acceptNewAgent(member, newAgent.apply(member));
+      agent.start();
+      placedByMember.put(member, new Placed(topic, agent));
+      return true;
+    } catch (StaleProxyException e) {
+      throw new PlatformStartException(
+          "The agent " + member + " could not start in the container " + topic + ".", e);
+    }
+  }
+
+  /** Ends the topic's container here, so that another process can take its members; returns them. */
+  synchronized Optional<List<String>> release(String topic, String holder) {
+    AgentContainer container = containerByTopic.remove(topic);
+    if (container == null) {
+      return Optional.empty();
+    }
+    List<String> members = new ArrayList<>();
+    placedByMember.forEach(
+        (member, placed) -> {
+          if (placed.topic().equals(topic)) {
+            members.add(member);
+          }
+        });
+    for (String member : members) {
+      try {
+        placedByMember.remove(member).agent().kill();
+      } catch (StaleProxyException e) {
+        // It is gone already.
+      }
+    }
+    elsewhere.put(topic, holder);
+    JadeRuntime.end(container);
+    return Optional.of(members);
+  }
+
+  synchronized List<String> topics() {
+    return List.copyOf(containerByTopic.keySet());
+  }
+
+  /** Container name by member. */
+  synchronized Map<String, String> places() {
+    Map<String, String> places = new LinkedHashMap<>();
+    placedByMember.forEach((member, placed) -> places.put(member, placed.topic()));
+    return places;
+  }
+
+  synchronized void close() {
+    containerByTopic.values().forEach(JadeRuntime::end);
+    containerByTopic.clear();
+    placedByMember.clear();
+  }
+}
