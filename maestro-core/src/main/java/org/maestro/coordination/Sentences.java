@@ -21,6 +21,10 @@ import org.maestro.sl.Term;
 public final class Sentences {
   private static final Pattern PLACE_HOLDER = Pattern.compile("\\{([A-Za-z][A-Za-z0-9-]*)}");
 
+  /** QUDT's names of units, as people write them. */
+  private static final Map<String, String> UNIT_SYMBOLS =
+      Map.of("LUX", "lux", "M", "m", "KiloGM", "kg", "M-PER-SEC", "m/s", "W", "W");
+
   private final Vocabulary vocabulary;
 
   public Sentences(Vocabulary vocabulary) {
@@ -93,21 +97,17 @@ public final class Sentences {
               .orElse(atom.predicate());
       return String.join(", ", terms) + (negated ? " is not " : " is ") + "a " + kind;
     }
-    String verb = negated ? negate(label.get()) : label.get();
     return terms.get(0)
-        + " "
-        + verb
+        + verb(label.get(), negated)
         + (terms.size() > 1 ? " " + String.join(", ", terms.subList(1, terms.size())) : "");
   }
 
-  private static String negate(String label) {
-    if (label.startsWith("is ") || label.equals("is")) {
-      return "is not" + label.substring(2);
-    }
+  /** Labels are such as "in", "next to", "can see". */
+  private static String verb(String label, boolean negated) {
     if (label.startsWith("can ")) {
-      return "cannot" + label.substring(3);
+      return negated ? " cannot" + label.substring(3) : " " + label;
     }
-    return "does not: " + label;
+    return (negated ? " is not " : " is ") + label;
   }
 
   private String quantity(Expression.Fluent fluent) {
@@ -126,7 +126,7 @@ public final class Sentences {
     return vocabulary
         .predicate(fluent.name())
         .flatMap(PredicateDeclaration::unit)
-        .map(unit -> " " + unit)
+        .map(unit -> " " + UNIT_SYMBOLS.getOrDefault(unit, unit))
         .orElse("");
   }
 
