@@ -1,0 +1,67 @@
+package org.maestro.planning;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.maestro.planning.Condition.Constant;
+import org.maestro.sl.Effect;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+
+/** Makes ground changes of effects. Changes that can never happen are left out. */
+final class EffectCompiler {
+  private final ConditionCompiler conditions;
+  private final Variables variables;
+
+  EffectCompiler(ConditionCompiler conditions, Variables variables) {
+    this.conditions = conditions;
+    this.variables = variables;
+  }
+
+  List<Change> changes(Effect effect, Map<String, Term> bindings) {
+    List<Change> changes = new ArrayList<>();
+    collect(effect, bindings, Constant.TRUE, changes);
+    return List.copyOf(changes);
+  }
+
+  private void collect(
+      Effect effect, Map<String, Term> bindings, Condition condition, List<Change> changes) {
+    if (effect instanceof Effect.All all) {
+      all.effects().forEach(part -> collect(part, bindings, condition, changes));
+    } else if (effect instanceof Effect.When when) {
+      Condition inner = conditions.condition(when.condition(), bindings);
+      Condition both = Condition.all(List.of(condition, inner));
+      if (both != Constant.FALSE) {
+        collect(when.effect(), bindings, both, changes);
+      }
+    } else if (effect instanceof Effect.Forall forall) {
+      conditions.forEachGrounding(
+          forall.variables(),
+          bindings,
+          extended -> collect(forall.effect(), extended, condition, changes));
+    } else if (effect instanceof Effect.Add add) {
+      Formula.Atom atom = ConditionCompiler.ground(add.atom(), bindings);
+      Variable variable = variables.variable(atom);
+      changes.add(new Change.Put(condition, variable, variables.value(atom, variable)));
+    } else if (effect instanceof Effect.Delete delete) {
+      Formula.Atom atom = ConditionCompiler.ground(delete.atom(), bindings);
+      Variable variable = variables.variable(atom);
+      changes.add(new Change.Remove(condition, variable, variables.value(atom, variable)));
+    } else if (effect instanceof Effect.SenseAtom sense) {
+      Formula.Atom atom = ConditionCompiler.ground(sense.atom(), bindings);
+      Variable variable = variables.variable(atom);
+      if (variable.observable()) {
+        changes.add(new Change.Find(condition, variable, variables.value(atom, variable)));
+      }
+    } else if (effect instanceof Effect.SenseNumber sense) {
+      NumberVariable number =
+          variables.number(ConditionCompiler.ground(sense.fluent(), bindings));
+      changes.add(new Change.Measure(condition, number));
+    } else if (effect instanceof Effect.Change change) {
+      NumberVariable number =
+          variables.number(ConditionCompiler.ground(change.fluent(), bindings));
+      NumberExpression value = conditions.number(change.value(), bindings);
+      changes.add(new Change.Adjust(condition, number, change.assignment(), value));
+    }
+  }
+}

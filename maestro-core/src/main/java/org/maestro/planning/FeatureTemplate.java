@@ -1,0 +1,235 @@
+package org.maestro.planning;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.maestro.ontology.vocabulary.Parameter;
+import org.maestro.ontology.vocabulary.Price;
+import org.maestro.planning.Condition.Constant;
+import org.maestro.sl.Effect;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Formula;
+import org.maestro.sl.FreeVariables;
+import org.maestro.sl.Term;
+
+/**
+ * An offered feature, ready to be bound: which values its parameters may take, which static conditions tie them, and what its effect
+ * may change.
+ */
+final class FeatureTemplate {
+  private static final String SELF = "self";
+  private static final List<Term> TRUTHS = List.of(new Term.Truth(true), new Term.Truth(false));
+
+  /** The predicate or number that a part of the effect names. */
+  private record Target(String name, List<Term> arguments) {}
+
+  private record StaticConjunct(Formula formula, Set<String> variables) {}
+
+  private final PricedFeature feature;
+  private final ConditionCompiler conditions;
+  private final Map<String, List<Term>> domains = new LinkedHashMap<>();
+  private final List<StaticConjunct> conjuncts = new ArrayList<>();
+  private final List<Target> targets = new ArrayList<>();
+
+  FeatureTemplate(
+      PricedFeature feature,
+      Signature signature,
+      StaticFacts facts,
+      ConditionCompiler conditions) {
+    this.feature = feature;
+    this.conditions = conditions;
+    Set<String> mentioned = mentioned(feature);
+    for (List<Parameter> parameters : List.of(feature.type().inputs(), feature.type().binds())) {
+      for (Parameter parameter : parameters) {
+        if (!parameter.optional() || mentioned.contains(parameter.name())) {
+          domains.put(parameter.name(), domain(parameter, facts));
+        }
+      }
+    }
+    collectStatic(feature.type().precondition(), signature);
+    collectTargets(feature.type().effect());
+  }
+
+  PricedFeature feature() {
+    return feature;
+  }
+
+  private static Set<String> mentioned(PricedFeature feature) {
+    Set<String> names = new LinkedHashSet<>(FreeVariables.of(feature.type().precondition()));
+    names.addAll(FreeVariables.of(feature.type().effect()));
+    names.addAll(FreeVariables.of(statedPrice(feature)));
+    return names;
+  }
+
+  /** The price's expression, a lower bound where only the member knows. */
+  static Expression statedPrice(PricedFeature feature) {
+    return feature.price() instanceof Price.Stated stated
+        ? stated.cost()
+        : ((Price.Asked) feature.price()).atLeast();
+  }
+
+  private static List<Term> domain(Parameter parameter, StaticFacts facts) {
+    if (!parameter.oneOf().isEmpty()) {
+      return parameter.oneOf();
+    }
+    Set<Term> values = new LinkedHashSet<>();
+    for (String type : parameter.types()) {
+      values.addAll(type.equals("boolean") ? TRUTHS : facts.individuals(type));
+    }
+    return List.copyOf(values);
+  }
+
+  private void collectStatic(Formula formula, Signature signature) {
+    if (formula instanceof Formula.And and) {
+      and.operands().forEach(operand -> collectStatic(operand, signature));
+    } else if (!signature.isDynamic(formula)) {
+      Set<String> variables = new LinkedHashSet<>(FreeVariables.of(formula));
+      variables.remove(SELF);
+      conjuncts.add(new StaticConjunct(formula, variables));
+    }
+  }
+
+  private void collectTargets(Effect effect) {
+    if (effect instanceof Effect.All all) {
+      all.effects().forEach(this::collectTargets);
+    } else if (effect instanceof Effect.When when) {
+      collectTargets(when.effect());
+    } else if (effect instanceof Effect.Forall forall) {
+      collectTargets(forall.effect());
+    } else if (effect instanceof Effect.Add add) {
+      targets.add(new Target(add.atom().predicate(), add.atom().arguments()));
+    } else if (effect instanceof Effect.Delete delete) {
+      targets.add(new Target(delete.atom().predicate(), delete.atom().arguments()));
+    } else if (effect instanceof Effect.SenseAtom sense) {
+      targets.add(new Target(sense.atom().predicate(), sense.atom().arguments()));
+    } else if (effect instanceof Effect.SenseNumber sense) {
+      targets.add(new Target(sense.fluent().name(), sense.fluent().arguments()));
+    } else if (effect instanceof Effect.Change change) {
+      targets.add(new Target(change.fluent().name(), change.fluent().arguments()));
+    }
+  }
+
+  /**
+   * Hands on the bindings under which the effect may change what is named, as far as the static conditions allow.
+   *
+   * @param arguments those of the predicate or number, without the value of a functional one
+   * @param symmetric whether the arguments may be swapped
+   */
+  void forEachInstanceChanging(
+      String name,
+      List<Term> arguments,
+      boolean symmetric,
+      Consumer<Map<String, Term>> consumer) {
+    for (Target target : targets) {
+      if (target.name().equals(name)) {
+        bindAndEnumerate(target, arguments, consumer);
+        if (symmetric && arguments.size() == 2) {
+          bindAndEnumerate(target, List.of(arguments.get(1), arguments.get(0)), consumer);
+        }
+      }
+    }
+  }
+
+  private void bindAndEnumerate(
+      Target target, List<Term> arguments, Consumer<Map<String, Term>> consumer) {
+    Map<String, Term> bindings = selfOnly();
+    for (int i = 0; i < Math.min(arguments.size(), target.arguments().size()); i++) {
+      Term pattern = target.arguments().get(i);
+      Term value = arguments.get(i);
+      if (pattern instanceof Term.Variable variable) {
+        Term before = bindings.get(variable.name());
+        List<Term> domain = domains.get(variable.name());
+        if (before != null && !before.equals(value) || domain != null && !domain.contains(value)) {
+          return;
+        }
+        if (domain != null) {
+          bindings.put(variable.name(), value);
+        }
+      } else if (!pattern.equals(value)) {
+        return;
+      }
+    }
+    forEachInstance(bindings, consumer);
+  }
+
+  private Map<String, Term> selfOnly() {
+    Map<String, Term> bindings = new HashMap<>();
+    bindings.put(SELF, new Term.Name(feature.member()));
+    return bindings;
+  }
+
+  /** The bindings with {@code self}, if they are possible ones for this feature's parameters. */
+  boolean accepts(Map<String, Term> bindings) {
+    Map<String, Term> all = selfOnly();
+    all.putAll(bindings);
+    return domains.keySet().equals(bindings.keySet())
+        && domains.entrySet().stream()
+            .allMatch(domain -> domain.getValue().contains(bindings.get(domain.getKey())))
+        && conjuncts.stream().allMatch(conjunct -> holds(conjunct, all));
+  }
+
+  private void forEachInstance(Map<String, Term> bindings, Consumer<Map<String, Term>> consumer) {
+    Set<String> open = new LinkedHashSet<>(domains.keySet());
+    open.removeAll(bindings.keySet());
+    for (StaticConjunct conjunct : conjuncts) {
+      if (Collections.disjoint(conjunct.variables(), open) && !holds(conjunct, bindings)) {
+        return;
+      }
+    }
+    choose(open, bindings, consumer);
+  }
+
+  private void choose(
+      Set<String> open, Map<String, Term> bindings, Consumer<Map<String, Term>> consumer) {
+    if (open.isEmpty()) {
+      Map<String, Term> ordered = new LinkedHashMap<>();
+      domains.keySet().forEach(name -> ordered.put(name, bindings.get(name)));
+      consumer.accept(Collections.unmodifiableMap(ordered));
+      return;
+    }
+    String next = mostTied(open);
+    Set<String> rest = new LinkedHashSet<>(open);
+    rest.remove(next);
+    List<StaticConjunct> decided =
+        conjuncts.stream()
+            .filter(c -> c.variables().contains(next))
+            .filter(c -> Collections.disjoint(c.variables(), rest))
+            .toList();
+    for (Term value : domains.get(next)) {
+      bindings.put(next, value);
+      if (decided.stream().allMatch(conjunct -> holds(conjunct, bindings))) {
+        choose(rest, bindings, consumer);
+      }
+    }
+    bindings.remove(next);
+  }
+
+  /** The open parameter that the most static conditions decide on; the first of the smallest among equals. */
+  private String mostTied(Set<String> open) {
+    String best = "";
+    long bestTies = -1;
+    for (String name : open) {
+      long ties =
+          conjuncts.stream()
+              .filter(c -> c.variables().contains(name))
+              .filter(c -> c.variables().stream().noneMatch(v -> open.contains(v) && !v.equals(name)))
+              .count();
+      if (ties > bestTies
+          || ties == bestTies && domains.get(name).size() < domains.get(best).size()) {
+        best = name;
+        bestTies = ties;
+      }
+    }
+    return best;
+  }
+
+  private boolean holds(StaticConjunct conjunct, Map<String, Term> bindings) {
+    return conditions.condition(conjunct.formula(), bindings) == Constant.TRUE;
+  }
+}

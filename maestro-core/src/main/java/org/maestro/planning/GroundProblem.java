@@ -1,0 +1,83 @@
+package org.maestro.planning;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * A planning task without variables, reduced to what matters for its goal.
+ *
+ * @param variables those whose values make a state
+ */
+record GroundProblem(
+    List<Operator> operators,
+    GroundGoal goal,
+    List<Variable> variables,
+    List<NumberVariable> numbers,
+    State initial) {
+
+  /** The part of the operators that matters for the goal, with all that does not matter left out. */
+  static GroundProblem reduced(Relevance relevance, GroundGoal goal) {
+    List<Operator> operators = new ArrayList<>();
+    for (Operator operator : relevance.operators()) {
+      List<Change> kept =
+          operator.changes().stream()
+              .filter(change -> relevance.variables().contains(change.target()))
+              .toList();
+      if (!kept.isEmpty()) {
+        Condition precondition = relevance.simplified(operator.precondition());
+        operators.add(operator.withChanges(kept).withPrecondition(precondition));
+      }
+    }
+    return over(relevance, operators, goal.simplified(relevance));
+  }
+
+  /** All operators as they are. */
+  static GroundProblem complete(Relevance relevance, GroundGoal goal) {
+    return over(relevance, List.copyOf(relevance.operators()), goal);
+  }
+
+  private static GroundProblem over(
+      Relevance relevance, List<Operator> operators, GroundGoal goal) {
+    List<Variable> variables = new ArrayList<>();
+    List<NumberVariable> numbers = new ArrayList<>();
+    for (Object target : relevance.variables()) {
+      if (target instanceof Variable variable) {
+        variable.placeAt(variables.size());
+        variables.add(variable);
+      } else if (target instanceof NumberVariable number) {
+        number.placeAt(numbers.size());
+        numbers.add(number);
+      }
+    }
+    int[] codes = variables.stream().mapToInt(Variable::initialCode).toArray();
+    double[] values = numbers.stream().mapToDouble(NumberVariable::initial).toArray();
+    State initial = new State(codes, new NumberVector(values));
+    return new GroundProblem(
+        List.copyOf(operators),
+        goal,
+        List.copyOf(variables),
+        List.copyOf(numbers),
+        initial);
+  }
+
+  /** The same goal with some of the operators, reduced again. */
+  GroundProblem with(List<Operator> remaining) {
+    Map<Object, List<Operator>> byTarget = new LinkedHashMap<>();
+    for (Operator operator : remaining) {
+      for (Change change : operator.changes()) {
+        List<Operator> changing =
+            byTarget.computeIfAbsent(change.target(), absent -> new ArrayList<>());
+        if (changing.isEmpty() || changing.get(changing.size() - 1) != operator) {
+          changing.add(operator);
+        }
+      }
+    }
+    Relevance relevance =
+        new Relevance(target -> (Collection<Operator>) byTarget.getOrDefault(target, List.of()));
+    relevance.close(goal.condition());
+    return reduced(relevance, goal);
+  }
+}

@@ -1,0 +1,108 @@
+package org.maestro.planning;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.sl.Term;
+
+/** Grounds a task backwards from its goal: a feature instance is made only when it changes something that matters. */
+final class Grounder {
+  private record Instance(int template, Map<String, Term> bindings) {}
+
+  private final PlanningTask task;
+  private final Signature signature;
+  private final OperatorFactory factory;
+  private final List<FeatureTemplate> templates;
+  private final GroundGoal goal;
+  private final Map<Instance, List<Operator>> made = new HashMap<>();
+
+  Grounder(PlanningTask task) {
+    this.task = task;
+    this.signature = new Signature(task.vocabulary(), task.features());
+    StaticFacts facts = new StaticFacts(task.facts());
+    Variables variables = new Variables(signature, facts);
+    ConditionCompiler conditions = new ConditionCompiler(signature, facts, variables);
+    this.factory = new OperatorFactory(signature, facts, variables, conditions);
+    this.templates =
+        task.features().stream()
+            .map(feature -> new FeatureTemplate(feature, signature, facts, conditions))
+            .toList();
+    this.goal = GroundGoal.of(task.goal(), signature, facts, conditions);
+  }
+
+  GroundGoal goal() {
+    return goal;
+  }
+
+  /** All feature instances that matter, whether they can ever be reached or not. */
+  GroundProblem ground() {
+    Relevance relevance = new Relevance(this::operatorsChanging);
+    relevance.close(goal.condition());
+    return GroundProblem.reduced(relevance, goal);
+  }
+
+  /** The operators of a given feature instance; empty when it is barred, not offered or impossible. */
+  List<Operator> instances(StepKey key) {
+    for (int i = 0; i < templates.size(); i++) {
+      PricedFeature feature = templates.get(i).feature();
+      if (feature.member().equals(key.member())
+          && feature.type().name().equals(key.feature())
+          && templates.get(i).accepts(key.bindings())) {
+        return made(i, key.bindings());
+      }
+    }
+    return List.of();
+  }
+
+  private Collection<Operator> operatorsChanging(Object target) {
+    String name;
+    List<Term> arguments;
+    if (target instanceof Variable variable) {
+      name = variable.predicate();
+      arguments = variable.arguments();
+    } else {
+      NumberVariable number = (NumberVariable) target;
+      name = number.fluent().name();
+      arguments = number.fluent().arguments();
+    }
+    Optional<PredicateDeclaration> declaration = signature.declaration(name);
+    boolean symmetric = declaration.map(PredicateDeclaration::symmetric).orElse(false);
+    Set<Operator> found = new LinkedHashSet<>();
+    for (int i = 0; i < templates.size(); i++) {
+      int template = i;
+      templates
+          .get(i)
+          .forEachInstanceChanging(
+              name,
+              arguments,
+              symmetric,
+              bindings ->
+                  made(template, bindings).stream()
+                      .filter(operator -> changes(operator, target))
+                      .forEach(found::add));
+    }
+    return new ArrayList<>(found);
+  }
+
+  private static boolean changes(Operator operator, Object target) {
+    return operator.changes().stream().anyMatch(change -> change.target() == target);
+  }
+
+  private List<Operator> made(int template, Map<String, Term> bindings) {
+    Instance instance = new Instance(template, bindings);
+    List<Operator> known = made.get(instance);
+    if (known == null) {
+      PricedFeature feature = templates.get(template).feature();
+      StepKey key = new StepKey(feature.member(), feature.type().name(), bindings);
+      known = task.barred().contains(key) ? List.of() : factory.operators(feature, bindings);
+      made.put(instance, known);
+    }
+    return known;
+  }
+}

@@ -1,0 +1,185 @@
+package org.maestro.planning;
+
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * The landmark-cut lower bound of the cost from a state to the goal (Helmert and Domshlak 2009), over {@link RelaxedProblem}. Actions of
+ * one operator share its cost. Not thread-safe.
+ */
+final class LandmarkCut {
+  private static final double NOTHING = 1e-9;
+
+  private final RelaxedProblem relaxed;
+  private final int[] payers;
+  private final int[][] preconditions;
+  private final int[][] additions;
+  private final int[][] consumers;
+  private final int[][] achievers;
+  private final int goal;
+
+  private final double[] value;
+  private final int[] supporter;
+  private final int[] open;
+  private final boolean[] inGoalZone;
+  private final boolean[] inFrontZone;
+  private final boolean[] paid;
+  private final PropositionQueue queue;
+  private final int[] stack;
+
+  LandmarkCut(RelaxedProblem relaxed) {
+    this.relaxed = relaxed;
+    List<RelaxedProblem.Action> actions = relaxed.actions();
+    int propositions = relaxed.propositionCount();
+    payers = actions.stream().mapToInt(RelaxedProblem.Action::payer).toArray();
+    preconditions = actions.stream().map(RelaxedProblem.Action::preconditions).toArray(int[][]::new);
+    additions = actions.stream().map(RelaxedProblem.Action::additions).toArray(int[][]::new);
+    consumers = inverse(preconditions, propositions);
+    achievers = inverse(additions, propositions);
+    goal = relaxed.goal();
+    value = new double[propositions];
+    supporter = new int[actions.size()];
+    open = new int[actions.size()];
+    inGoalZone = new boolean[propositions];
+    inFrontZone = new boolean[propositions];
+    paid = new boolean[
+        relaxed.problem().operators().size() + relaxed.settings().thresholds().size()];
+    queue = new PropositionQueue();
+    stack = new int[propositions];
+  }
+
+  private static int[][] inverse(int[][] lists, int size) {
+    int[] counts = new int[size];
+    for (int[] list : lists) {
+      for (int entry : list) {
+        counts[entry]++;
+      }
+    }
+    int[][] inverse = new int[size][];
+    Arrays.setAll(inverse, i -> new int[counts[i]]);
+    for (int i = lists.length - 1; i >= 0; i--) {
+      for (int entry : lists[i]) {
+        inverse[entry][--counts[entry]] = i;
+      }
+    }
+    return inverse;
+  }
+
+  /** Never more than the true cost; infinite when the goal is out of reach. */
+  double estimate(State state) {
+    boolean[] truths = relaxed.truths(state);
+    double[] costs = relaxed.costs(state);
+    Arrays.setAll(costs, payer -> nothingIfTiny(costs[payer]));
+    double total = 0;
+    while (true) {
+      computeMaximumCosts(truths, costs);
+      if (value[goal] == Double.POSITIVE_INFINITY) {
+        return Double.POSITIVE_INFINITY;
+      }
+      if (value[goal] == 0) {
+        return total;
+      }
+      markGoalZone(costs);
+      double cut = cutCost(truths, costs);
+      for (int payer = 0; payer < paid.length; payer++) {
+        if (paid[payer]) {
+          costs[payer] = nothingIfTiny(costs[payer] - cut);
+        }
+      }
+      total += cut;
+    }
+  }
+
+  /** Rounding errors must not look like costs. */
+  private static double nothingIfTiny(double cost) {
+    return cost < NOTHING ? 0 : cost;
+  }
+
+  private double cost(int action, double[] costs) {
+    return payers[action] == RelaxedProblem.FREE ? 0 : costs[payers[action]];
+  }
+
+  /** The h-max value of each proposition, and for each action the precondition that it has it from. */
+  private void computeMaximumCosts(boolean[] truths, double[] costs) {
+    Arrays.fill(value, Double.POSITIVE_INFINITY);
+    for (int action = 0; action < open.length; action++) {
+      open[action] = preconditions[action].length;
+      supporter[action] = -1;
+    }
+    queue.clear();
+    for (int proposition = 0; proposition < truths.length; proposition++) {
+      if (truths[proposition]) {
+        value[proposition] = 0;
+        queue.add(0, proposition);
+      }
+    }
+    while (!queue.isEmpty()) {
+      double now = queue.leastKey();
+      int proposition = queue.removeLeast();
+      if (now > value[proposition]) {
+        continue;
+      }
+      for (int action : consumers[proposition]) {
+        if (--open[action] == 0) {
+          supporter[action] = proposition;
+          double reached = now + cost(action, costs);
+          for (int added : additions[action]) {
+            if (reached < value[added]) {
+              value[added] = reached;
+              queue.add(reached, added);
+            }
+          }
+        }
+      }
+    }
+  }
+
+  /** The propositions from which the goal is reached for nothing. */
+  private void markGoalZone(double[] costs) {
+    Arrays.fill(inGoalZone, false);
+    int size = 0;
+    inGoalZone[goal] = true;
+    stack[size++] = goal;
+    while (size > 0) {
+      for (int action : achievers[stack[--size]]) {
+        int from = supporter[action];
+        if (from >= 0 && !inGoalZone[from] && cost(action, costs) == 0) {
+          inGoalZone[from] = true;
+          stack[size++] = from;
+        }
+      }
+    }
+  }
+
+  /** Marks the payers of actions that enter the goal zone, and tells the cheapest's cost. */
+  private double cutCost(boolean[] truths, double[] costs) {
+    Arrays.fill(inFrontZone, false);
+    Arrays.fill(paid, false);
+    double least = Double.POSITIVE_INFINITY;
+    int size = 0;
+    for (int proposition = 0; proposition < truths.length; proposition++) {
+      if (truths[proposition]) {
+        inFrontZone[proposition] = true;
+        stack[size++] = proposition;
+      }
+    }
+    while (size > 0) {
+      int proposition = stack[--size];
+      for (int action : consumers[proposition]) {
+        if (supporter[action] != proposition || cost(action, costs) == Double.POSITIVE_INFINITY) {
+          continue;
+        }
+        for (int added : additions[action]) {
+          if (inGoalZone[added]) {
+            paid[payers[action]] = true;
+            least = Math.min(least, costs[payers[action]]);
+          } else if (!inFrontZone[added]) {
+            inFrontZone[added] = true;
+            stack[size++] = added;
+          }
+        }
+      }
+    }
+    return least;
+  }
+}

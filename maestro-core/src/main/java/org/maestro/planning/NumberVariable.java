@@ -1,0 +1,32 @@
+package org.maestro.planning;
+
+import org.maestro.sl.Expression;
+
+/** A ground numeric fluent that some feature may change. */
+final class NumberVariable {
+  private final Expression.Fluent fluent;
+  private final double initial;
+  private int index = -1;
+
+  NumberVariable(Expression.Fluent fluent, double initial) {
+    this.fluent = fluent;
+    this.initial = initial;
+  }
+
+  Expression.Fluent fluent() {
+    return fluent;
+  }
+
+  /** The number given by the facts, or {@link Quantity#UNKNOWN}. */
+  double initial() {
+    return initial;
+  }
+
+  int index() {
+    return index;
+  }
+
+  void placeAt(int stateIndex) {
+    index = stateIndex;
+  }
+}

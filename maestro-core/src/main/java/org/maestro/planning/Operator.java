@@ -1,0 +1,45 @@
+package org.maestro.planning;
+
+import java.util.List;
+import java.util.Map;
+import org.maestro.sl.Term;
+
+/**
+ * A ground feature instance: a step that a plan may take.
+ *
+ * @param bindings values of inputs and binds by name, without {@code self}
+ */
+record Operator(
+    PricedFeature feature,
+    Map<String, Term> bindings,
+    Condition precondition,
+    List<Change> changes,
+    StepPrice price) {
+
+  StepKey key() {
+    return new StepKey(feature.member(), feature.type().name(), bindings);
+  }
+
+  Operator withChanges(List<Change> kept) {
+    return new Operator(feature, bindings, precondition, List.copyOf(kept), price);
+  }
+
+  Operator withPrecondition(Condition changed) {
+    return new Operator(feature, bindings, changed, changes, price);
+  }
+
+  Operator withPrice(StepPrice changed) {
+    return new Operator(feature, bindings, precondition, changes, changed);
+  }
+
+  /** An operator is itself only: comparing whole feature descriptions would be slow. */
+  @Override
+  public boolean equals(Object other) {
+    return this == other;
+  }
+
+  @Override
+  public int hashCode() {
+    return System.identityHashCode(this);
+  }
+}

@@ -1,0 +1,68 @@
+package org.maestro.planning;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Finds cheapest plans and proves it: backward grounding, A* with landmark cuts, knapsack bounds for sums of settings. Stateless and
+ * thread-safe.
+ */
+public final class OptimalPlanner implements Planner {
+  /** About 100 MB for homes of some ten devices. */
+  public static final int DEFAULT_MOST_STATES = 200_000;
+
+  private final int mostStates;
+
+  public OptimalPlanner() {
+    this(DEFAULT_MOST_STATES);
+  }
+
+  /**
+   * A planner with a bound.
+   *
+   * @param mostStates states kept at once, from 1; beyond it {@link PlanningResult.GaveUp} is the answer
+   * @throws IllegalArgumentException when the bound is below 1
+   */
+  public OptimalPlanner(int mostStates) {
+    if (mostStates < 1) {
+      throw new IllegalArgumentException(
+          "The planner needs room for 1 state at least, not for " + mostStates + ".");
+    }
+    this.mostStates = mostStates;
+  }
+
+  @Override
+  public PlanningResult plan(PlanningTask task) {
+    GroundProblem ground = new Grounder(task).ground();
+    RelaxedProblem relaxed = new RelaxedProblem(ground);
+    if (!relaxed.isSolvable()) {
+      return new PlanningResult.Impossible(ObstacleSearch.explanation(relaxed, task.goal()));
+    }
+    GroundProblem problem = Pruning.pruned(ground);
+    LandmarkCut heuristic = new LandmarkCut(new RelaxedProblem(problem));
+    OptimalSearch.Outcome outcome = new OptimalSearch(problem, heuristic, mostStates).run();
+    if (outcome instanceof OptimalSearch.Outcome.Found found) {
+      return new PlanningResult.Found(PlanBuilder.plan(problem, found.operators()));
+    } else if (outcome instanceof OptimalSearch.Outcome.Exhausted exhausted) {
+      return new PlanningResult.Impossible(
+          ObstacleSearch.exhausted(task.goal(), exhausted.states()));
+    }
+    return new PlanningResult.GaveUp(
+        "No plan and no proof that there is none within "
+            + mostStates
+            + " states; allow more states or state a smaller goal.");
+  }
+
+  @Override
+  public Optional<Plan> revalidate(PlanningTask task, List<Step> steps) {
+    Grounder grounder = new Grounder(task);
+    List<List<Operator>> choices = new ArrayList<>();
+    for (Step step : steps) {
+      choices.add(grounder.instances(step.key()));
+    }
+    List<Operator> all = new ArrayList<>(new LinkedHashSet<>(choices.stream().flatMap(List::stream).toList()));
+    return Execution.plan(all, grounder.goal(), choices);
+  }
+}

@@ -1,0 +1,271 @@
+package org.maestro.planning;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.maestro.planning.Condition.Constant;
+
+/**
+ * The delete relaxation of a ground problem, built backwards from its goal: propositions, once true, stay true. Each change of an operator
+ * is an action of its own, but all actions of an operator are paid for once. Disjunctions become propositions with free actions.
+ * Thresholds of sums are reached by actions whose price {@link SettingAnalysis} computes for each state.
+ */
+final class RelaxedProblem {
+  /** The payer of an action that costs nothing. */
+  static final int FREE = -1;
+
+  /** A conjunction of propositions brings about others. */
+  record Action(int payer, int[] preconditions, int[] additions) {}
+
+  /** The proposition that is always true. */
+  static final int TRUTH = 0;
+
+  private static final int NEVER = -1;
+
+  private final GroundProblem problem;
+  private final SettingAnalysis settings;
+  private final List<Condition> leaves = new ArrayList<>();
+  private final Map<Condition, Integer> indexOfLeaf = new LinkedHashMap<>();
+  private final Map<Object, List<OperatorChange>> changesOf = new LinkedHashMap<>();
+  private final List<Action> actions = new ArrayList<>();
+  private final double[] operatorCosts;
+  private final int goal;
+
+  private record OperatorChange(int operator, Change change) {}
+
+  RelaxedProblem(GroundProblem problem) {
+    this.problem = problem;
+    this.settings = new SettingAnalysis(problem);
+    leaves.add(Constant.TRUE);
+    List<Operator> operators = problem.operators();
+    for (int i = 0; i < operators.size(); i++) {
+      for (Change change : operators.get(i).changes()) {
+        changesOf
+            .computeIfAbsent(change.target(), absent -> new ArrayList<>())
+            .add(new OperatorChange(i, change));
+      }
+    }
+    goal = auxiliary();
+    addAlternative(goal, problem.goal().condition());
+    List<Threshold> thresholds = new ArrayList<>();
+    List<Integer> reached = new ArrayList<>();
+    for (int proposition = 1; proposition < leaves.size(); proposition++) {
+      Condition leaf = leaves.get(proposition);
+      if (leaf != Constant.FALSE) {
+        Threshold threshold = thresholdOfSum(leaf);
+        if (threshold != null) {
+          thresholds.add(threshold);
+          reached.add(proposition);
+        }
+        addAchievers(proposition, leaf, threshold != null);
+      }
+    }
+    addThresholds(thresholds, reached);
+    operatorCosts =
+        operators.stream()
+            .mapToDouble(
+                operator ->
+                    settings.isPaidByThresholds(operator)
+                        ? 0
+                        : settings.leastCost(operator, problem.initial().numbers()))
+            .toArray();
+  }
+
+  /** Stands for a disjunction, or the goal; no state makes it true by itself. */
+  private int auxiliary() {
+    leaves.add(Constant.FALSE);
+    return leaves.size() - 1;
+  }
+
+  private void addAlternative(int proposition, Condition condition) {
+    int[] needed = propositions(condition);
+    if (needed != null) {
+      actions.add(new Action(FREE, needed, new int[] {proposition}));
+    }
+  }
+
+  /** The propositions that together mean the condition; null when it is false. */
+  private int[] propositions(Condition condition) {
+    List<Condition> conjuncts = condition.conjuncts();
+    int[] result = new int[conjuncts.size()];
+    for (int i = 0; i < result.length; i++) {
+      result[i] = proposition(conjuncts.get(i));
+      if (result[i] == NEVER) {
+        return null;
+      }
+    }
+    return result.length == 0 ? new int[] {TRUTH} : result;
+  }
+
+  private int proposition(Condition condition) {
+    if (condition instanceof Constant) {
+      return condition == Constant.TRUE ? TRUTH : NEVER;
+    }
+    Integer known = indexOfLeaf.get(condition);
+    if (known != null) {
+      return known;
+    }
+    if (condition instanceof Condition.Any any) {
+      int proposition = auxiliary();
+      indexOfLeaf.put(condition, proposition);
+      any.parts().forEach(part -> addAlternative(proposition, part));
+      return proposition;
+    }
+    leaves.add(condition);
+    indexOfLeaf.put(condition, leaves.size() - 1);
+    return leaves.size() - 1;
+  }
+
+  private Threshold thresholdOfSum(Condition leaf) {
+    Threshold threshold =
+        leaf instanceof Condition.Compare compare ? Threshold.of(compare) : null;
+    return threshold != null && settings.sum(threshold.variable()) != null ? threshold : null;
+  }
+
+  private void addAchievers(int proposition, Condition leaf, boolean ofSum) {
+    for (Object target : targets(leaf)) {
+      for (OperatorChange candidate : changesOf.getOrDefault(target, List.of())) {
+        if (!(ofSum && candidate.change() instanceof Change.Adjust)) {
+          addAchiever(proposition, leaf, candidate);
+        }
+      }
+    }
+  }
+
+  private void addAchiever(int proposition, Condition leaf, OperatorChange candidate) {
+    Condition requirement = Achievement.requirement(candidate.change(), leaf, settings);
+    if (requirement == Constant.FALSE) {
+      return;
+    }
+    Condition needed =
+        Condition.all(List.of(candidate.change().condition(), requirement));
+    Operator operator = problem.operators().get(candidate.operator());
+    int[] conditions = propositions(Condition.all(List.of(operator.precondition(), needed)));
+    if (conditions != null) {
+      actions.add(new Action(candidate.operator(), conditions, new int[] {proposition}));
+    }
+  }
+
+  private static List<Object> targets(Condition leaf) {
+    List<Object> targets = new ArrayList<>();
+    if (leaf instanceof Condition.Literal literal) {
+      targets.add(literal.variable());
+    } else if (leaf instanceof Condition.NumberKnown known) {
+      targets.add(known.variable());
+    } else if (leaf instanceof Condition.Compare compare) {
+      compare.left().forEachVariable(targets::add);
+      compare.right().forEachVariable(targets::add);
+    }
+    return targets.stream().distinct().toList();
+  }
+
+  private void addThresholds(List<Threshold> thresholds, List<Integer> reached) {
+    Map<Threshold, List<Integer>> propositionsOf = new LinkedHashMap<>();
+    for (int i = 0; i < thresholds.size(); i++) {
+      propositionsOf
+          .computeIfAbsent(thresholds.get(i), absent -> new ArrayList<>())
+          .add(reached.get(i));
+    }
+    settings.register(List.copyOf(propositionsOf.keySet()));
+    int before = TRUTH;
+    for (int i = 0; i < settings.thresholds().size(); i++) {
+      int[] additions =
+          propositionsOf.get(settings.thresholds().get(i)).stream()
+              .mapToInt(Integer::intValue)
+              .toArray();
+      int[] needed = {settings.isChained(i) ? before : TRUTH};
+      actions.add(new Action(problem.operators().size() + i, needed, additions));
+      before = additions[0];
+    }
+  }
+
+  GroundProblem problem() {
+    return problem;
+  }
+
+  SettingAnalysis settings() {
+    return settings;
+  }
+
+  List<Action> actions() {
+    return actions;
+  }
+
+  int propositionCount() {
+    return leaves.size();
+  }
+
+  /** The condition a proposition stands for; false for a disjunction. */
+  Condition leaf(int proposition) {
+    return leaves.get(proposition);
+  }
+
+  int goal() {
+    return goal;
+  }
+
+  boolean[] truths(State state) {
+    boolean[] truths = new boolean[leaves.size()];
+    for (int i = 0; i < truths.length; i++) {
+      truths[i] = leaves.get(i).holds(state);
+    }
+    return truths;
+  }
+
+  /** What payers cost in the state: operators first, then thresholds; infinite when out of reach. */
+  double[] costs(State state) {
+    double[] thresholds = settings.prices(state.numbers());
+    double[] costs = Arrays.copyOf(operatorCosts, operatorCosts.length + thresholds.length);
+    System.arraycopy(thresholds, 0, costs, operatorCosts.length, thresholds.length);
+    return costs;
+  }
+
+  /** Which propositions can be made true from the state, each action being free. */
+  boolean[] reachable(State state) {
+    boolean[] reached = truths(state);
+    double[] costs = costs(state);
+    boolean grown = true;
+    while (grown) {
+      grown = false;
+      for (Action action : actions) {
+        if ((action.payer() == FREE || Double.isFinite(costs[action.payer()]))
+            && allReached(action.preconditions(), reached)) {
+          for (int added : action.additions()) {
+            grown |= !reached[added];
+            reached[added] = true;
+          }
+        }
+      }
+    }
+    return reached;
+  }
+
+  /** The conditions that no sequence of operators can bring about from the initial state. */
+  Set<Condition> unreachableLeaves() {
+    boolean[] reached = reachable(problem.initial());
+    Set<Condition> unreachable = new LinkedHashSet<>();
+    for (int i = 1; i < reached.length; i++) {
+      if (!reached[i] && leaves.get(i) != Constant.FALSE) {
+        unreachable.add(leaves.get(i));
+      }
+    }
+    return unreachable;
+  }
+
+  boolean isSolvable() {
+    return reachable(problem.initial())[goal];
+  }
+
+  static boolean allReached(int[] propositions, boolean[] reached) {
+    for (int proposition : propositions) {
+      if (!reached[proposition]) {
+        return false;
+      }
+    }
+    return true;
+  }
+}

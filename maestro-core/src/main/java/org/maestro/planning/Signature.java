@@ -1,0 +1,104 @@
+package org.maestro.planning;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.sl.Effect;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Formula;
+
+/**
+ * Which predicates and numbers the offered features may change. All others are static: the facts decide them once. A derived predicate
+ * is dynamic when its definition is.
+ */
+final class Signature {
+  private final Vocabulary vocabulary;
+  private final Set<String> changed = new HashSet<>();
+  private final Map<String, Boolean> dynamicDerived = new HashMap<>();
+
+  Signature(Vocabulary vocabulary, List<PricedFeature> features) {
+    this.vocabulary = vocabulary;
+    features.forEach(feature -> collect(feature.type().effect()));
+  }
+
+  private void collect(Effect effect) {
+    if (effect instanceof Effect.All all) {
+      all.effects().forEach(this::collect);
+    } else if (effect instanceof Effect.When when) {
+      collect(when.effect());
+    } else if (effect instanceof Effect.Forall forall) {
+      collect(forall.effect());
+    } else if (effect instanceof Effect.Add add) {
+      changed.add(add.atom().predicate());
+    } else if (effect instanceof Effect.Delete delete) {
+      changed.add(delete.atom().predicate());
+    } else if (effect instanceof Effect.SenseAtom sense) {
+      changed.add(sense.atom().predicate());
+    } else if (effect instanceof Effect.SenseNumber sense) {
+      changed.add(sense.fluent().name());
+    } else if (effect instanceof Effect.Change change) {
+      changed.add(change.fluent().name());
+    }
+  }
+
+  Optional<PredicateDeclaration> declaration(String predicate) {
+    return vocabulary.predicate(predicate);
+  }
+
+  /** The definition of a derived predicate. */
+  Optional<Formula> definition(String predicate) {
+    return declaration(predicate).flatMap(PredicateDeclaration::derivedWhen);
+  }
+
+  boolean isDynamic(String name) {
+    Optional<Formula> definition = definition(name);
+    if (definition.isEmpty()) {
+      return changed.contains(name);
+    }
+    Boolean known = dynamicDerived.get(name);
+    if (known == null) {
+      dynamicDerived.put(name, false);
+      known = isDynamic(definition.get());
+      dynamicDerived.put(name, known);
+    }
+    return known;
+  }
+
+  boolean isDynamic(Formula formula) {
+    if (formula instanceof Formula.Atom atom) {
+      return isDynamic(atom.predicate());
+    } else if (formula instanceof Formula.And and) {
+      return and.operands().stream().anyMatch(this::isDynamic);
+    } else if (formula instanceof Formula.Or or) {
+      return or.operands().stream().anyMatch(this::isDynamic);
+    } else if (formula instanceof Formula.Not not) {
+      return isDynamic(not.operand());
+    } else if (formula instanceof Formula.Imply imply) {
+      return isDynamic(imply.premise()) || isDynamic(imply.conclusion());
+    } else if (formula instanceof Formula.Exists exists) {
+      return isDynamic(exists.body());
+    } else if (formula instanceof Formula.Forall forall) {
+      return isDynamic(forall.body());
+    } else if (formula instanceof Formula.Comparison comparison) {
+      return isDynamic(comparison.left()) || isDynamic(comparison.right());
+    } else if (formula instanceof Formula.UnknownAtom unknown) {
+      return isDynamic(unknown.atom().predicate());
+    } else if (formula instanceof Formula.UnknownNumber unknown) {
+      return isDynamic(unknown.fluent().name());
+    }
+    return isDynamic(((Formula.Keep) formula).body());
+  }
+
+  private boolean isDynamic(Expression expression) {
+    if (expression instanceof Expression.Fluent fluent) {
+      return isDynamic(fluent.name());
+    }
+    return expression instanceof Expression.Arithmetic arithmetic
+        && arithmetic.operands().stream().anyMatch(this::isDynamic);
+  }
+}

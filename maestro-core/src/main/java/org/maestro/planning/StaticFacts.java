@@ -1,0 +1,53 @@
+package org.maestro.planning;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Facts;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
+
+/** The facts of a task; each is asked once, as derived and geometric ones take their time. */
+final class StaticFacts {
+  private final Facts facts;
+  private final Map<Formula.Atom, Truth> truths = new HashMap<>();
+  private final Map<Expression.Fluent, Double> numbers = new HashMap<>();
+  private final Map<String, List<Term>> individuals = new HashMap<>();
+
+  StaticFacts(Facts facts) {
+    this.facts = facts;
+  }
+
+  Truth truth(Formula.Atom atom) {
+    Truth known = truths.get(atom);
+    if (known == null) {
+      known = facts.truth(atom);
+      truths.put(atom, known);
+    }
+    return known;
+  }
+
+  /** The number, or {@link Quantity#UNKNOWN}. */
+  double number(Expression.Fluent fluent) {
+    Double known = numbers.get(fluent);
+    if (known == null) {
+      double asked = facts.number(fluent).orElse(Quantity.UNKNOWN);
+      known = Double.isFinite(asked) ? Quantity.rounded(asked) : Quantity.UNKNOWN;
+      numbers.put(fluent, known);
+    }
+    return known;
+  }
+
+  /** In the stable order of the facts. */
+  List<Term> individuals(String className) {
+    List<Term> known = individuals.get(className);
+    if (known == null) {
+      known = List.copyOf(new ArrayList<Term>(facts.individuals(className)));
+      individuals.put(className, known);
+    }
+    return known;
+  }
+}
