@@ -237,9 +237,9 @@ final class GoalPursuit {
     }
     occupancy.take(step.member(), step.feature().occupies(), id);
     story.begun(step, plan.orElseThrow().steps().size());
+    Snapshot before = ports.knowledge().snapshot();
     Map<String, Argument> arguments =
-        new CallArguments(ports.knowledge().home(), ports.knowledge().snapshot())
-            .of(step.feature(), step.bindings());
+        new CallArguments(ports.knowledge().home(), before).of(step.feature(), step.bindings());
     Duration timeout = Duration.ofMillis((long) (step.seconds() * 3_000) + 15_000);
     Crew.Performance[] performance = new Crew.Performance[1];
     performance[0] =
@@ -247,16 +247,17 @@ final class GoalPursuit {
             .crew()
             .perform(
                 new Crew.Order(id, step, arguments, timeout),
-                report -> reported(step, report, performance[0]));
+                report -> reported(step, before, report, performance[0]));
     underway.put(step.key(), new Underway(step, performance[0]));
   }
 
-  private void reported(Step step, Crew.Report report, Crew.Performance performance) {
+  private void reported(
+      Step step, Snapshot before, Crew.Report report, Crew.Performance performance) {
     underway.remove(step.key());
     occupancy.release(step.member(), step.feature().occupies(), id);
     exactPrices.forget(step.member());
     String factsBefore = factsUnder(step.key());
-    KnowledgeBase.Change change = ports.knowledge().learn(run(step, report));
+    KnowledgeBase.Change change = ports.knowledge().learn(run(step, before, report));
     if (state.isFinal()) {
       return;
     }
@@ -291,7 +292,7 @@ final class GoalPursuit {
                 .ifPresent(s -> done.add(s.number())));
   }
 
-  private FeatureRun run(Step step, Crew.Report report) {
+  private FeatureRun run(Step step, Snapshot before, Crew.Report report) {
     Map<String, Term> bindings = new TreeMap<>(step.bindings());
     bindings.put("self", new Term.Name(step.member()));
     return new FeatureRun(
@@ -300,7 +301,8 @@ final class GoalPursuit {
         bindings,
         report.succeeded(),
         report.outputs(),
-        report.refs());
+        report.refs(),
+        Optional.of(before));
   }
 
   /** Is the rest of the plan still good, from what is known now? */

@@ -2,6 +2,7 @@ package org.maestro.knowledge;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.sl.Term;
 
@@ -11,6 +12,8 @@ import org.maestro.sl.Term;
  * @param bindings inputs and binds, {@code self} included
  * @param outputs by output name; empty unless it succeeded
  * @param refs what a failure teaches
+ * @param before what was known when the step began: the effect's conditions and amounts are read from it, for the member may have
+ *     told its new state before the result came; absent: what is known when the result is learnt
  */
 public record FeatureRun(
     String member,
@@ -18,7 +21,18 @@ public record FeatureRun(
     Map<String, Term> bindings,
     boolean succeeded,
     Map<String, Term> outputs,
-    List<Learnt> refs) {
+    List<Learnt> refs,
+    Optional<Snapshot> before) {
+
+  public FeatureRun(
+      String member,
+      FeatureType feature,
+      Map<String, Term> bindings,
+      boolean succeeded,
+      Map<String, Term> outputs,
+      List<Learnt> refs) {
+    this(member, feature, bindings, succeeded, outputs, refs, Optional.empty());
+  }
 
   /** A fluent or atom in MAESTRO-SL and the value found: a number, or a truth value. */
   public record Learnt(String fact, Term value) {}

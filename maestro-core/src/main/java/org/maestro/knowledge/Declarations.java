@@ -1,0 +1,126 @@
+package org.maestro.knowledge;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Individual;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Term;
+
+/** How the home's vocabulary wants predicates to be kept. Immutable. */
+final class Declarations {
+
+  /** Where a thing is, as a text; the one predicate that is known without a vocabulary. */
+  static final String POSITION = "position";
+
+  private static final int PAIR = 2;
+
+  private final Home home;
+
+  Declarations(Home home) {
+    this.home = home;
+  }
+
+  Optional<PredicateDeclaration> declared(String predicate) {
+    return home.vocabulary().predicate(predicate);
+  }
+
+  boolean isFunctional(String predicate) {
+    return predicate.equals(POSITION)
+        || declared(predicate).filter(d -> d.functional() && !d.fluent()).isPresent();
+  }
+
+  boolean isObservable(String predicate) {
+    return predicate.equals(POSITION)
+        || declared(predicate).filter(PredicateDeclaration::observable).isPresent();
+  }
+
+  boolean isFluent(String predicate) {
+    return declared(predicate).filter(PredicateDeclaration::fluent).isPresent();
+  }
+
+  /** Symmetric atoms are kept once, with their arguments in the order of their texts. */
+  Formula.Atom canonical(Formula.Atom atom) {
+    if (atom.arguments().size() != PAIR
+        || declared(atom.predicate()).filter(PredicateDeclaration::symmetric).isEmpty()) {
+      return atom;
+    }
+    List<Term> ordered = new ArrayList<>(atom.arguments());
+    ordered.sort(Comparator.comparing(SlPrinter::print));
+    return new Formula.Atom(atom.predicate(), ordered);
+  }
+
+  /** The variable that a canonical atom gives a value to. */
+  StateVariable variable(Formula.Atom atom) {
+    int size = atom.arguments().size();
+    return isFunctional(atom.predicate()) && size > 0
+        ? new StateVariable(atom.predicate(), atom.arguments().subList(0, size - 1))
+        : new StateVariable(atom.predicate(), atom.arguments());
+  }
+
+  /** The value that a canonical atom gives to its variable when it holds. */
+  Term valueOf(Formula.Atom atom) {
+    int size = atom.arguments().size();
+    return isFunctional(atom.predicate()) && size > 0
+        ? atom.arguments().get(size - 1)
+        : new Term.Truth(true);
+  }
+
+  /**
+   * The age at which a value of the variable is unknown again; empty when it stays. The shortest wins where several classes of the
+   * first argument have one of their own. What a member says of itself stays: it would tell a change, and its loss is noticed.
+   */
+  private Optional<Duration> validFor(StateVariable variable, Source source) {
+    Optional<Term> subject = variable.arguments().stream().findFirst();
+    boolean ofItself =
+        source.kind() == Source.Kind.STATED
+            && subject.equals(Optional.of(new Term.Name(source.agent())));
+    if (ofItself) {
+      return Optional.empty();
+    }
+    Optional<Duration> own = declared(variable.predicate()).flatMap(p -> validFor(p, subject));
+    return variable.predicate().equals(POSITION)
+        ? Stream.concat(own.stream(), placesValidFor(subject)).min(Comparator.naturalOrder())
+        : own;
+  }
+
+  /** A position is no longer good than what it says of the thing's place. */
+  private Stream<Duration> placesValidFor(Optional<Term> subject) {
+    return home.vocabulary().predicates().values().stream()
+        .filter(predicate -> predicate.functional() && predicate.observedWhen().isPresent())
+        .flatMap(predicate -> validFor(predicate, subject).stream());
+  }
+
+  private Optional<Duration> validFor(PredicateDeclaration predicate, Optional<Term> subject) {
+    Optional<Duration> ofClass =
+        predicate.validForByClass().entrySet().stream()
+            .filter(entry -> subject.filter(s -> isInstance(s, entry.getKey())).isPresent())
+            .map(Map.Entry::getValue)
+            .min(Comparator.naturalOrder());
+    return ofClass.isPresent() ? ofClass : predicate.validFor();
+  }
+
+  boolean isFresh(StateVariable variable, Held held, Instant now) {
+    return validFor(variable, held.source())
+        .filter(age -> held.since().plus(age).isBefore(now))
+        .isEmpty();
+  }
+
+  private boolean isInstance(Term term, String className) {
+    return individual(term).filter(i -> i.classes().contains(className)).isPresent();
+  }
+
+  private Optional<Individual> individual(Term term) {
+    return term instanceof Term.Name name
+        ? Optional.ofNullable(home.individuals().get(name.text()))
+        : Optional.empty();
+  }
+}

@@ -1,0 +1,15 @@
+package org.maestro.knowledge;
+
+/** What was said cannot be kept or asked. The message says what, by whom, and what would be right. */
+public final class KnowledgeException extends IllegalArgumentException {
+
+  private static final long serialVersionUID = 1L;
+
+  KnowledgeException(String message) {
+    super(message);
+  }
+
+  KnowledgeException(String message, Throwable cause) {
+    super(message, cause);
+  }
+}

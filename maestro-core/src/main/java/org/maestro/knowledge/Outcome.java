@@ -1,0 +1,122 @@
+package org.maestro.knowledge;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.maestro.sl.Term;
+
+/**
+ * What a write came to: its facts for listeners, the beliefs for the history, and what enters and leaves the dataset.
+ *
+ * @param facts what is, then what is not, then {@code (unknown ...)} for what was lost
+ * @param news every new belief, losers included
+ * @param gone beliefs that are not current any more
+ */
+record Outcome(List<String> facts, List<News> news, List<News> gone) {
+
+  /**
+   * @param has whether the variable has the value, or is known not to have it
+   * @param current false for a statement that was not believed
+   */
+  record News(StateVariable variable, Held held, boolean has, boolean current) {
+    String fact() {
+      return Wording.value(variable, held, has);
+    }
+  }
+
+  Outcome {
+    facts = List.copyOf(facts);
+    news = List.copyOf(news);
+    gone = List.copyOf(gone);
+  }
+
+  static Outcome of(Draft draft, Instant now) {
+    Comparison comparison = new Comparison(draft, now);
+    draft.touched().forEach(comparison::compare);
+    draft
+        .losers()
+        .forEach(
+            loser ->
+                comparison.news.add(
+                    new News(loser.variable(), loser.held(), loser.has(), false)));
+    List<String> facts = new ArrayList<>(comparison.facts);
+    facts.addAll(comparison.exclusions);
+    facts.addAll(comparison.losses);
+    return new Outcome(facts, comparison.news, comparison.gone);
+  }
+
+  /** Cell by cell, before and after. */
+  private static final class Comparison {
+    private final List<String> facts = new ArrayList<>();
+    private final List<String> exclusions = new ArrayList<>();
+    private final List<String> losses = new ArrayList<>();
+    private final List<News> news = new ArrayList<>();
+    private final List<News> gone = new ArrayList<>();
+    private final Draft draft;
+    private final Instant now;
+
+    Comparison(Draft draft, Instant now) {
+      this.draft = draft;
+      this.now = now;
+    }
+
+    void compare(StateVariable variable) {
+      Cell before = draft.base().cell(variable).orElse(Cell.LOST);
+      Cell after = draft.cell(variable).orElse(Cell.LOST);
+      boolean known = after.value().isPresent();
+      if (!before.value().equals(after.value())) {
+        before.value().ifPresent(held -> left(variable, held, true));
+        after.value().ifPresent(held -> came(variable, held, true, before.value()));
+        before
+            .value()
+            .filter(held -> !known && !after.excluded().containsKey(held.value()))
+            .ifPresent(held -> lost(variable, held));
+      }
+      for (Term value : before.excluded().keySet()) {
+        Held held = before.excluded().get(value);
+        if (!held.equals(after.excluded().get(value))) {
+          left(variable, held, false);
+          if (!known && !after.excluded().containsKey(value)) {
+            lost(variable, held);
+          }
+        }
+      }
+      for (Held held : after.excluded().values()) {
+        Optional<Held> same = Optional.ofNullable(before.excluded().get(held.value()));
+        if (!same.equals(Optional.of(held))) {
+          came(variable, held, false, same);
+        }
+      }
+    }
+
+    private void came(StateVariable variable, Held held, boolean has, Optional<Held> before) {
+      News came = new News(variable, held, has, true);
+      news.add(came);
+      boolean same =
+          before
+              .filter(old -> old.value().equals(held.value()))
+              .filter(old -> old.source().kind() == held.source().kind())
+              .filter(old -> isFresh(variable, old))
+              .isPresent();
+      if (!same) {
+        boolean says = has && !held.value().equals(new Term.Truth(false));
+        (says ? facts : exclusions).add(came.fact());
+      }
+    }
+
+    private void left(StateVariable variable, Held held, boolean has) {
+      gone.add(new News(variable, held, has, true));
+    }
+
+    private void lost(StateVariable variable, Held held) {
+      if (isFresh(variable, held)) {
+        losses.add(Wording.unknown(variable, held));
+      }
+    }
+
+    private boolean isFresh(StateVariable variable, Held held) {
+      return draft.base().declarations().isFresh(variable, held, now);
+    }
+  }
+}

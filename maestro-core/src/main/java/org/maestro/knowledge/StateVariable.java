@@ -1,0 +1,22 @@
+package org.maestro.knowledge;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.maestro.sl.Term;
+
+/**
+ * What has one value at a time: a number, a functional predicate of the arguments before its last, or the truth of any other
+ * atom.
+ */
+record StateVariable(String predicate, List<Term> arguments) {
+  StateVariable {
+    arguments = List.copyOf(arguments);
+  }
+
+  /** The arguments of the atom that gives a functional predicate this value. */
+  List<Term> with(Term value) {
+    List<Term> all = new ArrayList<>(arguments);
+    all.add(value);
+    return List.copyOf(all);
+  }
+}

@@ -1,0 +1,205 @@
+package org.maestro.knowledge;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.sl.Evaluation;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
+
+/** A world seen at an instant: ages are reckoned from it. */
+final class View implements Snapshot {
+
+  private final World world;
+  private final Instant now;
+  private final Instant described;
+
+  /**
+   * @param described since when what stands in the home counts
+   */
+  View(World world, Instant now, Instant described) {
+    this.world = world;
+    this.now = now;
+    this.described = described;
+  }
+
+  @Override
+  public long version() {
+    return world.version();
+  }
+
+  @Override
+  public Collection<Term.Name> individuals(String className) {
+    return world.described().individuals(className);
+  }
+
+  @Override
+  public Truth truth(Formula.Atom asked) {
+    if (world.described().isOfClass(asked)) {
+      return Truth.of(world.described().isInstance(asked.arguments().get(0), asked.predicate()));
+    }
+    Optional<PredicateDeclaration> declared = world.declarations().declared(asked.predicate());
+    Optional<Formula> derivation = declared.flatMap(PredicateDeclaration::derivedWhen);
+    if (derivation.isPresent()) {
+      return derived(declared.get(), derivation.get(), asked.arguments());
+    }
+    Formula.Atom atom = world.declarations().canonical(asked);
+    Optional<Cell> cell = world.cell(world.declarations().variable(atom));
+    if (cell.isPresent()) {
+      return inCell(cell.get(), atom);
+    }
+    String function = declared.flatMap(PredicateDeclaration::computedBy).orElse(atom.predicate());
+    if (world.measures().isTruth(function)) {
+      return world.measures().truth(function, asked.arguments(), this);
+    }
+    if (world.described().holds(atom)) {
+      return Truth.TRUE;
+    }
+    return isDescribedOtherwise(atom) ? Truth.FALSE : notKnown(atom);
+  }
+
+  @Override
+  public OptionalDouble number(Expression.Fluent fluent) {
+    StateVariable variable = new StateVariable(fluent.name(), fluent.arguments());
+    Optional<Cell> cell = world.cell(variable);
+    if (cell.isPresent()) {
+      Optional<Held> held = cell.get().value().filter(value -> isFresh(variable, value));
+      return held.isPresent() && held.get().value() instanceof Term.Number number
+          ? OptionalDouble.of(number.value())
+          : OptionalDouble.empty();
+    }
+    OptionalDouble stated = world.described().number(fluent.name(), fluent.arguments());
+    if (stated.isPresent()) {
+      return stated;
+    }
+    String function =
+        world
+            .declarations()
+            .declared(fluent.name())
+            .flatMap(PredicateDeclaration::computedBy)
+            .orElse(fluent.name());
+    return world.measures().isNumber(function)
+        ? world.measures().number(function, fluent.arguments(), this)
+        : OptionalDouble.empty();
+  }
+
+  @Override
+  public Optional<Belief> belief(Formula.Atom asked) {
+    Formula.Atom atom = world.declarations().canonical(asked);
+    StateVariable variable = world.declarations().variable(atom);
+    Optional<Cell> cell = world.cell(variable);
+    if (cell.isEmpty()) {
+      return world.described().holds(atom)
+          ? Optional.of(describedBelief(Wording.holds(asked, true)))
+          : Optional.empty();
+    }
+    Optional<Held> excluded =
+        Optional.ofNullable(cell.get().excluded().get(world.declarations().valueOf(atom)))
+            .filter(held -> isFresh(variable, held));
+    Optional<Held> value = fresh(variable, cell.get());
+    if (value.isPresent()) {
+      boolean functional = world.declarations().isFunctional(atom.predicate());
+      String fact =
+          functional
+              ? Wording.value(variable, value.get(), true)
+              : Wording.holds(asked, value.get().value().equals(new Term.Truth(true)));
+      return Optional.of(belief(fact, value.get()));
+    }
+    return excluded.map(held -> belief(Wording.holds(asked, false), held));
+  }
+
+  @Override
+  public Optional<Belief> belief(Expression.Fluent fluent) {
+    StateVariable variable = new StateVariable(fluent.name(), fluent.arguments());
+    Optional<Cell> cell = world.cell(variable);
+    if (cell.isPresent()) {
+      return fresh(variable, cell.get()).map(held -> belief(Wording.value(variable, held, true), held));
+    }
+    OptionalDouble stated = world.described().number(fluent.name(), fluent.arguments());
+    return stated.isPresent()
+        ? Optional.of(describedBelief(Wording.equation(variable, new Term.Number(stated.getAsDouble()))))
+        : Optional.empty();
+  }
+
+  @Override
+  public Optional<Term> value(String predicate, List<Term> arguments) {
+    StateVariable variable = new StateVariable(predicate, arguments);
+    Optional<Cell> cell = world.cell(variable);
+    if (cell.isPresent()) {
+      return fresh(variable, cell.get()).map(Held::value);
+    }
+    return arguments.size() == 1
+        ? world.described().values(arguments.get(0), predicate).stream().findFirst()
+        : Optional.empty();
+  }
+
+  @Override
+  public List<Belief> beliefs() {
+    List<Belief> beliefs = new ArrayList<>();
+    for (StateVariable variable : world.variables()) {
+      Cell cell = world.cell(variable).orElseThrow();
+      fresh(variable, cell).ifPresent(held -> beliefs.add(belief(Wording.value(variable, held, true), held)));
+      cell.excluded().values().stream()
+          .filter(held -> isFresh(variable, held))
+          .forEach(held -> beliefs.add(belief(Wording.value(variable, held, false), held)));
+    }
+    beliefs.sort(Comparator.comparing(Belief::fact));
+    return List.copyOf(beliefs);
+  }
+
+  private Truth derived(PredicateDeclaration declared, Formula derivation, List<Term> arguments) {
+    Map<String, Term> bindings = new HashMap<>();
+    for (int i = 0; i < Math.min(arguments.size(), declared.parameters().size()); i++) {
+      bindings.put(declared.parameters().get(i).name(), arguments.get(i));
+    }
+    return declared.observable()
+        ? new Evaluation(this).truth(derivation, bindings)
+        : Truth.of(new Evaluation(new OnlyKnown(this)).truth(derivation, bindings) == Truth.TRUE);
+  }
+
+  private Truth inCell(Cell cell, Formula.Atom atom) {
+    StateVariable variable = world.declarations().variable(atom);
+    Term wanted = world.declarations().valueOf(atom);
+    Optional<Held> value = fresh(variable, cell);
+    if (value.isPresent()) {
+      return Truth.of(value.get().value().equals(wanted));
+    }
+    Held excluded = cell.excluded().get(wanted);
+    return excluded != null && isFresh(variable, excluded) ? Truth.FALSE : notKnown(atom);
+  }
+
+  private boolean isDescribedOtherwise(Formula.Atom atom) {
+    StateVariable variable = world.declarations().variable(atom);
+    return world.declarations().isFunctional(atom.predicate())
+        && world.described().describes(variable);
+  }
+
+  private Truth notKnown(Formula.Atom atom) {
+    return world.declarations().isObservable(atom.predicate()) ? Truth.UNKNOWN : Truth.FALSE;
+  }
+
+  private Optional<Held> fresh(StateVariable variable, Cell cell) {
+    return cell.value().filter(held -> isFresh(variable, held));
+  }
+
+  private boolean isFresh(StateVariable variable, Held held) {
+    return world.declarations().isFresh(variable, held, now);
+  }
+
+  private Belief describedBelief(String fact) {
+    return new Belief(fact, new Source(Source.Kind.DESCRIBED, "home"), described);
+  }
+
+  private static Belief belief(String fact, Held held) {
+    return new Belief(fact, held.source(), held.since());
+  }
+}
