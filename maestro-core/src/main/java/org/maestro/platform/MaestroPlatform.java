@@ -1,6 +1,7 @@
 package org.maestro.platform;
 
 import jade.core.Agent;
+import jade.lang.acl.ACLMessage;
 import jade.wrapper.AgentContainer;
 import jade.wrapper.StaleProxyException;
 import java.awt.GraphicsEnvironment;
@@ -15,6 +16,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
@@ -29,6 +31,7 @@ import org.maestro.planning.Planner;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.time.Clock;
+import org.maestro.sl.Formula;
 
 /**
  * A running platform in this process: a JADE main container with CCA, knowledge agent, supervisor and desk, and an abstraction
@@ -181,6 +184,23 @@ public final class MaestroPlatform implements AutoCloseable {
   /** Where goals are stated. */
   public DeskAgent desk() {
     return desk;
+  }
+
+  /**
+   * States a goal at the desk. The report comes once, at the end, on the desk's thread.
+   *
+   * @param accepted is told the goal's id as soon as the CCA has it; not called when it refuses
+   */
+  public void pursue(Formula goal, Consumer<String> accepted, Consumer<GoalReport> ended) {
+    desk.requestGoal(
+        goal,
+        reply -> {
+          if (reply.getPerformative() == ACLMessage.AGREE) {
+            accepted.accept(GoalReport.acceptedId(reply.getContent()));
+          } else {
+            ended.accept(GoalReport.read(reply.getContent()));
+          }
+        });
   }
 
   public int port() {

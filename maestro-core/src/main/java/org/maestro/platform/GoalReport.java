@@ -1,0 +1,86 @@
+package org.maestro.platform;
+
+import java.time.Duration;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.maestro.agents.Words;
+import org.maestro.coordination.GoalState;
+import org.maestro.sl.Term;
+
+/**
+ * How a goal ended, as its requester is told.
+ *
+ * @param id empty when the CCA refused the goal
+ * @param confirmed a sensor has seen it
+ * @param binding values of the goal's free variables
+ * @param reasons why it failed or was refused, in sentences; empty when reached
+ * @param calls feature calls started
+ * @param replans plans made after the first
+ * @param duration simulated time from arrival to end
+ * @param decisionMillis wall time from arrival to the first call; 0 when none was needed
+ */
+public record GoalReport(
+    Optional<String> id,
+    GoalState state,
+    boolean confirmed,
+    Map<String, Term> binding,
+    List<String> reasons,
+    int calls,
+    int replans,
+    Duration duration,
+    double decisionMillis) {
+  public GoalReport {
+    binding = Collections.unmodifiableMap(new TreeMap<>(binding));
+    reasons = List.copyOf(reasons);
+  }
+
+  /** A goal that was never taken up. */
+  public static GoalReport refused(String reason) {
+    return new GoalReport(
+        Optional.empty(),
+        GoalState.FAILED,
+        false,
+        Map.of(),
+        List.of(reason),
+        0,
+        0,
+        Duration.ZERO,
+        0);
+  }
+
+  public boolean reached() {
+    return state == GoalState.ACHIEVED;
+  }
+
+  static String acceptedId(String content) {
+    return words(content).string("goal").orElse("");
+  }
+
+  static GoalReport read(String content) {
+    Words words = words(content);
+    Optional<String> state = words.string("state");
+    if (state.isEmpty()) {
+      return refused(words.string("reason").orElse(content));
+    }
+    return new GoalReport(
+        words.string("goal"),
+        GoalState.valueOf(state.get().toUpperCase(Locale.ROOT)),
+        words.string("confirmed").filter("true"::equals).isPresent(),
+        words.termsOf("binding"),
+        words.find("reasons").map(Words::terms).orElse(List.of()).stream()
+            .map(Words::plain)
+            .toList(),
+        (int) words.number("calls", 0),
+        (int) words.number("replans", 0),
+        Duration.ofMillis((long) (words.number("seconds", 0) * 1000)),
+        words.number("decision-ms", 0));
+  }
+
+  private static Words words(String content) {
+    return Words.of(Words.parse(content).get(0));
+  }
+}
