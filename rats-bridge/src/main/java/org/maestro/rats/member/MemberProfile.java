@@ -2,7 +2,10 @@ package org.maestro.rats.member;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
 
 /**
  * What the runtime must know of a member, r = (Id, F, Z, z, Zs) (M32).
@@ -19,6 +22,30 @@ public record MemberProfile(
     Set<String> safeStates,
     Map<String, Feature> features) {
 
+  private static final Pattern ID = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,62}");
+
+  /**
+   * @throws IllegalArgumentException when the id cannot be a level of a topic, there is no safe state, or a state is none of Z
+   */
+  public MemberProfile {
+    if (!ID.matcher(id).matches()) {
+      throw new IllegalArgumentException(
+          "'" + id + "' is no member id: letters, digits, '.', '_' and '-', at most 63");
+    }
+    if (safeStates.isEmpty()) {
+      throw new IllegalArgumentException(
+          "The member " + id + " has no safe state; its description must name one at least");
+    }
+    Set<String> used = new TreeSet<>(safeStates);
+    used.add(initialState);
+    features.values().forEach(feature -> used.add(feature.runningState()));
+    used.removeAll(states);
+    if (!used.isEmpty()) {
+      throw new IllegalArgumentException(
+          "The member " + id + " uses states that are none of its own: " + String.join(", ", used));
+    }
+  }
+
   /**
    * A feature as the runtime sees it.
    *
@@ -32,7 +59,7 @@ public record MemberProfile(
       Set<String> required,
       Set<String> occupies,
       boolean continuous,
-      java.util.Optional<String> endedBy,
+      Optional<String> endedBy,
       String runningState,
       Procedure procedure) {}
 

@@ -71,6 +71,19 @@ public final class WireFormat {
         fields.optionalText("task", Rule.TEXT));
   }
 
+  /** To whom a call is addressed that may be malformed otherwise; empty when not even that can be read. */
+  public Optional<CallAddress> addressOf(byte[] payload) {
+    if (payload.length > MOST_BYTES) {
+      return Optional.empty();
+    }
+    try {
+      Fields fields = new Fields(mapper.readTree(payload), "");
+      return Optional.of(new CallAddress(fields.text("id", Rule.ID), fields.text("r", Rule.NAME)));
+    } catch (IOException | MalformedMessageException unreadable) {
+      return Optional.empty();
+    }
+  }
+
   public byte[] encode(Result result) {
     Map<String, Object> fields = message(result.id());
     fields.put("from", result.from());

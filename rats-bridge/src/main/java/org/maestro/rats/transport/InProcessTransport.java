@@ -89,8 +89,8 @@ final class InProcessTransport implements Transport {
   }
 
   void accepted() {
-    subscriptions().forEach(this::sendRetained);
     clock.schedule(Duration.ZERO, clientId, () -> whileConnected(listener::connected));
+    subscriptions().forEach(this::sendRetained);
   }
 
   void lost(String reason) {

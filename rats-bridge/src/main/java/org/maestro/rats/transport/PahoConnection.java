@@ -42,7 +42,7 @@ final class PahoConnection implements MqttCallback {
 
   private final MqttAsyncClient client;
   private final MqttConnectionOptions options = new MqttConnectionOptions();
-  private final NoDelaySocketFactory sockets = new NoDelaySocketFactory();
+  private final CuttableSockets sockets = new CuttableSockets();
   private final ScheduledThreadPoolExecutor threads;
   private final Events events;
 

@@ -23,6 +23,7 @@ public final class PahoTransport implements Transport {
   private static final long STALLED_NANOS = KEEP_ALIVE.multipliedBy(3).dividedBy(2).toNanos();
   private static final long SHORTEST_RETRY_MILLIS = 200;
   private static final long LONGEST_RETRY_MILLIS = 2_000;
+  private static final long ATTEMPT_SECONDS = 10;
   private static final long GOODBYE_MILLIS = 2_000;
 
   private final URI broker;
@@ -36,6 +37,9 @@ public final class PahoTransport implements Transport {
   private Optional<Will> will = Optional.empty();
   private ConnectionListener listener;
   private PahoConnection connection;
+  /** Arrived before the listener was told of the connection. */
+  private final List<Message> early = new ArrayList<>();
+
   private boolean ready;
   private boolean leaving;
   private int attempts;
@@ -162,8 +166,16 @@ public final class PahoTransport implements Transport {
 
   private void attempt() {
     if (!leaving) {
-      connection = new PahoConnection(broker, clientId, KEEP_ALIVE, will, events);
-      connection.connect();
+      PahoConnection tried = new PahoConnection(broker, clientId, KEEP_ALIVE, will, events);
+      connection = tried;
+      tried.connect();
+      loop.schedule(() -> guarded(() -> giveUp(tried)), ATTEMPT_SECONDS, TimeUnit.SECONDS);
+    }
+  }
+
+  private void giveUp(PahoConnection tried) {
+    if (tried == connection && !ready) {
+      lost("the broker did not answer within " + ATTEMPT_SECONDS + " s");
     }
   }
 
@@ -187,6 +199,9 @@ public final class PahoTransport implements Transport {
             ready = true;
             attempts = 0;
             listener.connected();
+            List<Message> waiting = List.copyOf(early);
+            early.clear();
+            waiting.forEach(this::dispatch);
           }
         });
   }
@@ -211,6 +226,7 @@ public final class PahoTransport implements Transport {
       connection = null;
     }
     ready = false;
+    early.clear();
     queue.failAll(reason);
   }
 
@@ -279,7 +295,15 @@ public final class PahoTransport implements Transport {
 
     @Override
     public void arrived(PahoConnection source, Message message) {
-      performFor(source, () -> dispatch(message));
+      performFor(
+          source,
+          () -> {
+            if (ready) {
+              dispatch(message);
+            } else {
+              early.add(message);
+            }
+          });
     }
 
     private void performFor(PahoConnection source, Runnable action) {

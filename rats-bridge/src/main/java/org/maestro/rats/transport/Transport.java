@@ -4,7 +4,8 @@ import java.util.Optional;
 
 /**
  * One client's connection to the bus. Any thread may call it and nothing blocks, except {@link #close}. Subscribe first, then open:
- * after each connect and reconnect all subscriptions stand before {@link ConnectionListener#connected} is told. Sessions are clean:
+ * after each connect and reconnect all subscriptions stand before {@link ConnectionListener#connected} is told, and no message is delivered
+ * before that. Sessions are clean:
  * what was published while the client was away is lost, apart from retained messages.
  */
 public interface Transport extends AutoCloseable {

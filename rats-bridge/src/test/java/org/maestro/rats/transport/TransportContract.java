@@ -167,6 +167,22 @@ abstract class TransportContract {
   }
 
   @Test
+  void canBeClosedWhileItConnects() {
+    Listener listener = new Listener();
+    for (int number = 0; number < 10; number++) {
+      Transport client = client("hasty-" + number);
+      client.open(Optional.empty(), listener);
+      if (number % 2 == 0) {
+        client.close();
+      } else {
+        client.die();
+      }
+    }
+    open("patient");
+    assertThat(listener.events).isEmpty();
+  }
+
+  @Test
   void refusesWhatIsNoFilter() {
     Transport client = client("client");
     for (String text : List.of("", "a/#/b", "a+/b", "a/b#")) {

@@ -1,0 +1,276 @@
+package org.maestro.rats.link;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import org.maestro.rats.protocol.Call;
+import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.CostExchange;
+import org.maestro.rats.protocol.MalformedMessageException;
+import org.maestro.rats.protocol.MemberStatus;
+import org.maestro.rats.protocol.Outcome;
+import org.maestro.rats.protocol.RatsError;
+import org.maestro.rats.protocol.ReservedFeature;
+import org.maestro.rats.protocol.Topics;
+import org.maestro.rats.protocol.WireFormat;
+import org.maestro.rats.time.Clock;
+import org.maestro.rats.transport.Message;
+import org.maestro.rats.transport.Publication;
+import org.maestro.rats.transport.Transport;
+import org.maestro.rats.transport.Transport.RetainedMessages;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The link over a {@link Transport}. Everything happens on the clock's thread, also the listeners are told there. On a stepped clock
+ * with the in-process transport a call under way needs no ticket: each of its hops is an action of the clock.
+ */
+public final class BusLink implements RatsLink {
+
+  private static final Logger LOG = LoggerFactory.getLogger(BusLink.class);
+  private static final Duration COST_TIMEOUT = Duration.ofSeconds(5);
+  private static final Duration SAFE_TIMEOUT = Duration.ofSeconds(30);
+
+  /** Wall time that members have to show up again after the bus was away. */
+  private static final Duration RETURN_LIMIT = Duration.ofSeconds(5);
+
+  private final String controller;
+  private final String boot;
+  private final Topics topics;
+  private final Transport transport;
+  private final Clock clock;
+  private final WireFormat wire = new WireFormat();
+  private final Roster roster;
+  private final OpenCalls calls;
+  private final List<MemberListener> listeners = new ArrayList<>();
+  private final AtomicLong callCount = new AtomicLong();
+  private final AtomicBoolean closed = new AtomicBoolean();
+  private Optional<Clock.Timer> doubtEnds = Optional.empty();
+  private boolean wasConnected;
+
+  private BusLink(String controller, Topics topics, Transport transport, Clock clock) {
+    this.controller = controller;
+    this.boot = Long.toString(clock.instant().toEpochMilli(), 36);
+    this.topics = topics;
+    this.transport = transport;
+    this.clock = clock;
+    this.calls = new OpenCalls(controller, topics, transport, clock);
+    this.roster = new Roster(topics, new RosterWatcher());
+  }
+
+  /**
+   * Joins the site as a controller; members become known some messages later.
+   *
+   * @param controller its id, a level of topics; also the transport's client id
+   * @param transport not open yet; closed with the link
+   */
+  public static BusLink connect(
+      String controller, String site, Transport transport, Clock clock) {
+    BusLink link = new BusLink(controller, new Topics(site), transport, clock);
+    link.open();
+    return link;
+  }
+
+  @Override
+  public Collection<Member> members() {
+    return roster.members();
+  }
+
+  @Override
+  public void watch(MemberListener listener) {
+    perform(
+        () -> {
+          listeners.add(listener);
+          roster.members().forEach(listener::changed);
+        });
+  }
+
+  @Override
+  public CallHandle call(
+      String member,
+      String feature,
+      Map<String, Object> parameters,
+      Duration timeout,
+      Optional<String> task,
+      CallListener listener) {
+    Call call =
+        new Call(
+            nextId(),
+            Optional.of(member),
+            Optional.empty(),
+            feature,
+            parameters,
+            timeout,
+            controller,
+            task);
+    // Parameters that JSON cannot hold are the caller's fault, and are told to the caller's face.
+    wire.encode(call);
+    perform(() -> calls.begin(call, roster.readyBoot(member), listener));
+    return new CallHandle() {
+      @Override
+      public String callId() {
+        return call.id();
+      }
+
+      @Override
+      public void cancel() {
+        String cancelId = nextId();
+        perform(() -> calls.cancel(call.id(), cancelId));
+      }
+    };
+  }
+
+  @Override
+  public void cost(
+      String member,
+      String feature,
+      List<Map<String, Object>> parameterSets,
+      Consumer<List<CostAnswer>> answer) {
+    CostExchange exchange = new CostExchange(feature, parameterSets);
+    call(
+        member,
+        ReservedFeature.COST.word(),
+        exchange.parameters(),
+        COST_TIMEOUT,
+        Optional.empty(),
+        result ->
+            answer.accept(
+                result.outcome() == Outcome.SUCCEEDED
+                    ? exchange.answers(result.values())
+                    : exchange.refused(
+                        result.error().map(RatsError::message).orElse("no reason given"))));
+  }
+
+  @Override
+  public void safe() {
+    Call call =
+        new Call(
+            nextId(),
+            Optional.empty(),
+            Optional.empty(),
+            ReservedFeature.SAFE.word(),
+            Map.of(),
+            SAFE_TIMEOUT,
+            controller,
+            Optional.empty());
+    perform(() -> calls.sendUnwatched(call));
+  }
+
+  @Override
+  public void close() {
+    if (closed.compareAndSet(false, true)) {
+      clock.schedule(Duration.ZERO, controller, calls::closeAll);
+      transport.publish(
+          Publication.clearing(topics.controllerStatus(controller)),
+          failure -> failure.ifPresent(cause -> LOG.debug("{}", cause.getMessage())));
+      transport.close();
+    }
+  }
+
+  private void open() {
+    subscribe(topics.statuses(), RetainedMessages.SEND, roster::statusHeard);
+    subscribe(topics.descriptions(), RetainedMessages.SEND, roster::descriptionHeard);
+    subscribe(topics.states(), RetainedMessages.SEND, roster::stateHeard);
+    subscribe(topics.results(controller), RetainedMessages.IGNORE, this::resultHeard);
+    subscribe(topics.progresses(controller), RetainedMessages.IGNORE, this::progressHeard);
+    subscribe(topics.observations(), RetainedMessages.IGNORE, this::observationHeard);
+    transport.open(
+        Optional.of(
+            new Transport.Will(
+                topics.controllerStatus(controller), status(MemberStatus.Phase.LOST))),
+        new Transport.ConnectionListener() {
+          @Override
+          public void connected() {
+            perform(BusLink.this::connected);
+          }
+
+          @Override
+          public void lost(String reason) {
+            LOG.debug("{} lost the bus: {}", controller, reason);
+            perform(BusLink.this::lost);
+          }
+        });
+  }
+
+  private void connected() {
+    transport.publish(
+        Publication.retained(
+            topics.controllerStatus(controller), status(MemberStatus.Phase.READY)),
+        failure -> failure.ifPresent(cause -> LOG.debug("{}", cause.getMessage())));
+    if (wasConnected) {
+      calls.resume();
+      Duration limit = Duration.ofMillis(Math.round(RETURN_LIMIT.toMillis() * clock.speed()));
+      doubtEnds.ifPresent(Clock.Timer::cancel);
+      doubtEnds = Optional.of(clock.schedule(limit, controller, roster::dropDoubted));
+    }
+    wasConnected = true;
+  }
+
+  /** Before any status is heard on the next connection, which may be before that is told to be there. */
+  private void lost() {
+    doubtEnds.ifPresent(Clock.Timer::cancel);
+    roster.doubtAll();
+  }
+
+  private void resultHeard(Message message) {
+    sender(message)
+        .ifPresent(sender -> calls.resultHeard(sender, wire.decodeResult(message.payload())));
+  }
+
+  private void progressHeard(Message message) {
+    sender(message)
+        .ifPresent(sender -> calls.progressHeard(sender, wire.decodeProgress(message.payload())));
+  }
+
+  private void observationHeard(Message message) {
+    topics
+        .memberOf(message.topic())
+        .ifPresent(sender -> calls.observed(sender, wire.decodeObservation(message.payload())));
+  }
+
+  private Optional<String> sender(Message message) {
+    return topics.senderOf(message.topic());
+  }
+
+  private void subscribe(String filter, RetainedMessages retained, Consumer<Message> handler) {
+    transport.subscribe(filter, retained, message -> perform(() -> handle(handler, message)));
+  }
+
+  private static void handle(Consumer<Message> handler, Message message) {
+    try {
+      handler.accept(message);
+    } catch (MalformedMessageException malformed) {
+      LOG.warn("On {}: {}; the message is ignored", message.topic(), malformed.getMessage());
+    }
+  }
+
+  private void perform(Runnable action) {
+    clock.schedule(Duration.ZERO, controller, action);
+  }
+
+  private String nextId() {
+    return controller + "-" + boot + "-" + callCount.incrementAndGet();
+  }
+
+  private byte[] status(MemberStatus.Phase phase) {
+    return wire.encode(new MemberStatus(controller, phase, boot));
+  }
+
+  private final class RosterWatcher implements Roster.Watcher {
+    @Override
+    public void changed(Member member) {
+      List.copyOf(listeners).forEach(listener -> listener.changed(member));
+    }
+
+    @Override
+    public void gone(String member, String life, String why) {
+      calls.memberGone(member, life, why);
+    }
+  }
+}

@@ -1,0 +1,262 @@
+package org.maestro.rats.link;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Predicate;
+import org.maestro.rats.protocol.Call;
+import org.maestro.rats.protocol.ErrorCode;
+import org.maestro.rats.protocol.Observation;
+import org.maestro.rats.protocol.Outcome;
+import org.maestro.rats.protocol.Progress;
+import org.maestro.rats.protocol.RatsError;
+import org.maestro.rats.protocol.ReservedFeature;
+import org.maestro.rats.protocol.Result;
+import org.maestro.rats.protocol.Topics;
+import org.maestro.rats.protocol.WireFormat;
+import org.maestro.rats.time.Clock;
+import org.maestro.rats.transport.Publication;
+import org.maestro.rats.transport.PublishException;
+import org.maestro.rats.transport.Transport;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** The calls of a controller that have no outcome yet; each gets exactly one. Clock thread only. */
+final class OpenCalls {
+
+  private static final Logger LOG = LoggerFactory.getLogger(OpenCalls.class);
+
+  /** Simulated time beyond t for the member's exit strategy and its answer. */
+  private static final Duration GRACE = Duration.ofSeconds(5);
+
+  /** The same on the wall, for a real bus. */
+  private static final Duration WALL_GRACE = Duration.ofSeconds(2);
+
+  /** A member bounds its exit strategies to one minute. */
+  private static final Duration CANCEL_LIMIT = Duration.ofSeconds(60);
+
+  private static final String UNKNOWN_STATE = "unknown";
+
+  private final String controller;
+  private final Topics topics;
+  private final Transport transport;
+  private final Clock clock;
+  private final WireFormat wire = new WireFormat();
+  private final Map<String, Open> open = new LinkedHashMap<>();
+
+  OpenCalls(String controller, Topics topics, Transport transport, Clock clock) {
+    this.controller = controller;
+    this.topics = topics;
+    this.transport = transport;
+    this.clock = clock;
+  }
+
+  /**
+   * @param boot the life of the member that is meant; empty: it is not there, and the call fails
+   */
+  void begin(Call call, Optional<String> boot, RatsLink.CallListener listener) {
+    Call addressed =
+        new Call(
+            call.id(),
+            call.member(),
+            boot,
+            call.feature(),
+            call.parameters(),
+            call.timeout(),
+            call.from(),
+            call.task());
+    Open begun = new Open(addressed, listener);
+    open.put(call.id(), begun);
+    if (boot.isEmpty()) {
+      end(begun, ErrorCode.MEMBER_LOST, member(call) + " is not there");
+      return;
+    }
+    begun.deadline = clock.now().plus(call.timeout());
+    watch(begun, call.timeout());
+    send(begun);
+  }
+
+  /** To whomever it concerns; nobody waits for what they answer. */
+  void sendUnwatched(Call call) {
+    publish(call, call.timeout(), failure -> failure.ifPresent(this::note));
+  }
+
+  void cancel(String callId, String cancelId) {
+    Open call = open.get(callId);
+    if (call != null) {
+      call.cancelId = Optional.of(cancelId);
+      if (call.established) {
+        watch(call, CANCEL_LIMIT);
+      }
+      sendCancel(call);
+    }
+  }
+
+  /** Sends again what may have been lost with the connection; the member answers what it has answered already. */
+  void resume() {
+    for (Open call : List.copyOf(open.values())) {
+      send(call);
+      sendCancel(call);
+    }
+  }
+
+  void resultHeard(String sender, Result result) {
+    Open call = open.get(result.id());
+    if (call != null && isFrom(call, sender, result.from())) {
+      end(call, result);
+    }
+  }
+
+  void progressHeard(String sender, Progress progress) {
+    Open call = open.get(progress.id());
+    if (call == null || !isFrom(call, sender, progress.from())) {
+      return;
+    }
+    if (progress.kind() == Progress.Kind.ESTABLISHED) {
+      call.established = true;
+      if (call.cancelId.isEmpty()) {
+        call.timer.ifPresent(Clock.Timer::cancel);
+      }
+    }
+    call.listener.progressed(progress);
+  }
+
+  void observed(String sender, Observation observation) {
+    Open call = open.get(observation.id());
+    if (call != null && isFrom(call, sender, observation.from())) {
+      call.listener.observed(observation);
+    }
+  }
+
+  void memberGone(String member, String boot, String why) {
+    failAll(
+        call ->
+            member(call.call).equals(member) && call.call.boot().filter(boot::equals).isPresent(),
+        ErrorCode.MEMBER_LOST,
+        "The member " + member + " was lost: " + why);
+  }
+
+  void closeAll() {
+    failAll(call -> true, ErrorCode.BUS_UNAVAILABLE, "The link to the bus was closed");
+  }
+
+  private void failAll(Predicate<Open> which, ErrorCode code, String message) {
+    new ArrayList<>(open.values())
+        .stream().filter(which).forEach(call -> end(call, code, message));
+  }
+
+  private void send(Open call) {
+    Duration left =
+        call.established ? call.call.timeout() : call.deadline.minus(clock.now());
+    if (left.isNegative() || left.isZero()) {
+      return;
+    }
+    publish(
+        call.call,
+        left,
+        failure ->
+            failure.ifPresent(
+                cause ->
+                    clock.schedule(
+                        Duration.ZERO,
+                        controller,
+                        () -> end(call, ErrorCode.BUS_UNAVAILABLE, cause.getMessage()))));
+  }
+
+  private void sendCancel(Open call) {
+    call.cancelId.ifPresent(
+        id ->
+            sendUnwatched(
+                new Call(
+                    id,
+                    call.call.member(),
+                    call.call.boot(),
+                    ReservedFeature.CANCEL.word(),
+                    Map.of("id", call.call.id()),
+                    CANCEL_LIMIT,
+                    controller,
+                    call.call.task())));
+  }
+
+  private void publish(Call call, Duration left, Transport.Completion completion) {
+    Duration expiry = Duration.ofMillis((long) Math.ceil(left.toMillis() / clock.speed()));
+    transport.publish(
+        Publication.reliable(topics.call(controller), wire.encode(call), Optional.of(expiry)),
+        completion);
+  }
+
+  private void watch(Open call, Duration limit) {
+    call.timer.ifPresent(Clock.Timer::cancel);
+    Duration wallGrace = Duration.ofMillis(Math.round(WALL_GRACE.toMillis() * clock.speed()));
+    call.timer =
+        Optional.of(
+            clock.schedule(
+                limit.plus(GRACE).plus(wallGrace),
+                controller,
+                () ->
+                    end(
+                        call,
+                        result(
+                            call,
+                            Outcome.TIMED_OUT,
+                            ErrorCode.TIMEOUT,
+                            member(call.call) + " gave no answer in time"))));
+  }
+
+  private void end(Open call, ErrorCode code, String message) {
+    end(call, result(call, Outcome.FAILED, code, message));
+  }
+
+  private void end(Open call, Result result) {
+    if (open.remove(call.call.id(), call)) {
+      call.timer.ifPresent(Clock.Timer::cancel);
+      call.listener.ended(result);
+    }
+  }
+
+  private static Result result(Open call, Outcome outcome, ErrorCode code, String message) {
+    RatsError error =
+        new RatsError(
+            code, RatsError.Level.ERROR, message, Optional.empty(), List.of(), true);
+    return new Result(
+        call.call.id(),
+        member(call.call),
+        outcome,
+        UNKNOWN_STATE,
+        Map.of(),
+        Optional.of(error));
+  }
+
+  private static boolean isFrom(Open call, String sender, String from) {
+    boolean right = sender.equals(member(call.call)) && from.equals(sender);
+    if (!right) {
+      LOG.warn("{} answers the call {} in the name of {}: ignored", sender, call.call.id(), from);
+    }
+    return right;
+  }
+
+  private static String member(Call call) {
+    return call.member().orElseThrow();
+  }
+
+  private void note(PublishException failure) {
+    LOG.debug("{}", failure.getMessage());
+  }
+
+  private static final class Open {
+    private final Call call;
+    private final RatsLink.CallListener listener;
+    private Optional<Clock.Timer> timer = Optional.empty();
+    private Duration deadline = Duration.ZERO;
+    private Optional<String> cancelId = Optional.empty();
+    private boolean established;
+
+    private Open(Call call, RatsLink.CallListener listener) {
+      this.call = call;
+      this.listener = listener;
+    }
+  }
+}

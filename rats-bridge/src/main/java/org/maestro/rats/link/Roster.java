@@ -1,0 +1,217 @@
+package org.maestro.rats.link;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.maestro.rats.protocol.MalformedMessageException;
+import org.maestro.rats.protocol.MemberState;
+import org.maestro.rats.protocol.MemberStatus;
+import org.maestro.rats.protocol.Topics;
+import org.maestro.rats.protocol.WireFormat;
+import org.maestro.rats.transport.Message;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Who is there, from what members publish of themselves. Clock thread only, but for {@link #members}. */
+final class Roster {
+
+  private static final Logger LOG = LoggerFactory.getLogger(Roster.class);
+
+  /** Told after each change. */
+  interface Watcher {
+    void changed(RatsLink.Member member);
+
+    /** That life of the member is over, and calls to it with it. */
+    void gone(String member, String boot, String why);
+  }
+
+  private final Topics topics;
+  private final Watcher watcher;
+  private final WireFormat wire = new WireFormat();
+  private final Map<String, Entry> entries = new LinkedHashMap<>();
+  private volatile List<RatsLink.Member> members = List.of();
+
+  Roster(Topics topics, Watcher watcher) {
+    this.topics = topics;
+    this.watcher = watcher;
+  }
+
+  /** In the order in which they were first heard of. Any thread. */
+  List<RatsLink.Member> members() {
+    return members;
+  }
+
+  /** The life that the member lives now; empty when it is not ready. */
+  Optional<String> readyBoot(String member) {
+    return Optional.ofNullable(entries.get(member))
+        .filter(entry -> entry.phase.filter(MemberStatus.Phase.READY::equals).isPresent())
+        .map(entry -> entry.boot);
+  }
+
+  void statusHeard(Message message) {
+    sender(message)
+        .ifPresent(
+            id -> {
+              if (message.payload().length == 0) {
+                cleared(id);
+              } else {
+                decoded(message, () -> wire.decodeStatus(message.payload()))
+                    .filter(status -> isOwn(id, status.member(), message))
+                    .ifPresent(this::status);
+              }
+            });
+  }
+
+  void descriptionHeard(Message message) {
+    sender(message)
+        .ifPresent(
+            id -> {
+              boolean clearing = message.payload().length == 0;
+              if (clearing && !entries.containsKey(id)) {
+                return;
+              }
+              Entry entry = entry(id);
+              entry.description =
+                  clearing ? Optional.empty() : Optional.of(new String(message.payload(), UTF_8));
+              publish(entry);
+            });
+  }
+
+  void stateHeard(Message message) {
+    if (message.payload().length == 0) {
+      return;
+    }
+    sender(message)
+        .ifPresent(
+            id ->
+                decoded(message, () -> wire.decodeState(message.payload()))
+                    .filter(state -> isOwn(id, state.member(), message))
+                    .ifPresent(
+                        state -> {
+                          Entry entry = entry(id);
+                          entry.state = Optional.of(state);
+                          publish(entry);
+                        }));
+  }
+
+  /** From now on only those count as there whose status is heard again. */
+  void doubtAll() {
+    entries.values().forEach(entry -> entry.doubted = true);
+  }
+
+  /** Takes those for lost that were doubted and did not show up. */
+  void dropDoubted() {
+    for (Entry entry : new ArrayList<>(entries.values())) {
+      if (entry.doubted && entry.present()) {
+        entry.doubted = false;
+        entry.phase = Optional.of(MemberStatus.Phase.LOST);
+        publish(entry);
+        watcher.gone(entry.id, entry.boot, "it did not come back after the bus did");
+      }
+    }
+  }
+
+  private void status(MemberStatus status) {
+    Entry entry = entry(status.member());
+    boolean leaves =
+        status.phase() == MemberStatus.Phase.LOST
+            || status.phase() == MemberStatus.Phase.DISCONNECTED;
+    boolean otherLife = entry.phase.isPresent() && !entry.boot.equals(status.boot());
+    entry.doubted = false;
+    if (leaves && otherLife && entry.present()) {
+      LOG.debug("{} of a former life of {} is ignored", status.phase(), status.member());
+      return;
+    }
+    String formerBoot = entry.boot;
+    entry.phase = Optional.of(status.phase());
+    entry.boot = status.boot();
+    publish(entry);
+    if (otherLife) {
+      watcher.gone(status.member(), formerBoot, "it was started again");
+    } else if (leaves) {
+      watcher.gone(status.member(), status.boot(), "its connection is gone");
+    }
+  }
+
+  private void cleared(String id) {
+    Entry entry = entries.remove(id);
+    if (entry != null && entry.phase.isPresent()) {
+      entry.phase = Optional.of(MemberStatus.Phase.DISCONNECTED);
+      refresh();
+      watcher.changed(entry.member());
+      watcher.gone(id, entry.boot, "it left");
+    }
+  }
+
+  private void publish(Entry entry) {
+    if (entry.phase.isPresent()) {
+      refresh();
+      watcher.changed(entry.member());
+    }
+  }
+
+  private void refresh() {
+    members =
+        entries.values().stream()
+            .filter(entry -> entry.phase.isPresent())
+            .map(Entry::member)
+            .toList();
+  }
+
+  private Entry entry(String id) {
+    return entries.computeIfAbsent(id, Entry::new);
+  }
+
+  private Optional<String> sender(Message message) {
+    return topics.memberOf(message.topic());
+  }
+
+  private static boolean isOwn(String sender, String member, Message message) {
+    if (!sender.equals(member)) {
+      LOG.warn("A message of {} on the topic {} is ignored", member, message.topic());
+    }
+    return sender.equals(member);
+  }
+
+  private static <T> Optional<T> decoded(Message message, Supplier<T> decoder) {
+    try {
+      return Optional.of(decoder.get());
+    } catch (MalformedMessageException malformed) {
+      LOG.warn("On {}: {}; the message is ignored", message.topic(), malformed.getMessage());
+      return Optional.empty();
+    }
+  }
+
+  private static final class Entry {
+    private final String id;
+    private Optional<MemberStatus.Phase> phase = Optional.empty();
+    private String boot = "";
+    private Optional<String> description = Optional.empty();
+    private Optional<MemberState> state = Optional.empty();
+    private boolean doubted;
+
+    private Entry(String id) {
+      this.id = id;
+    }
+
+    private boolean present() {
+      return phase
+          .filter(now -> now == MemberStatus.Phase.READY || now == MemberStatus.Phase.INIT)
+          .isPresent();
+    }
+
+    private RatsLink.Member member() {
+      return new RatsLink.Member(
+          id,
+          phase.orElseThrow(),
+          boot,
+          description,
+          state.filter(known -> known.boot().equals(boot)));
+    }
+  }
+}

@@ -1,0 +1,80 @@
+package org.maestro.rats.member;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.maestro.rats.protocol.MemberState;
+
+/**
+ * The abstract state z that the member is in, and which features it has switched off (M33, M34). While a call runs, z is the running
+ * state of the latest started one, otherwise the state at rest. Clock thread only.
+ */
+final class MemberCondition {
+
+  private final MemberProfile profile;
+  private final String boot;
+  private final MemberProfile.Values values;
+  private final Map<String, String> disabled = new TreeMap<>();
+  private List<Task> running = List.of();
+  private List<Task> waiting = List.of();
+  private String atRest;
+
+  MemberCondition(MemberProfile profile, String boot, MemberProfile.Values values) {
+    this.profile = profile;
+    this.boot = boot;
+    this.values = values;
+    this.atRest = profile.initialState();
+  }
+
+  String state() {
+    return running.isEmpty() ? atRest : running.get(running.size() - 1).feature().runningState();
+  }
+
+  void rest(String state) {
+    if (!profile.states().contains(state)) {
+      throw new IllegalArgumentException(
+          "The member " + profile.id() + " has no state '" + state + "'; its description names all");
+    }
+    atRest = state;
+  }
+
+  /** Rests in a safe state: where it is if that is one, else in the initial state, else in the first by name (M36). */
+  void restSafely() {
+    if (profile.safeStates().contains(atRest)) {
+      return;
+    }
+    atRest =
+        profile.safeStates().contains(profile.initialState())
+            ? profile.initialState()
+            : profile.safeStates().stream().sorted().findFirst().orElseThrow();
+  }
+
+  void tasks(List<Task> nowRunning, List<Task> nowWaiting) {
+    running = List.copyOf(nowRunning);
+    waiting = List.copyOf(nowWaiting);
+  }
+
+  void disable(String feature, String reason) {
+    disabled.put(feature, reason);
+  }
+
+  void enable(String feature) {
+    disabled.remove(feature);
+  }
+
+  Optional<String> whyDisabled(String feature) {
+    return Optional.ofNullable(disabled.get(feature));
+  }
+
+  MemberState snapshot() {
+    return new MemberState(
+        profile.id(),
+        boot,
+        state(),
+        List.copyOf(values.current()),
+        running.stream().map(task -> task.call().id()).toList(),
+        waiting.stream().map(task -> task.call().id()).toList(),
+        List.copyOf(disabled.keySet()));
+  }
+}

@@ -1,0 +1,217 @@
+package org.maestro.rats.member;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Optional;
+import org.maestro.rats.protocol.MalformedMessageException;
+import org.maestro.rats.protocol.MemberState;
+import org.maestro.rats.protocol.MemberStatus;
+import org.maestro.rats.protocol.Topics;
+import org.maestro.rats.protocol.WireFormat;
+import org.maestro.rats.time.Clock;
+import org.maestro.rats.transport.Message;
+import org.maestro.rats.transport.Transport;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A member of the bus, r = (Id, F, Z, z, Zs) of the paper's section 3.2.1: announces itself, executes calls, answers them. All of it
+ * happens on the clock's thread. The transport is its own: opened here, closed with it.
+ *
+ * <p>Any thread may {@link #close} it, or let it {@link #die}; the other methods belong to the clock's thread.
+ */
+public final class RatsMember implements AutoCloseable {
+
+  private static final Logger LOG = LoggerFactory.getLogger(RatsMember.class);
+
+  private final MemberProfile profile;
+  private final Topics topics;
+  private final Transport transport;
+  private final Clock clock;
+  private final String boot;
+  private final WireFormat wire = new WireFormat();
+  private final MemberVoice voice;
+  private final MemberCondition condition;
+  private final Reception reception;
+  private boolean announced;
+  private boolean connected;
+  private boolean changePending;
+  private Optional<MemberState> told = Optional.empty();
+
+  private RatsMember(
+      MemberProfile profile,
+      MemberProfile.Values values,
+      Transport transport,
+      Topics topics,
+      Clock clock) {
+    this.profile = profile;
+    this.topics = topics;
+    this.transport = transport;
+    this.clock = clock;
+    this.boot = bootId(clock.instant());
+    this.voice = new MemberVoice(profile, boot, topics, transport);
+    this.condition = new MemberCondition(profile, boot, values);
+    CallAnswers answers = new CallAnswers(profile.id(), voice, condition, clock);
+    TaskQueue tasks =
+        new TaskQueue(profile.id(), voice, condition, answers, this::tellState, clock);
+    this.reception =
+        new Reception(profile, boot, topics, condition, answers, tasks, this::describe, clock);
+  }
+
+  /**
+   * Joins the site. The member is ready some messages later.
+   *
+   * @param values what it reports of itself, asked at each change
+   * @param transport not open yet; its client id is the member's id
+   * @param site the site's name, see {@link Topics}
+   */
+  public static RatsMember start(
+      MemberProfile profile,
+      MemberProfile.Values values,
+      Transport transport,
+      String site,
+      Clock clock) {
+    RatsMember member = new RatsMember(profile, values, transport, new Topics(site), clock);
+    member.open();
+    return member;
+  }
+
+  public String id() {
+    return profile.id();
+  }
+
+  /** Names this life of the member: another start has another. */
+  public String boot() {
+    return boot;
+  }
+
+  /** To be called when something changed that {@link MemberProfile.Values} tells. */
+  public void stateChanged() {
+    if (!changePending) {
+      changePending = true;
+      clock.schedule(Duration.ZERO, profile.id(), this::tellPendingChange);
+    }
+  }
+
+  /**
+   * The member is in another state while at rest, by the world's doing or by time (M35).
+   *
+   * @throws IllegalArgumentException when that is none of its states
+   */
+  public void rest(String state) {
+    condition.rest(state);
+    stateChanged();
+  }
+
+  /** Refuses calls of the feature from now on (M33); the reason is told to callers. */
+  public void disable(String feature, String reason) {
+    condition.disable(feature, reason);
+    stateChanged();
+  }
+
+  public void enable(String feature) {
+    condition.enable(feature);
+    stateChanged();
+  }
+
+  /** Leaves for good: clears what is retained of it, and closes the transport. Running calls stay without an answer. */
+  @Override
+  public void close() {
+    voice.leave();
+    transport.close();
+  }
+
+  /** Vanishes without goodbye, as when its power fails. */
+  public void die() {
+    voice.silence();
+    transport.die();
+  }
+
+  private void open() {
+    transport.subscribe(
+        topics.calls(),
+        Transport.RetainedMessages.IGNORE,
+        message -> {
+          Duration arrivedAt = clock.now();
+          perform(() -> reception.heard(message, arrivedAt));
+        });
+    transport.subscribe(
+        topics.status(profile.id()),
+        Transport.RetainedMessages.SEND,
+        message -> perform(() -> readOwnStatus(message)));
+    transport.open(
+        Optional.of(voice.will()),
+        new Transport.ConnectionListener() {
+          @Override
+          public void connected() {
+            perform(RatsMember.this::announce);
+          }
+
+          @Override
+          public void lost(String reason) {
+            perform(() -> connected = false);
+          }
+        });
+  }
+
+  private void perform(Runnable action) {
+    clock.schedule(
+        Duration.ZERO,
+        profile.id(),
+        () -> {
+          if (!voice.silent()) {
+            action.run();
+          }
+        });
+  }
+
+  /** After each connect, since the broker may have come back empty. */
+  private void announce() {
+    connected = true;
+    if (!announced) {
+      voice.status(MemberStatus.Phase.INIT);
+    }
+    announced = true;
+    describe();
+    voice.status(MemberStatus.Phase.READY);
+    voice.sendUnsent();
+  }
+
+  private void describe() {
+    voice.description();
+    told = Optional.of(condition.snapshot());
+    voice.state(told.get());
+  }
+
+  /** A will that came late, of this life or a former one, must not stay the last word. */
+  private void readOwnStatus(Message message) {
+    if (!connected || message.payload().length == 0) {
+      return;
+    }
+    try {
+      if (wire.decodeStatus(message.payload()).phase() == MemberStatus.Phase.LOST) {
+        voice.status(MemberStatus.Phase.READY);
+      }
+    } catch (MalformedMessageException malformed) {
+      LOG.warn("{} found a status of its own that it cannot read", profile.id(), malformed);
+      voice.status(MemberStatus.Phase.READY);
+    }
+  }
+
+  private void tellPendingChange() {
+    changePending = false;
+    tellState();
+  }
+
+  private void tellState() {
+    MemberState now = condition.snapshot();
+    if (connected && told.filter(now::equals).isEmpty()) {
+      told = Optional.of(now);
+      voice.state(now);
+    }
+  }
+
+  private static String bootId(Instant instant) {
+    return Long.toString(instant.getEpochSecond() * 1_000_000_000L + instant.getNano(), 36);
+  }
+}

@@ -1,0 +1,212 @@
+package org.maestro.rats.member;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.maestro.rats.protocol.Call;
+import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.CostExchange;
+import org.maestro.rats.protocol.ErrorCode;
+import org.maestro.rats.protocol.MalformedMessageException;
+import org.maestro.rats.protocol.ReservedFeature;
+import org.maestro.rats.protocol.Topics;
+import org.maestro.rats.protocol.WireFormat;
+import org.maestro.rats.time.Clock;
+import org.maestro.rats.transport.Message;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Decides what becomes of each call heard on the bus: for others, refused, answered at once, or queued (M61). Clock thread only. */
+final class Reception {
+
+  private static final Logger LOG = LoggerFactory.getLogger(Reception.class);
+
+  /** Brokers count what is left of an expiry in whole seconds, some downwards. */
+  private static final Duration EXPIRY_GRAIN = Duration.ofSeconds(1);
+
+  private final MemberProfile profile;
+  private final String boot;
+  private final Topics topics;
+  private final MemberCondition condition;
+  private final CallAnswers answers;
+  private final TaskQueue tasks;
+  private final Runnable describe;
+  private final Clock clock;
+  private final WireFormat wire = new WireFormat();
+
+  Reception(
+      MemberProfile profile,
+      String boot,
+      Topics topics,
+      MemberCondition condition,
+      CallAnswers answers,
+      TaskQueue tasks,
+      Runnable describe,
+      Clock clock) {
+    this.profile = profile;
+    this.boot = boot;
+    this.topics = topics;
+    this.condition = condition;
+    this.answers = answers;
+    this.tasks = tasks;
+    this.describe = describe;
+    this.clock = clock;
+  }
+
+  void heard(Message message, Duration arrivedAt) {
+    if (message.retained()) {
+      LOG.warn("{} does not execute a call that was sent with the retain flag", profile.id());
+      return;
+    }
+    Call call;
+    try {
+      call = wire.decodeCall(message.payload());
+    } catch (MalformedMessageException malformed) {
+      refuseMalformed(message, malformed);
+      return;
+    }
+    Optional<String> caller = topics.callerOf(message.topic());
+    if (caller.isPresent() && !caller.get().equals(call.from())) {
+      LOG.warn("{} ignores a call of {} in the name of {}", profile.id(), caller, call.from());
+    } else if (isForMe(call)) {
+      take(call, message.remainingExpiry(), arrivedAt);
+    }
+  }
+
+  private void refuseMalformed(Message message, MalformedMessageException malformed) {
+    LOG.debug("{} heard a malformed call: {}", profile.id(), malformed.getMessage());
+    Optional<String> caller = topics.callerOf(message.topic());
+    wire.addressOf(message.payload())
+        .filter(address -> address.member().equals(profile.id()) && caller.isPresent())
+        .ifPresent(
+            address ->
+                answers.rejectedUnremembered(
+                    address.id(), caller.get(), malformed.code(), malformed.getMessage()));
+  }
+
+  private boolean isForMe(Call call) {
+    return call.member()
+        .map(profile.id()::equals)
+        .orElseGet(
+            () ->
+                profile.features().containsKey(call.feature())
+                    || ReservedFeature.of(call.feature()).isPresent());
+  }
+
+  private void take(Call call, Optional<Duration> remainingExpiry, Duration arrivedAt) {
+    if (call.boot().isPresent() && !call.boot().get().equals(boot)) {
+      String message = "The call was meant for the boot " + call.boot().get() + " before this one";
+      answers.rejectedUnremembered(call.id(), call.from(), ErrorCode.RESTARTED, message);
+      return;
+    }
+    switch (answers.register(call)) {
+      case REPEATED -> LOG.debug("{} has call {} already", profile.id(), call.id());
+      case OTHER_BODY ->
+          answers.rejectedUnremembered(
+              call.id(),
+              call.from(),
+              ErrorCode.DUPLICATE_ID,
+              "Another call of the id " + call.id() + " came before; each call needs its own");
+      case NEW -> {
+        Duration limit = limit(call, remainingExpiry).minus(clock.now().minus(arrivedAt));
+        if (limit.isNegative() || limit.isZero()) {
+          answers.rejected(call, ErrorCode.EXPIRED, "The call arrived after its time had passed");
+        } else {
+          ReservedFeature.of(call.feature())
+              .ifPresentOrElse(
+                  reserved -> performReserved(reserved, call), () -> perform(call, limit));
+        }
+      }
+    }
+  }
+
+  private Duration limit(Call call, Optional<Duration> remainingExpiry) {
+    return remainingExpiry
+        .map(left -> left.plus(EXPIRY_GRAIN))
+        .map(left -> Duration.ofMillis(Math.round(left.toMillis() * clock.speed())))
+        .filter(left -> left.compareTo(call.timeout()) < 0)
+        .orElse(call.timeout());
+  }
+
+  private void perform(Call call, Duration limit) {
+    MemberProfile.Feature feature = profile.features().get(call.feature());
+    if (feature == null) {
+      answers.rejected(
+          call, ErrorCode.UNKNOWN_FEATURE, profile.id() + " has no feature " + call.feature());
+      return;
+    }
+    List<String> missing =
+        feature.required().stream()
+            .filter(name -> !call.parameters().containsKey(name))
+            .sorted()
+            .toList();
+    Optional<String> disabled = condition.whyDisabled(feature.id());
+    if (!missing.isEmpty()) {
+      answers.rejected(
+          call,
+          ErrorCode.INVALID_PARAMETERS,
+          feature.id() + " needs the parameters " + String.join(", ", missing));
+    } else if (disabled.isPresent()) {
+      answers.rejected(call, ErrorCode.DISABLED, disabled.get());
+    } else if (tasks.full()) {
+      answers.rejected(
+          call, ErrorCode.QUEUE_FULL, "The queue of " + profile.id() + " is full; try later");
+    } else {
+      tasks.add(call, feature, limit);
+    }
+  }
+
+  private void performReserved(ReservedFeature reserved, Call call) {
+    switch (reserved) {
+      case PING -> answers.succeeded(call, Map.of());
+      case DESCRIBE -> {
+        describe.run();
+        answers.succeeded(call, Map.of());
+      }
+      case SAFE -> tasks.makeSafe(() -> answers.succeeded(call, Map.of()));
+      case COST -> answerCost(call);
+      case CANCEL -> cancel(call);
+    }
+  }
+
+  private void cancel(Call call) {
+    if (call.parameters().get("id") instanceof String id) {
+      answers.succeeded(call, Map.of("found", tasks.cancel(id)));
+    } else {
+      answers.rejected(
+          call, ErrorCode.INVALID_PARAMETERS, "$cancel needs the parameter id, a call's id");
+    }
+  }
+
+  private void answerCost(Call call) {
+    Optional<CostExchange> exchange = CostExchange.of(call.parameters());
+    Optional<MemberProfile.Feature> feature =
+        exchange.map(asked -> profile.features().get(asked.feature()));
+    if (exchange.isEmpty()) {
+      answers.rejected(
+          call,
+          ErrorCode.INVALID_PARAMETERS,
+          "$cost needs the parameters feature, a text, and sets, a list of parameter sets");
+    } else if (feature.isEmpty()) {
+      String message = profile.id() + " has no feature " + exchange.get().feature();
+      answers.rejected(call, ErrorCode.UNKNOWN_FEATURE, message);
+    } else {
+      List<CostAnswer> costs =
+          exchange.get().sets().stream()
+              .map(set -> cost(feature.get(), set))
+              .toList();
+      answers.succeeded(call, CostExchange.values(costs));
+    }
+  }
+
+  private CostAnswer cost(MemberProfile.Feature feature, Map<String, Object> parameters) {
+    try {
+      return feature.procedure().cost(parameters);
+    } catch (RuntimeException fault) {
+      LOG.error("The price of {} of {} could not be computed", feature.id(), profile.id(), fault);
+      return new CostAnswer(
+          Optional.empty(), Optional.empty(), Optional.of("the price could not be computed"));
+    }
+  }
+}

@@ -1,0 +1,194 @@
+package org.maestro.rats.member;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.maestro.rats.protocol.Call;
+import org.maestro.rats.protocol.ErrorCode;
+import org.maestro.rats.protocol.Outcome;
+import org.maestro.rats.protocol.Progress;
+import org.maestro.rats.protocol.RatsError;
+import org.maestro.rats.time.Clock;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** One call from its acceptance to its one outcome: waiting, running, perhaps on its way out, ended. Clock thread only. */
+final class Task implements Execution {
+
+  private static final Logger LOG = LoggerFactory.getLogger(Task.class);
+
+  /** Simulated time that an exit strategy may take before the call is answered without it. */
+  static final Duration EXIT_LIMIT = Duration.ofSeconds(60);
+
+  private enum Phase {
+    WAITING,
+    RUNNING,
+    EXITING,
+    ENDED
+  }
+
+  /** What becomes of a task. */
+  interface Keeper {
+    void progressed(Task task, Progress.Kind kind, double fraction, Map<String, Object> values);
+
+    void observed(Task task, Map<String, Object> values);
+
+    void ended(
+        Task task, Outcome outcome, Map<String, Object> values, Optional<RatsError> error);
+
+    /** The member is gone: nothing counts any more. */
+    boolean gone();
+  }
+
+  private final Call call;
+  private final MemberProfile.Feature feature;
+  private final Clock clock;
+  private final String owner;
+  private final Keeper keeper;
+  private final Clock.Timer timeout;
+  private final List<Runnable> afterEnd = new ArrayList<>();
+  private Phase phase = Phase.WAITING;
+  private boolean established;
+  private ExitStrategy strategy = Runnable::run;
+
+  /**
+   * @param limit simulated time for queueing and execution (M59)
+   */
+  Task(
+      Call call,
+      MemberProfile.Feature feature,
+      Duration limit,
+      Clock clock,
+      String owner,
+      Keeper keeper) {
+    this.call = call;
+    this.feature = feature;
+    this.clock = clock;
+    this.owner = owner;
+    this.keeper = keeper;
+    this.timeout = clock.schedule(limit, owner, this::timedOut);
+  }
+
+  @Override
+  public Call call() {
+    return call;
+  }
+
+  MemberProfile.Feature feature() {
+    return feature;
+  }
+
+  void start() {
+    phase = Phase.RUNNING;
+    keeper.progressed(this, Progress.Kind.STARTED, 0, Map.of());
+    try {
+      feature.procedure().start(this);
+    } catch (RuntimeException fault) {
+      LOG.error("The procedure of {} of {} failed", feature.id(), owner, fault);
+      fail(
+          new RatsError(
+              ErrorCode.INTERNAL,
+              RatsError.Level.ERROR,
+              "The procedure of " + feature.id() + " broke off: " + fault.getMessage(),
+              Optional.empty(),
+              List.of(),
+              false));
+    }
+  }
+
+  /** Ends it from outside: at once while it waits, through its exit strategy when it runs (M41, M42, M45). */
+  void stop(Outcome outcome, Optional<RatsError> error) {
+    if (phase == Phase.WAITING) {
+      end(outcome, Map.of(), error);
+    } else if (phase == Phase.RUNNING) {
+      phase = Phase.EXITING;
+      clock.schedule(EXIT_LIMIT, owner, () -> exitTookTooLong(outcome));
+      strategy.exit(() -> end(outcome, Map.of(), error));
+    }
+  }
+
+  /** Runs the action once the task has ended, at once if it has. */
+  void afterEnd(Runnable action) {
+    if (phase == Phase.ENDED) {
+      action.run();
+    } else {
+      afterEnd.add(action);
+    }
+  }
+
+  @Override
+  public void established(Map<String, Object> values) {
+    if (phase == Phase.RUNNING && feature.continuous() && !established) {
+      established = true;
+      timeout.cancel();
+      keeper.progressed(this, Progress.Kind.ESTABLISHED, 0, values);
+    }
+  }
+
+  @Override
+  public void observed(Map<String, Object> values) {
+    if (phase == Phase.RUNNING && established && !keeper.gone()) {
+      keeper.observed(this, values);
+    }
+  }
+
+  @Override
+  public void progress(double fraction) {
+    if (phase == Phase.RUNNING) {
+      keeper.progressed(
+          this, Progress.Kind.RUNNING, Math.min(1, Math.max(0, fraction)), Map.of());
+    }
+  }
+
+  @Override
+  public void succeed(Map<String, Object> values) {
+    if (phase == Phase.RUNNING) {
+      end(Outcome.SUCCEEDED, values, Optional.empty());
+    }
+  }
+
+  @Override
+  public void fail(RatsError error) {
+    if (phase == Phase.RUNNING) {
+      end(Outcome.FAILED, Map.of(), Optional.of(error));
+    }
+  }
+
+  @Override
+  public void onCancel(ExitStrategy exit) {
+    strategy = exit;
+  }
+
+  @Override
+  public boolean ended() {
+    return phase == Phase.EXITING || phase == Phase.ENDED || keeper.gone();
+  }
+
+  private void timedOut() {
+    String where = phase == Phase.WAITING ? "while it waited" : "while it ran";
+    String message = "The " + call.timeout().toMillis() + " ms of the call passed " + where;
+    stop(Outcome.TIMED_OUT, Optional.of(CallAnswers.error(ErrorCode.TIMEOUT, message)));
+  }
+
+  private void exitTookTooLong(Outcome outcome) {
+    if (phase == Phase.EXITING) {
+      String message =
+          "The exit strategy of " + feature.id() + " did not end within " + EXIT_LIMIT.toSeconds() + " s";
+      end(
+          outcome == Outcome.SUCCEEDED ? Outcome.FAILED : outcome,
+          Map.of(),
+          Optional.of(CallAnswers.error(ErrorCode.HARDWARE_FAILURE, message)));
+    }
+  }
+
+  private void end(Outcome outcome, Map<String, Object> values, Optional<RatsError> error) {
+    if (phase != Phase.ENDED) {
+      phase = Phase.ENDED;
+      timeout.cancel();
+      keeper.ended(this, outcome, values, error);
+      List.copyOf(afterEnd).forEach(Runnable::run);
+    }
+  }
+}

@@ -1,0 +1,203 @@
+package org.maestro.rats.member;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import org.maestro.rats.protocol.Call;
+import org.maestro.rats.protocol.ErrorCode;
+import org.maestro.rats.protocol.Observation;
+import org.maestro.rats.protocol.Outcome;
+import org.maestro.rats.protocol.Progress;
+import org.maestro.rats.protocol.RatsError;
+import org.maestro.rats.time.Clock;
+
+/**
+ * What runs and what waits on a member. A task starts when neither a running one nor one that has waited longer needs a component of
+ * its (M38-M40). Clock thread only.
+ */
+final class TaskQueue implements Task.Keeper {
+
+  private static final int MOST_WAITING = 64;
+
+  private final String member;
+  private final MemberVoice voice;
+  private final MemberCondition condition;
+  private final CallAnswers answers;
+  private final Runnable conditionChanged;
+  private final Clock clock;
+  private final List<Task> waiting = new ArrayList<>();
+  private final List<Task> running = new ArrayList<>();
+  private boolean starting;
+
+  TaskQueue(
+      String member,
+      MemberVoice voice,
+      MemberCondition condition,
+      CallAnswers answers,
+      Runnable conditionChanged,
+      Clock clock) {
+    this.member = member;
+    this.voice = voice;
+    this.condition = condition;
+    this.answers = answers;
+    this.conditionChanged = conditionChanged;
+    this.clock = clock;
+  }
+
+  boolean full() {
+    return waiting.size() >= MOST_WAITING;
+  }
+
+  void add(Call call, MemberProfile.Feature feature, Duration limit) {
+    Task task = new Task(call, feature, limit, clock, member, this);
+    progressed(task, Progress.Kind.ACCEPTED, 0, Map.of());
+    waiting.add(task);
+    startWhatCan();
+    if (waiting.contains(task)) {
+      changed();
+    }
+  }
+
+  /** Cancels a call; false when none of that id waits or runs. */
+  boolean cancel(String callId) {
+    Optional<Task> task =
+        all().stream().filter(candidate -> candidate.call().id().equals(callId)).findFirst();
+    task.ifPresent(found -> found.stop(Outcome.CANCELED, canceled("The call was cancelled")));
+    return task.isPresent();
+  }
+
+  /** Cancels everything; the action runs when all of it has ended and the member rests in a safe state (M37). */
+  void makeSafe(Runnable action) {
+    List<Task> all = all();
+    List<Task> left = new ArrayList<>(all);
+    all.forEach(
+        task ->
+            task.afterEnd(
+                () -> {
+                  left.remove(task);
+                  if (left.isEmpty()) {
+                    rest(action);
+                  }
+                }));
+    all.forEach(
+        task -> task.stop(Outcome.CANCELED, canceled("The member was told to be safe")));
+    if (all.isEmpty()) {
+      rest(action);
+    }
+  }
+
+  private void rest(Runnable action) {
+    condition.restSafely();
+    changed();
+    action.run();
+  }
+
+  private List<Task> all() {
+    List<Task> all = new ArrayList<>(waiting);
+    all.addAll(running);
+    return all;
+  }
+
+  private void startWhatCan() {
+    if (starting) {
+      return;
+    }
+    starting = true;
+    try {
+      Optional<Task> next = startable();
+      while (next.isPresent()) {
+        start(next.get());
+        next = startable();
+      }
+    } finally {
+      starting = false;
+    }
+  }
+
+  private Optional<Task> startable() {
+    Set<String> taken = new HashSet<>();
+    running.forEach(task -> taken.addAll(task.feature().occupies()));
+    for (Task task : waiting) {
+      if (task.feature().occupies().stream().noneMatch(taken::contains)) {
+        return Optional.of(task);
+      }
+      taken.addAll(task.feature().occupies());
+    }
+    return Optional.empty();
+  }
+
+  private void start(Task task) {
+    waiting.remove(task);
+    running.add(task);
+    endWhatThisEnds(task);
+    changed();
+    task.start();
+  }
+
+  private void endWhatThisEnds(Task ending) {
+    for (Task task : List.copyOf(running)) {
+      boolean ended =
+          task.feature().endedBy().filter(ending.feature().id()::equals).isPresent()
+              && ending.feature().required().stream()
+                  .allMatch(name -> sameArgument(name, ending.call(), task.call()));
+      if (ended) {
+        task.stop(Outcome.SUCCEEDED, Optional.empty());
+      }
+    }
+  }
+
+  /** Pointers are the same when they point at the same thing, whatever properties they carry. */
+  private static boolean sameArgument(String name, Call one, Call other) {
+    return Objects.equals(
+        identity(one.parameters().get(name)), identity(other.parameters().get(name)));
+  }
+
+  private static Object identity(Object argument) {
+    return argument instanceof Map<?, ?> map && map.get("ref") != null ? map.get("ref") : argument;
+  }
+
+  private static Optional<RatsError> canceled(String message) {
+    return Optional.of(CallAnswers.error(ErrorCode.CANCELED, message));
+  }
+
+  private void changed() {
+    condition.tasks(running, waiting);
+    conditionChanged.run();
+  }
+
+  @Override
+  public void progressed(
+      Task task, Progress.Kind kind, double fraction, Map<String, Object> values) {
+    Call call = task.call();
+    voice.progress(call.from(), new Progress(call.id(), member, kind, fraction, values));
+  }
+
+  @Override
+  public void observed(Task task, Map<String, Object> values) {
+    voice.observation(
+        new Observation(task.call().id(), member, task.feature().id(), values));
+  }
+
+  @Override
+  public void ended(
+      Task task, Outcome outcome, Map<String, Object> values, Optional<RatsError> error) {
+    waiting.remove(task);
+    boolean ran = running.remove(task);
+    if (ran && (outcome == Outcome.CANCELED || outcome == Outcome.TIMED_OUT)) {
+      condition.restSafely();
+    }
+    changed();
+    answers.answer(task.call(), outcome, values, error);
+    startWhatCan();
+  }
+
+  @Override
+  public boolean gone() {
+    return voice.silent();
+  }
+}

@@ -1,0 +1,121 @@
+package org.maestro.rats.transport;
+
+import java.io.FilterInputStream;
+import java.io.FilterOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InterruptedIOException;
+import java.io.OutputStream;
+import java.net.Socket;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * A socket that sends at once, and makes up for two haste faults. Paho 1.2.5 looks for its reader every 100 ms while it starts, and
+ * looks for ever when the reader has ended by then: so the reader learns of a broken connection only after something was written,
+ * which is when Paho has started. And Paho closes right behind its DISCONNECT, which Artemis at times takes for a broken connection,
+ * so that it publishes the will: so the broker gets some time to close first, as MQTT 5 has it.
+ */
+final class PatientSocket extends Socket {
+
+  private static final long LONGEST_START_SECONDS = 5;
+
+  private static final long BROKER_CLOSES_MILLIS = 300;
+
+  private final CountDownLatch written = new CountDownLatch(1);
+  private final CountDownLatch ended = new CountDownLatch(1);
+
+  PatientSocket() throws IOException {
+    setTcpNoDelay(true);
+  }
+
+  @Override
+  public InputStream getInputStream() throws IOException {
+    return new FilterInputStream(super.getInputStream()) {
+      @Override
+      public int available() throws IOException {
+        try {
+          return super.available();
+        } catch (IOException broken) {
+          throw afterStart(broken);
+        }
+      }
+
+      @Override
+      public int read() throws IOException {
+        try {
+          return orEnd(super.read());
+        } catch (IOException broken) {
+          throw afterStart(broken);
+        }
+      }
+
+      @Override
+      public int read(byte[] bytes, int offset, int length) throws IOException {
+        try {
+          return orEnd(super.read(bytes, offset, length));
+        } catch (IOException broken) {
+          throw afterStart(broken);
+        }
+      }
+    };
+  }
+
+  @Override
+  public OutputStream getOutputStream() throws IOException {
+    return new FilterOutputStream(super.getOutputStream()) {
+      @Override
+      public void write(int single) throws IOException {
+        written.countDown();
+        out.write(single);
+      }
+
+      @Override
+      public void write(byte[] bytes, int offset, int length) throws IOException {
+        written.countDown();
+        out.write(bytes, offset, length);
+      }
+    };
+  }
+
+  /** Called by Paho before it closes. */
+  @Override
+  public void shutdownInput() {
+    try {
+      ended.await(BROKER_CLOSES_MILLIS, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException interrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    ended.countDown();
+    super.close();
+  }
+
+  private int orEnd(int result) throws IOException {
+    if (result < 0) {
+      ended.countDown();
+      awaitStart();
+    }
+    return result;
+  }
+
+  private IOException afterStart(IOException broken) throws IOException {
+    ended.countDown();
+    awaitStart();
+    return broken;
+  }
+
+  private void awaitStart() throws IOException {
+    try {
+      if (!written.await(LONGEST_START_SECONDS, TimeUnit.SECONDS)) {
+        throw new IOException("the client did not start in time");
+      }
+    } catch (InterruptedException interrupted) {
+      Thread.currentThread().interrupt();
+      throw new InterruptedIOException("the client stopped while it started");
+    }
+  }
+}
