@@ -78,6 +78,20 @@ sealed interface Condition {
     }
   }
 
+  /**
+   * A static condition that does not hold, kept for explanations only.
+   *
+   * @param condition in MAESTRO-SL
+   * @param needed for people
+   * @param possible what is the case, for people
+   */
+  record Fixed(String condition, String needed, String possible) implements Condition {
+    @Override
+    public boolean holds(State state) {
+      return false;
+    }
+  }
+
   record Compare(
       Relation relation, NumberExpression left, NumberExpression right, boolean positive)
       implements Condition {

@@ -10,6 +10,8 @@ import org.maestro.planning.Condition.Constant;
 import org.maestro.planning.Condition.Question;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 import org.maestro.sl.TypedVariable;
@@ -24,11 +26,26 @@ final class ConditionCompiler {
   private final Signature signature;
   private final StaticFacts facts;
   private final Variables variables;
+  private final boolean keepingFailedComparisons;
 
   ConditionCompiler(Signature signature, StaticFacts facts, Variables variables) {
+    this(signature, facts, variables, false);
+  }
+
+  private ConditionCompiler(
+      Signature signature,
+      StaticFacts facts,
+      Variables variables,
+      boolean keepingFailedComparisons) {
     this.signature = signature;
     this.facts = facts;
     this.variables = variables;
+    this.keepingFailedComparisons = keepingFailedComparisons;
+  }
+
+  /** One that keeps static comparisons that fail as {@link Condition.Fixed}, to be named in an explanation. */
+  ConditionCompiler keepingFailedComparisons() {
+    return new ConditionCompiler(signature, facts, variables, true);
   }
 
   /**
@@ -174,9 +191,26 @@ final class ConditionCompiler {
     Condition.Compare compare =
         new Condition.Compare(comparison.relation(), left, right, positive);
     if (left instanceof NumberExpression.Constant a && right instanceof NumberExpression.Constant b) {
-      return Constant.of(compare.holdsFor(a.number(), b.number()));
+      boolean holds = compare.holdsFor(a.number(), b.number());
+      return holds || !keepingFailedComparisons
+          ? Constant.of(holds)
+          : failed(comparison, bindings, positive, a.number(), b.number());
     }
     return compare;
+  }
+
+  private static Condition failed(
+      Formula.Comparison comparison,
+      Map<String, Term> bindings,
+      boolean positive,
+      double left,
+      double right) {
+    Formula ground = new Substitution(bindings).apply((Formula) comparison);
+    String relation = (positive ? "" : "not ") + comparison.relation().symbol() + " ";
+    return new Condition.Fixed(
+        SlPrinter.print(positive ? ground : new Formula.Not(ground)),
+        relation + (Quantity.isUnknown(right) ? "an unknown number" : SlPrinter.print(right)),
+        Quantity.isUnknown(left) ? "unknown" : SlPrinter.print(left));
   }
 
   private static boolean isOtherTerm(Expression expression, Map<String, Term> bindings) {

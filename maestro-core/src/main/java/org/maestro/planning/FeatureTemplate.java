@@ -230,6 +230,6 @@ final class FeatureTemplate {
   }
 
   private boolean holds(StaticConjunct conjunct, Map<String, Term> bindings) {
-    return conditions.condition(conjunct.formula(), bindings) == Constant.TRUE;
+    return conditions.condition(conjunct.formula(), bindings) != Constant.FALSE;
   }
 }

@@ -16,6 +16,7 @@ final class Grounder {
   private record Instance(int template, Map<String, Term> bindings) {}
 
   private final PlanningTask task;
+  private final boolean forExplanation;
   private final Signature signature;
   private final OperatorFactory factory;
   private final List<FeatureTemplate> templates;
@@ -23,17 +24,30 @@ final class Grounder {
   private final Map<Instance, List<Operator>> made = new HashMap<>();
 
   Grounder(PlanningTask task) {
+    this(task, false);
+  }
+
+  private Grounder(PlanningTask task, boolean forExplanation) {
     this.task = task;
+    this.forExplanation = forExplanation;
     this.signature = new Signature(task.vocabulary(), task.features());
     StaticFacts facts = new StaticFacts(task.facts());
     Variables variables = new Variables(signature, facts);
     ConditionCompiler conditions = new ConditionCompiler(signature, facts, variables);
-    this.factory = new OperatorFactory(signature, facts, variables, conditions);
+    ConditionCompiler preconditions =
+        forExplanation ? conditions.keepingFailedComparisons() : conditions;
+    this.factory =
+        new OperatorFactory(signature, facts, variables, conditions, preconditions);
     this.templates =
         task.features().stream()
-            .map(feature -> new FeatureTemplate(feature, signature, facts, conditions))
+            .map(feature -> new FeatureTemplate(feature, signature, facts, preconditions))
             .toList();
     this.goal = GroundGoal.of(task.goal(), signature, facts, conditions);
+  }
+
+  /** One that makes barred and, by a static comparison, impossible instances too, with a condition that says what is wrong. */
+  static Grounder forExplanation(PlanningTask task) {
+    return new Grounder(task, true);
   }
 
   GroundGoal goal() {
@@ -100,9 +114,22 @@ final class Grounder {
     if (known == null) {
       PricedFeature feature = templates.get(template).feature();
       StepKey key = new StepKey(feature.member(), feature.type().name(), bindings);
-      known = task.barred().contains(key) ? List.of() : factory.operators(feature, bindings);
+      known =
+          !task.barred().contains(key)
+              ? factory.operators(feature, bindings)
+              : forExplanation
+                  ? factory.operators(feature, bindings).stream().map(Grounder::barred).toList()
+                  : List.of();
       made.put(instance, known);
     }
     return known;
+  }
+
+  private static Operator barred(Operator operator) {
+    Condition reason =
+        new Condition.Fixed(
+            StepSentence.of(operator), "success", "failed twice with the same facts");
+    return operator.withPrecondition(
+        Condition.all(List.of(operator.precondition(), reason)));
   }
 }

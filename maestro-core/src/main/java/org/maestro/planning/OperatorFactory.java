@@ -29,17 +29,20 @@ final class OperatorFactory {
   private final StaticFacts facts;
   private final Variables variables;
   private final ConditionCompiler conditions;
+  private final ConditionCompiler preconditions;
   private final EffectCompiler effects;
 
   OperatorFactory(
       Signature signature,
       StaticFacts facts,
       Variables variables,
-      ConditionCompiler conditions) {
+      ConditionCompiler conditions,
+      ConditionCompiler preconditions) {
     this.signature = signature;
     this.facts = facts;
     this.variables = variables;
     this.conditions = conditions;
+    this.preconditions = preconditions;
     this.effects = new EffectCompiler(conditions, variables);
   }
 
@@ -47,7 +50,7 @@ final class OperatorFactory {
   List<Operator> operators(PricedFeature feature, Map<String, Term> parameters) {
     Map<String, Term> bindings = new HashMap<>(parameters);
     bindings.put("self", new Term.Name(feature.member()));
-    Condition precondition = conditions.condition(feature.type().precondition(), bindings);
+    Condition precondition = preconditions.condition(feature.type().precondition(), bindings);
     if (precondition == Constant.FALSE) {
       return List.of();
     }
@@ -122,13 +125,5 @@ final class OperatorFactory {
       }
     }
     return elsewhere;
-  }
-
-  ConditionCompiler conditions() {
-    return conditions;
-  }
-
-  Variables variables() {
-    return variables;
   }
 }

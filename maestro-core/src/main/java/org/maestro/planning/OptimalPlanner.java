@@ -4,6 +4,9 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import org.maestro.planning.PlanningResult.Explanation;
+import org.maestro.planning.PlanningResult.Obstacle;
+import org.maestro.sl.SlPrinter;
 
 /**
  * Finds cheapest plans and proves it: backward grounding, A* with landmark cuts, knapsack bounds for sums of settings. Stateless and
@@ -38,7 +41,7 @@ public final class OptimalPlanner implements Planner {
     GroundProblem ground = new Grounder(task).ground();
     RelaxedProblem relaxed = new RelaxedProblem(ground);
     if (!relaxed.isSolvable()) {
-      return new PlanningResult.Impossible(ObstacleSearch.explanation(relaxed, task.goal()));
+      return new PlanningResult.Impossible(explanation(task));
     }
     GroundProblem problem = Pruning.pruned(ground);
     LandmarkCut heuristic = new LandmarkCut(new RelaxedProblem(problem));
@@ -47,12 +50,23 @@ public final class OptimalPlanner implements Planner {
       return new PlanningResult.Found(PlanBuilder.plan(problem, found.operators()));
     } else if (outcome instanceof OptimalSearch.Outcome.Exhausted exhausted) {
       return new PlanningResult.Impossible(
-          ObstacleSearch.exhausted(task.goal(), exhausted.states()));
+          goalItself(task, "none of the " + exhausted.states() + " situations in reach fulfils it"));
     }
     return new PlanningResult.GaveUp(
         "No plan and no proof that there is none within "
             + mostStates
             + " states; allow more states or state a smaller goal.");
+  }
+
+  private static Explanation explanation(PlanningTask task) {
+    GroundProblem problem = Grounder.forExplanation(task).ground();
+    Explanation found = ObstacleSearch.explanation(new RelaxedProblem(problem));
+    return found.obstacles().isEmpty() ? goalItself(task, "no agent can change it") : found;
+  }
+
+  private static Explanation goalItself(PlanningTask task, String possible) {
+    return new Explanation(
+        List.of(new Obstacle(SlPrinter.print(task.goal()), "true", possible, "the goal")));
   }
 
   @Override

@@ -226,8 +226,11 @@ final class RelaxedProblem {
 
   /** Which propositions can be made true from the state, each action being free. */
   boolean[] reachable(State state) {
-    boolean[] reached = truths(state);
-    double[] costs = costs(state);
+    return reachable(truths(state), costs(state));
+  }
+
+  boolean[] reachable(boolean[] truths, double[] costs) {
+    boolean[] reached = truths.clone();
     boolean grown = true;
     while (grown) {
       grown = false;

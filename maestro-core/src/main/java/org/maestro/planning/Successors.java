@@ -14,7 +14,6 @@ final class Successors {
   /** The state after the operator; the same object when nothing changes. */
   static State after(Operator operator, State state) {
     int[] codes = null;
-    double[] numbers = null;
     List<Change> changes = operator.changes();
     for (int i = 0; i < changes.size(); i++) {
       Change change = changes.get(i);
@@ -26,21 +25,16 @@ final class Successors {
     }
     for (int i = 0; i < changes.size(); i++) {
       Change change = changes.get(i);
-      if (change instanceof Change.OfNumber ofNumber) {
-        if (ofNumber.condition().holds(state)) {
-          numbers = numbers == null ? state.numbers().copy() : numbers;
-          int at = ofNumber.variable().index();
-          numbers[at] = changed(ofNumber, numbers[at], state.numbers());
-        }
-      } else if (!(change instanceof Change.Remove) && change.condition().holds(state)) {
-        Change.OfVariable added = (Change.OfVariable) change;
-        if (change instanceof Change.Put
-            || added.variable().isUnknown(state.code(added.variable()), added.value())) {
-          codes = codes == null ? state.copyOfCodes() : codes;
-          codes[added.variable().index()] = added.value();
-        }
+      if (change instanceof Change.OfVariable added
+          && !(change instanceof Change.Remove)
+          && change.condition().holds(state)
+          && (change instanceof Change.Put
+              || added.variable().isUnknown(state.code(added.variable()), added.value()))) {
+        codes = codes == null ? state.copyOfCodes() : codes;
+        codes[added.variable().index()] = added.value();
       }
     }
+    double[] numbers = numbersAfter(changes, state);
     if (codes == null && numbers == null) {
       return state;
     }
@@ -51,11 +45,30 @@ final class Successors {
     return after.equals(state) ? state : after;
   }
 
-  private static double changed(Change.OfNumber change, double now, NumberVector before) {
-    if (!(change instanceof Change.Adjust adjust)) {
-      return Quantity.isUnknown(now) ? Quantity.ANY : now;
+  /** Null when no number changes. What is unknown before the step is "any" after it if measured, whatever else is done to it. */
+  private static double[] numbersAfter(List<Change> changes, State state) {
+    double[] numbers = null;
+    for (int i = 0; i < changes.size(); i++) {
+      Change change = changes.get(i);
+      if (change instanceof Change.Adjust adjust && adjust.condition().holds(state)) {
+        numbers = numbers == null ? state.numbers().copy() : numbers;
+        int at = adjust.variable().index();
+        numbers[at] = adjusted(adjust, numbers[at], adjust.value().value(state.numbers()));
+      }
     }
-    double value = adjust.value().value(before);
+    for (int i = 0; i < changes.size(); i++) {
+      if (changes.get(i) instanceof Change.Measure measure
+          && Quantity.isUnknown(state.number(measure.variable()))
+          && measure.condition().holds(state)) {
+        numbers = numbers == null ? state.numbers().copy() : numbers;
+        int at = measure.variable().index();
+        numbers[at] = Quantity.isUnknown(numbers[at]) ? Quantity.ANY : numbers[at];
+      }
+    }
+    return numbers;
+  }
+
+  private static double adjusted(Change.Adjust adjust, double now, double value) {
     return switch (adjust.assignment()) {
       case ASSIGN -> Quantity.rounded(value);
       case INCREASE -> sum(now, value);
