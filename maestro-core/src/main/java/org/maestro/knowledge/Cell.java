@@ -7,8 +7,8 @@ import java.util.Optional;
 import org.maestro.sl.Term;
 
 /**
- * What is known of one state variable. A cell without value and exclusions says that what was known, or described in the home, is
- * lost.
+ * What is known of one state variable. A cell without value and exclusions says that what was
+ * known, or described in the home, is lost.
  *
  * @param excluded values that a functional predicate is known not to have
  */

@@ -2,7 +2,6 @@ package org.maestro.knowledge;
 
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -20,16 +19,14 @@ import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.rats.time.Clock;
-import org.maestro.sl.Expression;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
-import org.maestro.sl.SlParser;
-import org.maestro.sl.SlSyntaxException;
 import org.maestro.sl.Term;
 
 /**
- * The collective knowledge base (M12): an RDF dataset with provenance, and beside it plain indexes from which snapshots answer. Time of
- * receipt and ages come from the clock. Thread-safe: writers wait for each other, readers for nobody.
+ * The collective knowledge base (M12): an RDF dataset with provenance, and beside it plain indexes
+ * from which snapshots answer. Time of receipt and ages come from the clock. Thread-safe: writers
+ * wait for each other, readers for nobody.
  */
 public final class CollectiveKnowledge implements KnowledgeBase {
 
@@ -42,7 +39,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private final Lock writing = new ReentrantLock();
   private final List<Consumer<Change>> listeners = new CopyOnWriteArrayList<>();
   private final History history = new History();
-  private final Map<String, Set<StateVariable>> statements = new TreeMap<>();
+  private final Statements statements = new Statements();
   private volatile World world;
   private long serial;
 
@@ -97,22 +94,29 @@ public final class CollectiveKnowledge implements KnowledgeBase {
 
   @Override
   public void state(Source source, List<String> facts) {
-    List<Fact> parsed = facts.stream().map(text -> parsed(text, source.agent())).toList();
+    List<Fact> read = facts.stream().map(text -> FactReader.read(text, source.agent())).toList();
     guarded(
         () ->
             write(
                 source,
                 draft -> {
-                  withdraw(draft, source, parsed);
-                  return parsed;
+                  Set<StateVariable> said = new LinkedHashSet<>();
+                  read.forEach(fact -> said.add(draft.variable(FactReader.atom(fact))));
+                  statements
+                      .withdrawn(world, source, said)
+                      .forEach(variable -> forget(draft, variable));
+                  return read;
                 }));
   }
 
   @Override
   public Change learn(FeatureRun run) {
-    boolean expects = run.succeeded() && run.feature().learns().isEmpty();
-    Source.Kind kind = expects ? Source.Kind.EXPECTED : Source.Kind.OBSERVED;
-    return guarded(() -> write(new Source(kind, run.member()), draft -> lesson(draft, run)));
+    return guarded(
+        () -> {
+          Lesson lesson = new Lesson(world, view(world), run);
+          return write(
+              lesson.source(), draft -> lesson.facts(draft, variable -> forget(draft, variable)));
+        });
   }
 
   @Override
@@ -126,7 +130,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
                   world.variables().stream()
                       .filter(variable -> isOf(member, name, variable))
                       .forEach(variable -> forget(draft, variable));
-                  statements.remove(member);
+                  statements.forget(member);
                   return List.of();
                 }));
   }
@@ -142,14 +146,15 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   }
 
   /**
-   * The latest beliefs of what the fact speaks of, oldest first, at most 16: for a functional predicate all its values for the
-   * same thing. Statements that lost against another source are among them.
+   * The latest beliefs of what the fact speaks of, oldest first, at most 16: for a functional
+   * predicate all its values for the same thing. Statements that lost against another source are
+   * among them.
    *
    * @param fact a ground atom, or a fluent
    */
   public List<Belief> history(String fact) {
-    Fact parsed = parsed(fact, "the reader");
-    return guarded(() -> history.of(new Draft(world, opened, () -> 0).variable(atom(parsed))));
+    Formula.Atom atom = FactReader.atom(FactReader.read(fact, "the reader"));
+    return guarded(() -> history.of(new Draft(world, opened, () -> 0).variable(atom)));
   }
 
   /** Rows of a SPARQL SELECT over the dataset, each by variable. */
@@ -162,86 +167,15 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     storage.close();
   }
 
-  private List<Fact> lesson(Draft draft, FeatureRun run) {
-    Snapshot present = view(world);
-    Snapshot before = run.before().orElse(present);
-    if (run.succeeded()) {
-      Map<String, Term> bindings = new LinkedHashMap<>(run.bindings());
-      bindings.put("self", new Term.Name(run.member()));
-      bindings.putAll(run.outputs());
-      return run.feature().learns().isPresent()
-          ? EffectReader.facts(run.feature().learns().get(), bindings, present, present)
-          : EffectReader.facts(run.feature().effect(), bindings, before, present);
-    }
-    EffectReader.touched(run.feature().effect(), run.bindings(), before).stream()
-        .filter(atom -> isUncertain(atom.predicate()))
-        .map(draft::variable)
-        .filter(variable -> !isOwnWord(run.member(), variable))
-        .forEach(variable -> forget(draft, variable));
-    return run.refs().stream().map(ref -> fact(ref, run.member())).toList();
-  }
-
-  /** Whether a step that failed leaves it open; plain closed-world facts stay as they are. */
-  private boolean isUncertain(String predicate) {
-    Declarations declarations = world.declarations();
-    return declarations.isFluent(predicate)
-        || declarations.isFunctional(predicate)
-        || declarations.isObservable(predicate)
-        || world.cells().containsKey(predicate) && isNumeric(predicate);
-  }
-
-  private boolean isNumeric(String predicate) {
-    return world.cells().get(predicate).values().stream()
-        .flatMap(cell -> cell.value().stream())
-        .anyMatch(held -> held.value() instanceof Term.Number);
-  }
-
-  /** A member goes on telling its own values, whatever became of the step. */
-  private boolean isOwnWord(String member, StateVariable variable) {
-    return world
-        .cell(variable)
-        .flatMap(Cell::value)
-        .filter(held -> held.source().equals(new Source(Source.Kind.STATED, member)))
-        .filter(held -> isSubject(new Term.Name(member), variable))
-        .isPresent();
-  }
-
   private boolean isOf(String member, Term name, StateVariable variable) {
     Optional<Held> value = world.cell(variable).flatMap(Cell::value);
     boolean saidOfItself =
-        isSubject(name, variable)
+        variable.isAbout(name)
             && value.filter(held -> held.source().agent().equals(member)).isPresent();
     boolean carried =
         world.declarations().isObservable(variable.predicate())
             && value.filter(held -> held.value().equals(name)).isPresent();
     return saidOfItself || carried;
-  }
-
-  private static boolean isSubject(Term name, StateVariable variable) {
-    return variable.arguments().stream().findFirst().filter(name::equals).isPresent();
-  }
-
-  /** What the member said before and does not say any more is not known any more. */
-  private void withdraw(Draft draft, Source source, List<Fact> facts) {
-    if (source.kind() != Source.Kind.STATED
-        || !world.home().devices().containsKey(source.agent())) {
-      return;
-    }
-    Set<StateVariable> said = new LinkedHashSet<>();
-    facts.forEach(fact -> said.add(draft.variable(atom(fact))));
-    Set<StateVariable> before = statements.put(source.agent(), said);
-    if (before != null) {
-      before.stream()
-          .filter(variable -> !said.contains(variable))
-          .filter(
-              variable ->
-                  world
-                      .cell(variable)
-                      .flatMap(Cell::value)
-                      .filter(held -> held.source().equals(source))
-                      .isPresent())
-          .forEach(variable -> forget(draft, variable));
-    }
   }
 
   private void forget(Draft draft, StateVariable variable) {
@@ -314,40 +248,5 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     } finally {
       writing.unlock();
     }
-  }
-
-  private static Formula.Atom atom(Fact fact) {
-    if (fact instanceof Fact.Holds holds) {
-      return holds.atom();
-    } else if (fact instanceof Fact.Excluded excluded) {
-      return excluded.atom();
-    } else if (fact instanceof Fact.Unknown unknown) {
-      return unknown.atom();
-    }
-    Fact.Equation equation = (Fact.Equation) fact;
-    return new Formula.Atom(equation.fluent().name(), equation.fluent().arguments());
-  }
-
-  private static Fact parsed(String text, String speaker) {
-    try {
-      Fact fact = SlParser.fact(text);
-      if (!atom(fact).isGround()) {
-        throw new KnowledgeException(
-            "The fact " + text + " by " + speaker + " has variables; name the things in it.");
-      }
-      return fact;
-    } catch (SlSyntaxException e) {
-      throw new KnowledgeException(
-          "The fact " + text + " by " + speaker + " is not MAESTRO-SL. " + e.getMessage(), e);
-    }
-  }
-
-  private static Fact fact(FeatureRun.Learnt learnt, String member) {
-    Formula.Atom atom = atom(parsed(learnt.fact(), member));
-    if (learnt.value() instanceof Term.Truth truth) {
-      return truth.value() ? new Fact.Holds(atom) : new Fact.Excluded(atom);
-    }
-    return new Fact.Equation(
-        new Expression.Fluent(atom.predicate(), atom.arguments()), learnt.value());
   }
 }

@@ -75,8 +75,9 @@ final class Declarations {
   }
 
   /**
-   * The age at which a value of the variable is unknown again; empty when it stays. The shortest wins where several classes of the
-   * first argument have one of their own. What a member says of itself stays: it would tell a change, and its loss is noticed.
+   * The age at which a value of the variable is unknown again; empty when it stays. The shortest
+   * wins where several classes of the first argument have one of their own. What a member says of
+   * itself stays: it would tell a change, and its loss is noticed.
    */
   private Optional<Duration> validFor(StateVariable variable, Source source) {
     Optional<Term> subject = variable.arguments().stream().findFirst();

@@ -15,7 +15,9 @@ import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
-/** What stands in the home and the descriptions: classes and properties of individuals. Immutable. */
+/**
+ * What stands in the home and the descriptions: classes and properties of individuals. Immutable.
+ */
 final class Described {
 
   private static final int PAIR = 2;
@@ -41,7 +43,9 @@ final class Described {
     return byClass.getOrDefault(className, List.of());
   }
 
-  /** Whether the atom speaks of a class: a class's name and one term, and no predicate of that name. */
+  /**
+   * Whether the atom speaks of a class: a class's name and one term, and no predicate of that name.
+   */
   boolean isOfClass(Formula.Atom atom) {
     return atom.arguments().size() == 1
         && home.vocabulary().predicate(atom.predicate()).isEmpty()
@@ -95,7 +99,10 @@ final class Described {
   }
 
   private boolean isSymmetric(String predicate) {
-    return home.vocabulary().predicate(predicate).filter(PredicateDeclaration::symmetric).isPresent();
+    return home.vocabulary()
+        .predicate(predicate)
+        .filter(PredicateDeclaration::symmetric)
+        .isPresent();
   }
 
   private Optional<Individual> properties(Term term) {

@@ -17,9 +17,9 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
 /**
- * A write under way. What a source says replaces what was known before: it was received later. Of one instant, an observation stands
- * against another source's expectation; the expectation is kept as a loser. Expected numbers build on those observed, and do not
- * contradict them.
+ * A write under way. What a source says replaces what was known before: it was received later. Of
+ * one instant, an observation stands against another source's expectation; the expectation is kept
+ * as a loser. Expected numbers build on those observed, and do not contradict them.
  */
 final class Draft {
 

@@ -19,9 +19,10 @@ import org.maestro.sl.Truth;
 import org.maestro.sl.TypedVariable;
 
 /**
- * Reads an effect as ground facts. Other than the planner it lives with two moments: conditions and amounts are read before the
- * step, while an increase is added to what is known now, since other steps may have ended meanwhile. A part that mentions an output
- * which the result does not have is left out.
+ * Reads an effect as ground facts. Other than the planner it lives with two moments: conditions and
+ * amounts are read before the step, while an increase is added to what is known now, since other
+ * steps may have ended meanwhile. A part that mentions an output which the result does not have is
+ * left out.
  */
 final class EffectReader {
 
@@ -39,7 +40,10 @@ final class EffectReader {
     this.evaluation = new Evaluation(before);
   }
 
-  /** What the effect makes of the world: first what ceases to hold, then what begins to, then numbers. */
+  /**
+   * What the effect makes of the world: first what ceases to hold, then what begins to, then
+   * numbers.
+   */
   static List<Fact> facts(
       Effect effect, Map<String, Term> bindings, Snapshot before, Snapshot present) {
     EffectReader reader = new EffectReader(before, present, false);
@@ -56,7 +60,10 @@ final class EffectReader {
     return facts;
   }
 
-  /** What the effect may have changed when nobody knows how far it came; fluents are written as atoms. */
+  /**
+   * What the effect may have changed when nobody knows how far it came; fluents are written as
+   * atoms.
+   */
   static Set<Formula.Atom> touched(Effect effect, Map<String, Term> bindings, Snapshot before) {
     EffectReader reader = new EffectReader(before, before, true);
     reader.read(effect, bindings);

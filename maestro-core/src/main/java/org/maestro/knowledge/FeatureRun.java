@@ -12,8 +12,9 @@ import org.maestro.sl.Term;
  * @param bindings inputs and binds, {@code self} included
  * @param outputs by output name; empty unless it succeeded
  * @param refs what a failure teaches
- * @param before what was known when the step began: the effect's conditions and amounts are read from it, for the member may have
- *     told its new state before the result came; absent: what is known when the result is learnt
+ * @param before what was known when the step began: the effect's conditions and amounts are read
+ *     from it, for the member may have told its new state before the result came; absent: what is
+ *     known when the result is learnt
  */
 public record FeatureRun(
     String member,

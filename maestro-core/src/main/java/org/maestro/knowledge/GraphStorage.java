@@ -6,7 +6,10 @@ import org.apache.jena.graph.Node;
 import org.apache.jena.graph.Triple;
 import org.apache.jena.sparql.core.Quad;
 
-/** Where the dataset lives: in memory, on disk or behind an endpoint. Thread-safe; each method is one transaction. */
+/**
+ * Where the dataset lives: in memory, on disk or behind an endpoint. Thread-safe; each method is
+ * one transaction.
+ */
 interface GraphStorage extends AutoCloseable {
 
   /** Puts the triples in the place of all that is in the graph. */

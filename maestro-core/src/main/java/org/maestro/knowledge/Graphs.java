@@ -19,8 +19,9 @@ import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
 /**
- * Knowledge as RDF. Graphs: {@code vocabulary}, {@code home}, one per member, {@code world} with the current facts, each pointing
- * to its observation, and {@code observations} with who said what, when and how surely, in the words of SOSA and PROV.
+ * Knowledge as RDF. Graphs: {@code vocabulary}, {@code home}, one per member, {@code world} with
+ * the current facts, each pointing to its observation, and {@code observations} with who said what,
+ * when and how surely, in the words of SOSA and PROV.
  */
 final class Graphs {
 
@@ -82,7 +83,8 @@ final class Graphs {
         .predicates()
         .values()
         .forEach(
-            p -> declare(triples, p.iri(), maestro(p.fluent() ? "Fluent" : "Predicate"), p.label()));
+            p ->
+                declare(triples, p.iri(), maestro(p.fluent() ? "Fluent" : "Predicate"), p.label()));
     vocabulary
         .features()
         .values()
@@ -107,7 +109,10 @@ final class Graphs {
     return triples;
   }
 
-  /** What a current belief puts into the world's graph: its text, and its plain triple where it has one. */
+  /**
+   * What a current belief puts into the world's graph: its text, and its plain triple where it has
+   * one.
+   */
   List<Quad> current(Outcome.News news) {
     List<Quad> quads = new ArrayList<>();
     quads.add(
@@ -153,8 +158,7 @@ final class Graphs {
             : variable.with(news.held().value());
     return terms.size() == PAIR
         ? Optional.of(
-            Triple.create(
-                node(terms.get(0)), predicate(variable.predicate()), node(terms.get(1))))
+            Triple.create(node(terms.get(0)), predicate(variable.predicate()), node(terms.get(1))))
         : Optional.empty();
   }
 
@@ -189,11 +193,9 @@ final class Graphs {
     } else if (term instanceof Term.Iri iri) {
       return NodeFactory.createURI(iri.text());
     } else if (term instanceof Term.Number number) {
-      return NodeFactory.createLiteralDT(
-          SlPrinter.print(number.value()), XSDDatatype.XSDdouble);
+      return NodeFactory.createLiteralDT(SlPrinter.print(number.value()), XSDDatatype.XSDdouble);
     } else if (term instanceof Term.Truth truth) {
-      return NodeFactory.createLiteralDT(
-          String.valueOf(truth.value()), XSDDatatype.XSDboolean);
+      return NodeFactory.createLiteralDT(String.valueOf(truth.value()), XSDDatatype.XSDboolean);
     }
     return text(((Term.Text) term).value());
   }

@@ -14,10 +14,17 @@ public interface KnowledgeBase extends AutoCloseable {
   /** A device joined or sent a new description; it speaks only of itself. */
   void describe(Device device);
 
-  /** Ground MAESTRO-SL facts said by a source: {@code (in rose zone-b)}, {@code (not (open door-1))}, {@code (= (level lamp-b1) 0.5)}. */
+  /**
+   * Ground MAESTRO-SL facts said by a source: {@code (in rose zone-b)}, {@code (not (open
+   * door-1))}, {@code (= (level lamp-b1) 0.5)}. A device states all its values each time: what it
+   * leaves out is not known any more.
+   */
   void state(Source source, List<String> facts);
 
-  /** Writes what the result teaches: {@code learns}, or the effect, or {@code error.refs}. Returns what that changed. */
+  /**
+   * Writes what the result teaches: {@code learns}, or the effect, or {@code error.refs}. Returns
+   * what that changed.
+   */
   Change learn(FeatureRun run);
 
   /** The member is gone: what it said of itself, and what was carried by it, become unknown. */

@@ -1,6 +1,8 @@
 package org.maestro.knowledge;
 
-/** What was said cannot be kept or asked. The message says what, by whom, and what would be right. */
+/**
+ * What was said cannot be kept or asked. The message says what, by whom, and what would be right.
+ */
 public final class KnowledgeException extends IllegalArgumentException {
 
   private static final long serialVersionUID = 1L;

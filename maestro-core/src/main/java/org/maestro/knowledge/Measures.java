@@ -14,7 +14,10 @@ interface Measures {
   /** Whether a function of this name exists and tells a truth. */
   boolean isTruth(String function);
 
-  /** The number, or empty when a place or property it needs is unknown; the snapshot tells the positions. */
+  /**
+   * The number, or empty when a place or property it needs is unknown; the snapshot tells the
+   * positions.
+   */
   OptionalDouble number(String function, List<Term> arguments, Snapshot snapshot);
 
   Truth truth(String function, List<Term> arguments, Snapshot snapshot);

@@ -17,7 +17,10 @@ import org.apache.jena.sparql.core.Quad;
 import org.apache.jena.sys.JenaSystem;
 import org.apache.jena.system.Txn;
 
-/** Jena's transactional dataset in memory, by its graph interface: SPARQL Update text costs five times as much. */
+/**
+ * Jena's transactional dataset in memory, by its graph interface: SPARQL Update text costs five
+ * times as much.
+ */
 final class MemoryStorage implements GraphStorage {
 
   private final DatasetGraph dataset;
@@ -56,10 +59,7 @@ final class MemoryStorage implements GraphStorage {
           dataset,
           () -> {
             try (QueryExecution execution =
-                QueryExecution.dataset(
-                        DatasetFactory.wrap(dataset))
-                    .query(query)
-                    .build()) {
+                QueryExecution.dataset(DatasetFactory.wrap(dataset)).query(query).build()) {
               return rows(execution.execSelect());
             }
           });
@@ -74,9 +74,7 @@ final class MemoryStorage implements GraphStorage {
     results.forEachRemaining(
         solution -> {
           Map<String, String> row = new TreeMap<>();
-          solution
-              .varNames()
-              .forEachRemaining(name -> row.put(name, text(solution.get(name))));
+          solution.varNames().forEachRemaining(name -> row.put(name, text(solution.get(name))));
           rows.add(row);
         });
     return rows;

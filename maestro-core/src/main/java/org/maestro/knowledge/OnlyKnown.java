@@ -8,7 +8,10 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
-/** The world closed over what is known: what a derived predicate that is not observable is derived from. */
+/**
+ * The world closed over what is known: what a derived predicate that is not observable is derived
+ * from.
+ */
 record OnlyKnown(Facts facts) implements Facts {
 
   @Override

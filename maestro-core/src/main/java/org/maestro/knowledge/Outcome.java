@@ -7,7 +7,8 @@ import java.util.Optional;
 import org.maestro.sl.Term;
 
 /**
- * What a write came to: its facts for listeners, the beliefs for the history, and what enters and leaves the dataset.
+ * What a write came to: its facts for listeners, the beliefs for the history, and what enters and
+ * leaves the dataset.
  *
  * @param facts what is, then what is not, then {@code (unknown ...)} for what was lost
  * @param news every new belief, losers included
@@ -38,8 +39,7 @@ record Outcome(List<String> facts, List<News> news, List<News> gone) {
         .losers()
         .forEach(
             loser ->
-                comparison.news.add(
-                    new News(loser.variable(), loser.held(), loser.has(), false)));
+                comparison.news.add(new News(loser.variable(), loser.held(), loser.has(), false)));
     List<String> facts = new ArrayList<>(comparison.facts);
     facts.addAll(comparison.exclusions);
     facts.addAll(comparison.losses);

@@ -12,8 +12,9 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * Keeps positions and what follows from them in step: a new position decides its {@code observedWhen} facts anew, a fact that
- * contradicts a position drops it, and with a position goes what followed from it.
+ * Keeps positions and what follows from them in step: a new position decides its {@code
+ * observedWhen} facts anew, a fact that contradicts a position drops it, and with a position goes
+ * what followed from it.
  */
 final class PositionKeeping {
 
@@ -25,7 +26,10 @@ final class PositionKeeping {
     this.view = view;
   }
 
-  /** Writes the positions, then what follows from them, then the rest: what is said outright has the last word. */
+  /**
+   * Writes the positions, then what follows from them, then the rest: what is said outright has the
+   * last word.
+   */
   void write(List<Fact> facts, Source source) {
     List<Fact> rest = new ArrayList<>();
     Set<Term> moved = new LinkedHashSet<>();
@@ -124,15 +128,13 @@ final class PositionKeeping {
     return new Sightings(world, view.apply(world));
   }
 
-  /** The value of a functional predicate tells where its first argument is; other atoms may be about another thing's move. */
+  /**
+   * The value of a functional predicate tells where its first argument is; other atoms may be about
+   * another thing's move.
+   */
   private boolean isFromItsPosition(StateVariable variable) {
     return draft.base().declarations().isFunctional(variable.predicate())
-        && draft
-            .base()
-            .cell(variable)
-            .flatMap(Cell::value)
-            .filter(Held::fromPosition)
-            .isPresent();
+        && draft.base().cell(variable).flatMap(Cell::value).filter(Held::fromPosition).isPresent();
   }
 
   private static boolean isPosition(Formula.Atom atom) {

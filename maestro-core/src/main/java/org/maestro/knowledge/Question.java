@@ -14,7 +14,9 @@ import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
-/** Answers {@code query-if} and {@code query-ref} from one snapshot. Immutable; any thread may ask. */
+/**
+ * Answers {@code query-if} and {@code query-ref} from one snapshot. Immutable; any thread may ask.
+ */
 public final class Question {
 
   private final Snapshot snapshot;
@@ -24,7 +26,8 @@ public final class Question {
   }
 
   /**
-   * Whether the formula holds; {@code UNKNOWN} differs from {@code FALSE}. Free variables are existential.
+   * Whether the formula holds; {@code UNKNOWN} differs from {@code FALSE}. Free variables are
+   * existential.
    */
   public Truth queryIf(Formula formula) {
     Truth best = Truth.FALSE;
@@ -39,8 +42,9 @@ public final class Question {
   }
 
   /**
-   * All bindings of the free variables, by name without question mark, with which the formula is known to hold. Individuals come in
-   * the home's order, then other values that are known. Without free variables: one empty binding when it holds.
+   * All bindings of the free variables, by name without question mark, with which the formula is
+   * known to hold. Individuals come in the home's order, then other values that are known. Without
+   * free variables: one empty binding when it holds.
    */
   public List<Map<String, Term>> queryRef(Formula formula) {
     return candidates(formula).stream()

@@ -26,8 +26,8 @@ final class Sightings {
   }
 
   /**
-   * The facts that the thing's position decides, exclusions first. Where a functional predicate's value is decided, its exclusions
-   * are not told.
+   * The facts that the thing's position decides, exclusions first. Where a functional predicate's
+   * value is decided, its exclusions are not told.
    */
   List<Fact> of(Term thing) {
     List<Fact> facts = new ArrayList<>();
@@ -53,8 +53,7 @@ final class Sightings {
     Set<Formula.Atom> held = new LinkedHashSet<>();
     Set<Formula.Atom> excluded = new LinkedHashSet<>();
     for (List<Term> tuple : tuples(thing, predicate.parameters())) {
-      Formula.Atom atom =
-          world.declarations().canonical(new Formula.Atom(predicate.name(), tuple));
+      Formula.Atom atom = world.declarations().canonical(new Formula.Atom(predicate.name(), tuple));
       switch (truth(predicate, when, tuple)) {
         case TRUE -> held.add(atom);
         case FALSE -> excluded.add(atom);
@@ -102,8 +101,7 @@ final class Sightings {
     }
     String className = parameters.get(prefix.size()).className().orElse("");
     for (Term.Name candidate : snapshot.individuals(className)) {
-      boolean fits =
-          prefix.size() == place ? candidate.equals(thing) : !candidate.equals(thing);
+      boolean fits = prefix.size() == place ? candidate.equals(thing) : !candidate.equals(thing);
       if (fits && !prefix.contains(candidate)) {
         List<Term> longer = new ArrayList<>(prefix);
         longer.add(candidate);

@@ -7,7 +7,9 @@ import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
-/** What is known at one moment. Immutable; any thread may read it. Too-old facts are unknown in it. */
+/**
+ * What is known at one moment. Immutable; any thread may read it. Too-old facts are unknown in it.
+ */
 public interface Snapshot extends Facts {
 
   /** Grows with each change. */
@@ -17,7 +19,10 @@ public interface Snapshot extends Facts {
 
   Optional<Belief> belief(Expression.Fluent fluent);
 
-  /** The value of a functional predicate, {@code (position Cup ?)}: a name, or a text for a position; empty when unknown. */
+  /**
+   * The value of a functional predicate, {@code (position Cup ?)}: a name, or a text for a
+   * position; empty when unknown.
+   */
   Optional<Term> value(String predicate, List<Term> arguments);
 
   /** All current dynamic facts (not those described in the home), sorted by their text. */

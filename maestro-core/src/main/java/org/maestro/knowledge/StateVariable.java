@@ -5,12 +5,17 @@ import java.util.List;
 import org.maestro.sl.Term;
 
 /**
- * What has one value at a time: a number, a functional predicate of the arguments before its last, or the truth of any other
- * atom.
+ * What has one value at a time: a number, a functional predicate of the arguments before its last,
+ * or the truth of any other atom.
  */
 record StateVariable(String predicate, List<Term> arguments) {
   StateVariable {
     arguments = List.copyOf(arguments);
+  }
+
+  /** Whether the first argument is this. */
+  boolean isAbout(Term subject) {
+    return !arguments.isEmpty() && arguments.get(0).equals(subject);
   }
 
   /** The arguments of the atom that gives a functional predicate this value. */

@@ -122,11 +122,13 @@ final class View implements Snapshot {
     StateVariable variable = new StateVariable(fluent.name(), fluent.arguments());
     Optional<Cell> cell = world.cell(variable);
     if (cell.isPresent()) {
-      return fresh(variable, cell.get()).map(held -> belief(Wording.value(variable, held, true), held));
+      return fresh(variable, cell.get())
+          .map(held -> belief(Wording.value(variable, held, true), held));
     }
     OptionalDouble stated = world.described().number(fluent.name(), fluent.arguments());
     return stated.isPresent()
-        ? Optional.of(describedBelief(Wording.equation(variable, new Term.Number(stated.getAsDouble()))))
+        ? Optional.of(
+            describedBelief(Wording.equation(variable, new Term.Number(stated.getAsDouble()))))
         : Optional.empty();
   }
 
@@ -147,7 +149,8 @@ final class View implements Snapshot {
     List<Belief> beliefs = new ArrayList<>();
     for (StateVariable variable : world.variables()) {
       Cell cell = world.cell(variable).orElseThrow();
-      fresh(variable, cell).ifPresent(held -> beliefs.add(belief(Wording.value(variable, held, true), held)));
+      fresh(variable, cell)
+          .ifPresent(held -> beliefs.add(belief(Wording.value(variable, held, true), held)));
       cell.excluded().values().stream()
           .filter(held -> isFresh(variable, held))
           .forEach(held -> beliefs.add(belief(Wording.value(variable, held, false), held)));

@@ -38,8 +38,7 @@ final class Wording {
   static String unknown(StateVariable variable, Held lost) {
     boolean valueIsNoArgument =
         lost.value() instanceof Term.Number || lost.value() instanceof Term.Truth;
-    List<Term> arguments =
-        valueIsNoArgument ? variable.arguments() : variable.with(lost.value());
+    List<Term> arguments = valueIsNoArgument ? variable.arguments() : variable.with(lost.value());
     return SlPrinter.print(new Fact.Unknown(atom(variable.predicate(), arguments)));
   }
 

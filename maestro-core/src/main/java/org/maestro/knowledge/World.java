@@ -10,8 +10,8 @@ import org.maestro.ontology.home.Home;
 import org.maestro.sl.Term;
 
 /**
- * All that is known, by predicate and arguments. Immutable; a write copies only the predicates it touches, so that a snapshot
- * costs nothing.
+ * All that is known, by predicate and arguments. Immutable; a write copies only the predicates it
+ * touches, so that a snapshot costs nothing.
  *
  * @param cells by predicate, then by the variable's arguments
  */
@@ -27,18 +27,12 @@ record World(
   }
 
   static World of(Home home, Measures measures) {
-    return new World(
-        0, home, new Declarations(home), new Described(home), measures, Map.of());
+    return new World(0, home, new Declarations(home), new Described(home), measures, Map.of());
   }
 
   World with(Home changed, Measures itsMeasures, long newVersion) {
     return new World(
-        newVersion,
-        changed,
-        new Declarations(changed),
-        new Described(changed),
-        itsMeasures,
-        cells);
+        newVersion, changed, new Declarations(changed), new Described(changed), itsMeasures, cells);
   }
 
   World atVersion(long same) {
@@ -50,7 +44,9 @@ record World(
         cells.getOrDefault(variable.predicate(), Map.of()).get(variable.arguments()));
   }
 
-  /** The variables of which something is known, in no order that means anything but always the same. */
+  /**
+   * The variables of which something is known, in no order that means anything but always the same.
+   */
   List<StateVariable> variables() {
     List<StateVariable> variables = new ArrayList<>();
     cells.forEach(

@@ -121,7 +121,8 @@ class CollectiveKnowledgeTest {
 
     home.state(Household.ROBOT, "(in rose zone-b)", "(in Cup rose)");
 
-    assertThat(home.knowledge.snapshot().value("position", List.of(new Term.Name("Cup")))).isEmpty();
+    assertThat(home.knowledge.snapshot().value("position", List.of(new Term.Name("Cup"))))
+        .isEmpty();
     assertThat(home.truth("(nextTo Cup Bob)")).isEqualTo(Truth.UNKNOWN);
     assertThat(home.truth("(in Bob zone-b)")).isEqualTo(Truth.TRUE);
     assertThat(home.truth("(in Cup rose)")).isEqualTo(Truth.TRUE);
@@ -190,7 +191,8 @@ class CollectiveKnowledgeTest {
 
     assertThat(rows)
         .containsExactly(
-            Map.of("place", "https://example.org/home#rose", "who", "https://example.org/home#rose"));
+            Map.of(
+                "place", "https://example.org/home#rose", "who", "https://example.org/home#rose"));
     assertThat(
             home.knowledge.select(
                 "SELECT ?o WHERE { GRAPH <https://example.org/home#graph/observations>"

@@ -24,7 +24,10 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 import org.maestro.sl.TypedVariable;
 
-/** Two rooms of 3 m, side by side along x, with a person, a cup, a camera and a lamp for each, and a robot. */
+/**
+ * Two rooms of 3 m, side by side along x, with a person, a cup, a camera and a lamp for each, and a
+ * robot.
+ */
 final class Household {
 
   static final Source CAMERA = new Source(Source.Kind.OBSERVED, "cam-b");
@@ -38,14 +41,19 @@ final class Household {
     Map<String, PredicateDeclaration> predicates = new TreeMap<>();
     Stream.of(
             observed("in", "functional", "?x - Thing", "?p - Place", "(inside ?x ?p)", 600),
-            observed("nextTo", "symmetric", "?a - Thing", "?b - Thing", "(<= (distance ?a ?b) 0.6)", 600),
+            observed(
+                "nextTo",
+                "symmetric",
+                "?a - Thing",
+                "?b - Thing",
+                "(<= (distance ?a ?b) 0.6)",
+                600),
             observed("canSee", "", "?a - Device", "?x - Thing", "", 2),
             declared("illuminance", "fluent observable", 300, "", "?z - Zone"),
             declared("level", "fluent observable", 0, "", "?d - Device"),
             declared("covers", "", 0, "", "?d - Device", "?z - Zone"),
             declared("open", "", 0, "", "?d - Device"),
-            declared(
-                "handFree", "", 0, "(not (exists (?x - Item) (in ?x ?r)))", "?r - Device"))
+            declared("handFree", "", 0, "(not (exists (?x - Item) (in ?x ?r)))", "?r - Device"))
         .forEach(p -> predicates.put(p.name(), p));
     Map<String, Individual> individuals = new TreeMap<>();
     Map<String, Device> devices = new TreeMap<>();
@@ -140,7 +148,13 @@ final class Household {
   private static PredicateDeclaration observed(
       String name, String traits, String first, String second, String when, int seconds) {
     return declaration(
-        name, "observable " + traits, seconds, "", when, SlParser.variable(first), SlParser.variable(second));
+        name,
+        "observable " + traits,
+        seconds,
+        "",
+        when,
+        SlParser.variable(first),
+        SlParser.variable(second));
   }
 
   private static PredicateDeclaration declared(

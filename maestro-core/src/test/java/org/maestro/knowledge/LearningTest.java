@@ -104,10 +104,16 @@ class LearningTest {
             Optional.of(before)));
 
     assertThat(home.number("(illuminance zone-b)")).hasValue(110);
-    assertThat(home.knowledge.snapshot().belief(new Expression.Fluent("illuminance", List.of(name("zone-b")))))
+    assertThat(
+            home.knowledge
+                .snapshot()
+                .belief(new Expression.Fluent("illuminance", List.of(name("zone-b")))))
         .map(Belief::source)
         .contains(new Source(Source.Kind.EXPECTED, "lamp-b1"));
-    assertThat(home.knowledge.snapshot().belief(new Expression.Fluent("level", List.of(name("lamp-b1")))))
+    assertThat(
+            home.knowledge
+                .snapshot()
+                .belief(new Expression.Fluent("level", List.of(name("lamp-b1")))))
         .as("its own word stands")
         .map(Belief::source)
         .contains(new Source(Source.Kind.STATED, "lamp-b1"));

@@ -1,0 +1,53 @@
+package org.maestro.knowledge;
+
+import org.maestro.sl.Expression;
+import org.maestro.sl.Fact;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.SlSyntaxException;
+import org.maestro.sl.Term;
+
+/** Reads what is said as ground facts. */
+final class FactReader {
+
+  private FactReader() {}
+
+  /**
+   * @param speaker for the message, if it is no fact
+   */
+  static Fact read(String text, String speaker) {
+    try {
+      Fact fact = SlParser.fact(text);
+      if (!atom(fact).isGround()) {
+        throw new KnowledgeException(
+            "The fact " + text + " by " + speaker + " has variables; name the things in it.");
+      }
+      return fact;
+    } catch (SlSyntaxException e) {
+      throw new KnowledgeException(
+          "The fact " + text + " by " + speaker + " is not MAESTRO-SL. " + e.getMessage(), e);
+    }
+  }
+
+  static Fact read(FeatureRun.Learnt learnt, String member) {
+    Formula.Atom atom = atom(read(learnt.fact(), member));
+    if (learnt.value() instanceof Term.Truth truth) {
+      return truth.value() ? new Fact.Holds(atom) : new Fact.Excluded(atom);
+    }
+    return new Fact.Equation(
+        new Expression.Fluent(atom.predicate(), atom.arguments()), learnt.value());
+  }
+
+  /** What the fact speaks of; a fluent is written as an atom. */
+  static Formula.Atom atom(Fact fact) {
+    if (fact instanceof Fact.Holds holds) {
+      return holds.atom();
+    } else if (fact instanceof Fact.Excluded excluded) {
+      return excluded.atom();
+    } else if (fact instanceof Fact.Unknown unknown) {
+      return unknown.atom();
+    }
+    Fact.Equation equation = (Fact.Equation) fact;
+    return new Formula.Atom(equation.fluent().name(), equation.fluent().arguments());
+  }
+}

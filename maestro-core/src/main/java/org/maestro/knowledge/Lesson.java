@@ -1,0 +1,72 @@
+package org.maestro.knowledge;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.sl.Effect;
+import org.maestro.sl.Fact;
+import org.maestro.sl.Term;
+
+/** What the result of a feature teaches. */
+final class Lesson {
+
+  private final World world;
+  private final Snapshot present;
+  private final FeatureRun run;
+
+  Lesson(World world, Snapshot present, FeatureRun run) {
+    this.world = world;
+    this.present = present;
+    this.run = run;
+  }
+
+  /** A result without lesson of its own lets expect the effect; all else was observed. */
+  Source source() {
+    boolean expects = run.succeeded() && run.feature().learns().isEmpty();
+    return new Source(expects ? Source.Kind.EXPECTED : Source.Kind.OBSERVED, run.member());
+  }
+
+  /**
+   * The facts to write.
+   *
+   * @param forget is told first what a failure leaves unknown
+   */
+  List<Fact> facts(Draft draft, Consumer<StateVariable> forget) {
+    Snapshot before = run.before().orElse(present);
+    FeatureType feature = run.feature();
+    Map<String, Term> bindings = new LinkedHashMap<>(run.bindings());
+    bindings.put("self", new Term.Name(run.member()));
+    if (run.succeeded()) {
+      bindings.putAll(run.outputs());
+      Snapshot read = feature.learns().isPresent() ? present : before;
+      Effect effect = feature.learns().orElse(feature.effect());
+      return EffectReader.facts(effect, bindings, read, present);
+    }
+    EffectReader.touched(feature.effect(), bindings, before).stream()
+        .filter(atom -> isUncertain(atom.predicate()))
+        .map(draft::variable)
+        .filter(variable -> !isOwnWord(variable))
+        .forEach(forget);
+    return run.refs().stream().map(ref -> FactReader.read(ref, run.member())).toList();
+  }
+
+  /** Whether a step that failed leaves it open; plain closed-world facts stay as they are. */
+  private boolean isUncertain(String predicate) {
+    Declarations declarations = world.declarations();
+    return declarations.isFluent(predicate)
+        || declarations.isFunctional(predicate)
+        || declarations.isObservable(predicate);
+  }
+
+  /** A member goes on telling its own values, whatever became of the step. */
+  private boolean isOwnWord(StateVariable variable) {
+    return variable.isAbout(new Term.Name(run.member()))
+        && world
+            .cell(variable)
+            .flatMap(Cell::value)
+            .filter(held -> held.source().equals(new Source(Source.Kind.STATED, run.member())))
+            .isPresent();
+  }
+}
