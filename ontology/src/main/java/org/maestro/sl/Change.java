@@ -8,6 +8,8 @@ public sealed interface Change {
   /** The atom holds, or is known not to hold. */
   record OfTruth(Formula.Atom atom, boolean value) implements Change {}
 
-  /** The number's new value; empty when it followed from an unknown one, and so is unknown itself. */
+  /**
+   * The number's new value; empty when it followed from an unknown one, and so is unknown itself.
+   */
   record OfNumber(Expression.Fluent fluent, OptionalDouble value) implements Change {}
 }

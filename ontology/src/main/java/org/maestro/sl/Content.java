@@ -8,7 +8,10 @@ public record Content(String operator, List<Argument> arguments) {
     arguments = List.copyOf(arguments);
   }
 
-  /** An argument of a content element. What is both formula and term by its looks is read as the term. */
+  /**
+   * An argument of a content element. What is both formula and term by its looks is read as the
+   * term.
+   */
   public sealed interface Argument {
 
     record OfFormula(Formula formula) implements Argument {}

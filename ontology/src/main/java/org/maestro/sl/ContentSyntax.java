@@ -11,7 +11,14 @@ final class ContentSyntax {
   /** Inside an argument these words begin a content element even where an atom could stand. */
   private static final Set<String> OPERATORS =
       Set.of(
-          "initCNP", "perform", "cancel", "query-if", "query-ref", "inform", "subscribe", "cost",
+          "initCNP",
+          "perform",
+          "cancel",
+          "query-if",
+          "query-ref",
+          "inform",
+          "subscribe",
+          "cost",
           "explain");
 
   private static final Set<String> EFFECT_WORDS =

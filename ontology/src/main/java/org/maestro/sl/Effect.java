@@ -23,7 +23,8 @@ public sealed interface Effect {
     }
   }
 
-  record Change(Assignment assignment, Expression.Fluent fluent, Expression value) implements Effect {}
+  record Change(Assignment assignment, Expression.Fluent fluent, Expression value)
+      implements Effect {}
 
   /** In a plan an unknown atom becomes true; in the world nothing is written. */
   record SenseAtom(Formula.Atom atom) implements Effect {}

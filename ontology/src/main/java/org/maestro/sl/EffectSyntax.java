@@ -28,8 +28,7 @@ final class EffectSyntax {
       case "and" -> new Effect.All(group.rest().stream().map(this::effect).toList());
       case "when" -> {
         group.expectOperands(2, "a formula and an effect");
-        yield new Effect.When(
-            formulas.formula(group.rest().get(0)), effect(group.rest().get(1)));
+        yield new Effect.When(formulas.formula(group.rest().get(0)), effect(group.rest().get(1)));
       }
       case "forall" -> {
         group.expectOperands(2, "variables and an effect");

@@ -8,9 +8,9 @@ import java.util.OptionalDouble;
 import java.util.function.Function;
 
 /**
- * Evaluates formulas, numbers and effects over facts, in Kleene's three-valued logic. A comparison with an unknown number is unknown.
- * Numbers within 1e-9 of each other count as equal. As safe for threads as the facts are. A variable without a value is an
- * {@link IllegalArgumentException}.
+ * Evaluates formulas, numbers and effects over facts, in Kleene's three-valued logic. A comparison
+ * with an unknown number is unknown. Numbers within 1e-9 of each other count as equal. As safe for
+ * threads as the facts are. A variable without a value is an {@link IllegalArgumentException}.
  */
 public final class Evaluation {
 
@@ -79,8 +79,9 @@ public final class Evaluation {
   }
 
   /**
-   * What the effect changes, first what ceases to hold, then what begins to, then numbers. All values are read from the facts before
-   * any change. An effect under an unknown condition is not made; {@code sense} changes nothing.
+   * What the effect changes, first what ceases to hold, then what begins to, then numbers. All
+   * values are read from the facts before any change. An effect under an unknown condition is not
+   * made; {@code sense} changes nothing.
    */
   public List<Change> changes(Effect effect, Map<String, Term> bindings) {
     Map<Formula.Atom, Boolean> truths = new LinkedHashMap<>();
@@ -217,8 +218,7 @@ public final class Evaluation {
     return new Formula.Atom(atom.predicate(), ground(atom.arguments(), bindings));
   }
 
-  private static Expression.Fluent ground(
-      Expression.Fluent fluent, Map<String, Term> bindings) {
+  private static Expression.Fluent ground(Expression.Fluent fluent, Map<String, Term> bindings) {
     return new Expression.Fluent(fluent.name(), ground(fluent.arguments(), bindings));
   }
 

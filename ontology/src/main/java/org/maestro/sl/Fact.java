@@ -1,12 +1,14 @@
 package org.maestro.sl;
 
 /**
- * A single statement, as members report it and knowledge keeps it. Variables are allowed in it, so that it may be a template such as
- * {@code (= (level ?self) ?level)}.
+ * A single statement, as members report it and knowledge keeps it. Variables are allowed in it, so
+ * that it may be a template such as {@code (= (level ?self) ?level)}.
  */
 public sealed interface Fact {
 
-  /** {@code (in Cup zone-b)}; a bare fluent such as {@code (illuminance zone-b)} reads as this too. */
+  /**
+   * {@code (in Cup zone-b)}; a bare fluent such as {@code (illuminance zone-b)} reads as this too.
+   */
   record Holds(Formula.Atom atom) implements Fact {
 
     /** The same words understood as a number's name. */

@@ -4,8 +4,8 @@ import java.util.Collection;
 import java.util.OptionalDouble;
 
 /**
- * What formulas are evaluated over. All atoms and fluents given to it are ground. Implementations resolve derived and computed
- * predicates themselves.
+ * What formulas are evaluated over. All atoms and fluents given to it are ground. Implementations
+ * resolve derived and computed predicates themselves.
  */
 public interface Facts {
 
@@ -15,6 +15,9 @@ public interface Facts {
   /** The number, or empty when unknown. */
   OptionalDouble number(Expression.Fluent fluent);
 
-  /** The individuals of a class, subclasses included, in a stable order; of all classes when the name is "". */
+  /**
+   * The individuals of a class, subclasses included, in a stable order; of all classes when the
+   * name is "".
+   */
   Collection<Term.Name> individuals(String className);
 }

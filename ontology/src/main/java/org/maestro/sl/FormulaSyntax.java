@@ -14,8 +14,23 @@ final class FormulaSyntax {
   /** Words that begin a form of the language and so cannot name a predicate. */
   private static final Set<String> RESERVED =
       Set.of(
-          "and", "or", "not", "imply", "exists", "forall", "unknown", "keep", "when", "assign",
-          "increase", "decrease", "sense", "min", "max", "true", "false");
+          "and",
+          "or",
+          "not",
+          "imply",
+          "exists",
+          "forall",
+          "unknown",
+          "keep",
+          "when",
+          "assign",
+          "increase",
+          "decrease",
+          "sense",
+          "min",
+          "max",
+          "true",
+          "false");
 
   private static final Map<String, Formula.Relation> RELATIONS = relations();
 

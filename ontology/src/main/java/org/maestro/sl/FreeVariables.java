@@ -7,7 +7,10 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 
-/** The variables of a tree that no quantifier inside it binds, in the order of their first appearance. */
+/**
+ * The variables of a tree that no quantifier inside it binds, in the order of their first
+ * appearance.
+ */
 public final class FreeVariables {
 
   private final Set<String> found = new LinkedHashSet<>();

@@ -42,9 +42,7 @@ sealed interface Node {
 
     /** The word it begins with, or "" when it begins otherwise. */
     String head() {
-      return !children.isEmpty()
-              && children.get(0) instanceof Leaf leaf
-              && leaf.kind() == Kind.WORD
+      return !children.isEmpty() && children.get(0) instanceof Leaf leaf && leaf.kind() == Kind.WORD
           ? leaf.text()
           : "";
     }
@@ -53,7 +51,10 @@ sealed interface Node {
       return children.subList(1, children.size());
     }
 
-    /** Refuses a list with another number of operands, at the column where one is missing or too many. */
+    /**
+     * Refuses a list with another number of operands, at the column where one is missing or too
+     * many.
+     */
     void expectOperands(int count, String expected) {
       if (rest().size() < count) {
         throw new SlSyntaxException(end, expected, "\")\"");

@@ -4,9 +4,11 @@ import java.util.List;
 import java.util.function.Predicate;
 
 /**
- * The one parser of MAESTRO-SL. Every method takes the whole text and throws {@link SlSyntaxException} when it is anything else than
- * asked for. Whether {@code (unknown (p x))} and {@code (sense (p x))} speak of an atom or of a number cannot be seen from the
- * text: the variants with {@code fluents}, a test by name, tell; without it they are atoms. Nesting deeper than 100 is refused.
+ * The one parser of MAESTRO-SL. Every method takes the whole text and throws {@link
+ * SlSyntaxException} when it is anything else than asked for. Whether {@code (unknown (p x))} and
+ * {@code (sense (p x))} speak of an atom or of a number cannot be seen from the text: the variants
+ * with {@code fluents}, a test by name, tell; without it they are atoms. Nesting deeper than 100 is
+ * refused.
  */
 public final class SlParser {
 
@@ -44,8 +46,7 @@ public final class SlParser {
   public static TypedVariable variable(String text) {
     List<TypedVariable> variables =
         ExpressionSyntax.variables(
-            new Node.Group(
-                SlReader.readAll(text, "a variable such as ?x"), 1, text.length() + 1));
+            new Node.Group(SlReader.readAll(text, "a variable such as ?x"), 1, text.length() + 1));
     if (variables.size() > 1) {
       throw new SlSyntaxException(1, "one variable", variables.size() + " variables");
     }
@@ -77,7 +78,10 @@ public final class SlParser {
     };
   }
 
-  /** The content of a message, one or more elements; quotes around the whole are taken off, also doubled ones. */
+  /**
+   * The content of a message, one or more elements; quotes around the whole are taken off, also
+   * doubled ones.
+   */
   public static List<Content> content(String text) {
     return content(text, NO_FLUENTS);
   }

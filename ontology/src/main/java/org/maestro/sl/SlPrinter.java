@@ -6,7 +6,10 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Prints trees as MAESTRO-SL; the inverse of {@link SlParser}. Numbers are written shortest: {@code 17}, {@code 0.25}. */
+/**
+ * Prints trees as MAESTRO-SL; the inverse of {@link SlParser}. Numbers are written shortest: {@code
+ * 17}, {@code 0.25}.
+ */
 public final class SlPrinter {
 
   private static final double LARGEST_PLAIN = 1e15;

@@ -1,6 +1,9 @@
 package org.maestro.sl;
 
-/** A text is not MAESTRO-SL. The message is one sentence that names the column and what was expected there. */
+/**
+ * A text is not MAESTRO-SL. The message is one sentence that names the column and what was expected
+ * there.
+ */
 public final class SlSyntaxException extends IllegalArgumentException {
 
   private static final long serialVersionUID = 1L;

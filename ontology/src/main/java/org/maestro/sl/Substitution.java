@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.function.BiFunction;
 
 /**
- * Replaces variables by terms. Variables that a quantifier binds stay; where a replacement would be caught by a quantifier, the
- * quantifier's variable is renamed. Immutable.
+ * Replaces variables by terms. Variables that a quantifier binds stay; where a replacement would be
+ * caught by a quantifier, the quantifier's variable is renamed. Immutable.
  *
  * @param terms by variable name, without question mark
  */
@@ -86,8 +86,7 @@ public record Substitution(Map<String, Term> terms) {
           forall.variables(),
           (variables, inner) -> new Effect.Forall(variables, inner.apply(forall.effect())));
     } else if (effect instanceof Effect.Change change) {
-      return new Effect.Change(
-          change.assignment(), apply(change.fluent()), apply(change.value()));
+      return new Effect.Change(change.assignment(), apply(change.fluent()), apply(change.value()));
     } else if (effect instanceof Effect.SenseAtom sense) {
       return new Effect.SenseAtom(apply(sense.atom()));
     }
@@ -109,7 +108,10 @@ public record Substitution(Map<String, Term> terms) {
     return arguments.stream().map(this::apply).toList();
   }
 
-  /** Hands on the quantifier's variables, renamed where needed, and the substitution that holds below them. */
+  /**
+   * Hands on the quantifier's variables, renamed where needed, and the substitution that holds
+   * below them.
+   */
   private <T> T under(
       List<TypedVariable> variables, BiFunction<List<TypedVariable>, Substitution, T> rebuilt) {
     Map<String, Term> below = new LinkedHashMap<>(terms);

@@ -14,7 +14,10 @@ public sealed interface Term {
 
   record Number(double value) implements Term {}
 
-  /** A quoted string; a position or pose is written so too: {@code "2.1 0.4 0.1"}, metres and degrees. */
+  /**
+   * A quoted string; a position or pose is written so too: {@code "2.1 0.4 0.1"}, metres and
+   * degrees.
+   */
   record Text(String value) implements Term {}
 
   record Truth(boolean value) implements Term {}

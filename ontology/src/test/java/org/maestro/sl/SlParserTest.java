@@ -27,7 +27,11 @@ class SlParserTest {
   void readsThePapersContentWithAnyQuotes() {
     String bare = "(initCNP (:goal (canSee ?agent GreenObject)))";
     for (String text :
-        List.of(bare, "\"" + bare + "\"", "\"\"" + bare + "\"\"", "\u201d\u201d" + bare + "\u201d\u201d",
+        List.of(
+            bare,
+            "\"" + bare + "\"",
+            "\"\"" + bare + "\"\"",
+            "\u201d\u201d" + bare + "\u201d\u201d",
             "(initCNP :goal (canSee ?agent GreenObject))")) {
       assertThat(SlParser.content(text)).containsExactly(PAPERS_GOAL);
     }
@@ -59,8 +63,7 @@ class SlParserTest {
   void readsUnknownAndSenseByTheFluentsNames() {
     assertThat(SlParser.formula("(unknown (lux a))", "lux"::equals))
         .isEqualTo(
-            new Formula.UnknownNumber(
-                new Expression.Fluent("lux", List.of(new Term.Name("a")))));
+            new Formula.UnknownNumber(new Expression.Fluent("lux", List.of(new Term.Name("a")))));
     assertThat(SlParser.formula("(unknown (lux a))")).isInstanceOf(Formula.UnknownAtom.class);
     assertThat(SlParser.effect("(sense (lux a) (in b c))", "lux"::equals))
         .isEqualTo(

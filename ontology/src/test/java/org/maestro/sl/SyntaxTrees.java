@@ -11,9 +11,29 @@ final class SyntaxTrees {
 
   private static final Set<String> WORDS =
       Set.of(
-          "and", "or", "not", "imply", "exists", "forall", "unknown", "keep", "when", "assign",
-          "increase", "decrease", "sense", "min", "max", "true", "false", "inform", "cancel", "cost",
-          "explain", "perform", "subscribe");
+          "and",
+          "or",
+          "not",
+          "imply",
+          "exists",
+          "forall",
+          "unknown",
+          "keep",
+          "when",
+          "assign",
+          "increase",
+          "decrease",
+          "sense",
+          "min",
+          "max",
+          "true",
+          "false",
+          "inform",
+          "cancel",
+          "cost",
+          "explain",
+          "perform",
+          "subscribe");
 
   private SyntaxTrees() {}
 
@@ -158,7 +178,8 @@ final class SyntaxTrees {
                             Combinators.combine(names(), inner.list().ofMaxSize(2))
                                 .as(Content.Argument.Named::new),
                             Combinators.combine(
-                                    Arbitraries.of("inform", "query-ref"), inner.list().ofMaxSize(2))
+                                    Arbitraries.of("inform", "query-ref"),
+                                    inner.list().ofMaxSize(2))
                                 .as(
                                     (operator, arguments) ->
                                         new Content.Argument.Nested(

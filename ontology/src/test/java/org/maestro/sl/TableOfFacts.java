@@ -31,8 +31,7 @@ final class TableOfFacts implements Facts {
 
   @Override
   public Truth truth(Formula.Atom atom) {
-    return truths.getOrDefault(
-        atom, atom.predicate().equals("in") ? Truth.UNKNOWN : Truth.FALSE);
+    return truths.getOrDefault(atom, atom.predicate().equals("in") ? Truth.UNKNOWN : Truth.FALSE);
   }
 
   @Override

@@ -14,8 +14,9 @@ import org.maestro.sl.Term;
  * @param individual its name is the member's id on the bus
  * @param container topic of the abstraction container its agent lives in, such as {@code lights}
  * @param driver which driver kind runs it in the simulation or on hardware, such as {@code lamp}
- * @param reports what the member reports of itself: the driver's own word for a value, and the fact it means, such as
- *     {@code level} and {@code (= (level ?self) ?level)}, {@code zone} and {@code (in ?self ?zone)}
+ * @param reports what the member reports of itself: the driver's own word for a value, and the fact
+ *     it means, such as {@code level} and {@code (= (level ?self) ?level)}, {@code zone} and {@code
+ *     (in ?self ?zone)}
  */
 public record Device(
     Individual individual,
@@ -32,7 +33,10 @@ public record Device(
     return individual.name();
   }
 
-  /** Its place in stable orders ({@code maestro:order}), so that ties do not depend on names; last when not stated. */
+  /**
+   * Its place in stable orders ({@code maestro:order}), so that ties do not depend on names; last
+   * when not stated.
+   */
   public double order() {
     return individual.properties().getOrDefault("order", List.of()).stream()
         .filter(Term.Number.class::isInstance)

@@ -4,7 +4,10 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
-/** The walls of a home, made from its rooms' outlines and from openings such as those of open doors. Immutable. */
+/**
+ * The walls of a home, made from its rooms' outlines and from openings such as those of open doors.
+ * Immutable.
+ */
 public final class FloorPlan {
 
   private final List<Segment> walls;

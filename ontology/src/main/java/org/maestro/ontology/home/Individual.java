@@ -13,10 +13,15 @@ import org.maestro.sl.Term;
  *
  * @param name local name, unique in the home
  * @param classes local names of all its classes, superclasses included
- * @param properties values by the property's local name: numbers, names, texts (poses, outlines), truths
+ * @param properties values by the property's local name: numbers, names, texts (poses, outlines),
+ *     truths
  */
 public record Individual(
-    String name, String iri, String label, Set<String> classes, Map<String, List<Term>> properties) {
+    String name,
+    String iri,
+    String label,
+    Set<String> classes,
+    Map<String, List<Term>> properties) {
   public Individual {
     classes = Collections.unmodifiableSet(new TreeSet<>(classes));
     properties = Collections.unmodifiableMap(new TreeMap<>(properties));

@@ -3,7 +3,10 @@ package org.maestro.ontology.home;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A simple polygon of the floor plan, such as a room's or a zone's outline; its last corner is joined to its first. */
+/**
+ * A simple polygon of the floor plan, such as a room's or a zone's outline; its last corner is
+ * joined to its first.
+ */
 public record Polygon(List<Point2> corners) {
 
   public Polygon {

@@ -3,9 +3,9 @@ package org.maestro.ontology.home;
 import org.maestro.sl.SlPrinter;
 
 /**
- * Where something is and how it is turned: metres, and degrees about the vertical axis (yaw, from x towards y), upwards from the
- * horizontal (pitch) and about its own axis (roll). A pose of ceiling cameras and lamps that says only where they are looks straight
- * down: see {@link #parse}.
+ * Where something is and how it is turned: metres, and degrees about the vertical axis (yaw, from x
+ * towards y), upwards from the horizontal (pitch) and about its own axis (roll). A pose of ceiling
+ * cameras and lamps that says only where they are looks straight down: see {@link #parse}.
  */
 public record Pose(double x, double y, double z, double yaw, double pitch, double roll) {
 
@@ -68,10 +68,12 @@ public record Pose(double x, double y, double z, double yaw, double pitch, doubl
         numbers[i] = Double.parseDouble(words[i]);
       } catch (NumberFormatException e) {
         throw new IllegalArgumentException(
-            "Coordinates are numbers with blanks between, but here is \"" + text.strip() + "\".", e);
+            "Coordinates are numbers with blanks between, but here is \"" + text.strip() + "\".",
+            e);
       }
       if (!Double.isFinite(numbers[i])) {
-        throw new IllegalArgumentException("A coordinate is a finite number, not " + words[i] + ".");
+        throw new IllegalArgumentException(
+            "A coordinate is a finite number, not " + words[i] + ".");
       }
     }
     return numbers;

@@ -40,7 +40,10 @@ public record Segment(Point2 from, Point2 to) {
     return at(Math.max(0, Math.min(1, share(point)))).distance(point);
   }
 
-  /** Where along the line the point's foot lies: 0 at the beginning, 1 at the end, beyond them outside. */
+  /**
+   * Where along the line the point's foot lies: 0 at the beginning, 1 at the end, beyond them
+   * outside.
+   */
   double share(Point2 point) {
     double dx = to.x() - from.x();
     double dy = to.y() - from.y();

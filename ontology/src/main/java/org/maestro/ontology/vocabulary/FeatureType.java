@@ -13,8 +13,9 @@ import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 
 /**
- * A feature as data, f = (Id, r, I, O, phi, Pr, Po, Freq, Cost) of the paper's section 3.2.2 (M46): all that planner, knowledge
- * and member need to know of it. The executing member is the variable {@code ?self}.
+ * A feature as data, f = (Id, r, I, O, phi, Pr, Po, Freq, Cost) of the paper's section 3.2.2 (M46):
+ * all that planner, knowledge and member need to know of it. The executing member is the variable
+ * {@code ?self}.
  *
  * @param name local name, the feature's id on the bus
  * @param task true for a task (a sequence with a local plan), false for an atomic action
@@ -25,9 +26,10 @@ import org.maestro.sl.Formula;
  * @param frequencyHertz upper limit or fixed rate of a continuous feature
  * @param occupies components of the member
  * @param seconds expected duration, an expression
- * @param procedure the routine in the member's own software that runs it (phi); equals the name unless stated
- * @param refersTo what the routine calls a quantity (key) and the fact that is meant, such as {@code light} and
- *     {@code (illuminance ?zone)}; the fact is an atom or a fluent in MAESTRO-SL
+ * @param procedure the routine in the member's own software that runs it (phi); equals the name
+ *     unless stated
+ * @param refersTo what the routine calls a quantity (key) and the fact that is meant, such as
+ *     {@code light} and {@code (illuminance ?zone)}; the fact is an atom or a fluent in MAESTRO-SL
  */
 public record FeatureType(
     String name,

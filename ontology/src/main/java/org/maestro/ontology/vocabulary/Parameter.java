@@ -6,7 +6,8 @@ import org.maestro.sl.Term;
 /**
  * An input, a binding made by the planner, or an output of a feature.
  *
- * @param types class names, or datatypes by local name ({@code decimal}, {@code boolean}, {@code Pose}); any one of them fits
+ * @param types class names, or datatypes by local name ({@code decimal}, {@code boolean}, {@code
+ *     Pose}); any one of them fits
  * @param oneOf the values to choose from, or empty for all individuals of the types
  * @param needs local names of the properties that travel with a pointer into the knowledge base
  */

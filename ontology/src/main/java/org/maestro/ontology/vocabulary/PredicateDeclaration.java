@@ -15,8 +15,8 @@ import org.maestro.sl.TypedVariable;
  * @param fluent true when its value is a number
  * @param observable true, false or unknown; others are closed-world
  * @param functional its last argument is the value of a state variable of the arguments before
- * @param validFor age after which an observed fact is unknown again; {@code validForByClass} overrides it by class of the first
- *     argument
+ * @param validFor age after which an observed fact is unknown again; {@code validForByClass}
+ *     overrides it by class of the first argument
  * @param derivedWhen holds exactly when the formula does; never in effects
  * @param observedWhen an observation of positions decides it; may be set by effects too
  * @param likelyWhen where an unknown atom is expected first, {@code (usuallyIn ?x ?p)}

@@ -20,7 +20,10 @@ public record Vocabulary(
     return Optional.ofNullable(predicates.get(name));
   }
 
-  /** Whether the class is the ancestor or under it; a name without declaration is a class of its own. */
+  /**
+   * Whether the class is the ancestor or under it; a name without declaration is a class of its
+   * own.
+   */
   public boolean isA(String className, String ancestor) {
     ClassDeclaration declared = classes.get(className);
     return className.equals(ancestor)

@@ -1,0 +1,200 @@
+package org.maestro.ontology.validation;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.BiConsumer;
+import org.apache.jena.graph.Graph;
+import org.apache.jena.graph.Node;
+import org.apache.jena.graph.Triple;
+import org.apache.jena.sparql.graph.GraphFactory;
+import org.apache.jena.vocabulary.RDF;
+
+/**
+ * Statements in the order in which the texts state them, each with its origin, and the faults found in them so far. Not safe for
+ * threads; a reader makes one, fills it and drops it.
+ */
+public final class SourceGraph {
+
+  /** Where a statement stands. */
+  record Origin(String source, int line) {}
+
+  private final Map<Triple, Origin> origins = new LinkedHashMap<>();
+  private final Map<Node, Map<Node, List<Node>>> bySubject = new LinkedHashMap<>();
+  private final Map<Node, Map<Node, List<Node>>> byObject = new LinkedHashMap<>();
+  private final Map<String, String> prefixes = new LinkedHashMap<>();
+  private final Set<Fault> faults = new LinkedHashSet<>();
+
+  /** A copy to which more texts can be added without changing this one. */
+  public SourceGraph copy() {
+    SourceGraph copy = new SourceGraph();
+    origins.forEach(copy::add);
+    copy.prefixes.putAll(prefixes);
+    copy.faults.addAll(faults);
+    return copy;
+  }
+
+  void add(Triple triple, Origin origin) {
+    if (origins.putIfAbsent(triple, origin) == null) {
+      bySubject
+          .computeIfAbsent(triple.getSubject(), subject -> new LinkedHashMap<>())
+          .computeIfAbsent(triple.getPredicate(), predicate -> new ArrayList<>())
+          .add(triple.getObject());
+      byObject
+          .computeIfAbsent(triple.getObject(), object -> new LinkedHashMap<>())
+          .computeIfAbsent(triple.getPredicate(), predicate -> new ArrayList<>())
+          .add(triple.getSubject());
+    }
+  }
+
+  boolean contains(Triple triple) {
+    return origins.containsKey(triple);
+  }
+
+  void forEach(BiConsumer<Triple, Origin> action) {
+    origins.forEach(action);
+  }
+
+  void prefix(String prefix, String namespace) {
+    prefixes.putIfAbsent(namespace, prefix);
+  }
+
+  /** A Jena graph of all statements. */
+  Graph toGraph() {
+    Graph graph = GraphFactory.createDefaultGraph();
+    origins.keySet().forEach(graph::add);
+    return graph;
+  }
+
+  /** Everything that something is said of, in order of first mention. */
+  public Set<Node> subjects() {
+    return bySubject.keySet();
+  }
+
+  /** Subjects that the texts of this source speak of, in order. */
+  public Set<Node> subjectsOf(String source) {
+    Set<Node> subjects = new LinkedHashSet<>();
+    origins.forEach(
+        (triple, origin) -> {
+          if (origin.source().equals(source)) {
+            subjects.add(triple.getSubject());
+          }
+        });
+    return subjects;
+  }
+
+  public Set<Node> predicates(Node subject) {
+    return bySubject.getOrDefault(subject, Map.of()).keySet();
+  }
+
+  public List<Node> objects(Node subject, Node predicate) {
+    return bySubject.getOrDefault(subject, Map.of()).getOrDefault(predicate, List.of());
+  }
+
+  public Optional<Node> object(Node subject, Node predicate) {
+    return objects(subject, predicate).stream().findFirst();
+  }
+
+  public List<Node> subjects(Node predicate, Node object) {
+    return byObject.getOrDefault(object, Map.of()).getOrDefault(predicate, List.of());
+  }
+
+  public boolean isA(Node subject, Node type) {
+    return objects(subject, RDF.type.asNode()).contains(type);
+  }
+
+  /** The members of an RDF list; the node itself as the only member when it is none. */
+  public List<Node> list(Node head) {
+    List<Node> members = new ArrayList<>();
+    Node rest = head;
+    while (!rest.equals(RDF.nil.asNode())) {
+      Optional<Node> first = object(rest, RDF.first.asNode());
+      if (first.isEmpty()) {
+        return List.of(head);
+      }
+      members.add(first.get());
+      rest = object(rest, RDF.rest.asNode()).orElse(RDF.nil.asNode());
+    }
+    return members;
+  }
+
+  public List<Fault> faults() {
+    return List.copyOf(faults);
+  }
+
+  public void fault(Fault fault) {
+    faults.add(fault);
+  }
+
+  /** Notes a fault in a statement about the subject; {@code value} is shown when given. */
+  public void fault(Node subject, Node property, Optional<Node> value, String problem, String cure) {
+    Origin origin = origin(subject, property, value);
+    String shown = value.map(v -> Nodes.shown(v) + " ").orElse("");
+    faults.add(
+        new Fault(
+            origin.source(),
+            origin.line(),
+            Nodes.localName(owner(subject)),
+            prefixed(property),
+            shown + problem,
+            cure));
+  }
+
+  /** Notes a fault in a subject as a whole. */
+  public void fault(Node subject, String problem, String cure) {
+    Origin origin = firstOrigin(subject);
+    faults.add(
+        new Fault(
+            origin.source(), origin.line(), Nodes.localName(owner(subject)), "", problem, cure));
+  }
+
+  /** The name with the prefix that the texts give its namespace. */
+  public String prefixed(Node property) {
+    String local = Nodes.localName(property);
+    String namespace =
+        property.isURI()
+            ? property.getURI().substring(0, property.getURI().length() - local.length())
+            : "";
+    String prefix = prefixes.get(namespace);
+    return prefix == null ? local : prefix + ":" + local;
+  }
+
+  /** The file in which something is first spoken of; "" when nowhere. */
+  public String source(Node subject) {
+    return firstOrigin(subject).source();
+  }
+
+  private Origin origin(Node subject, Node property, Optional<Node> value) {
+    return objects(subject, property).stream()
+        .filter(object -> value.isEmpty() || value.get().equals(object))
+        .map(object -> origins.get(Triple.create(subject, property, object)))
+        .findFirst()
+        .orElseGet(() -> firstOrigin(subject));
+  }
+
+  private Origin firstOrigin(Node subject) {
+    for (Map.Entry<Node, List<Node>> entry :
+        bySubject.getOrDefault(subject, Map.of()).entrySet()) {
+      return origins.get(Triple.create(subject, entry.getKey(), entry.getValue().get(0)));
+    }
+    return new Origin("", 0);
+  }
+
+  /** The named node to which a blank one belongs. */
+  private Node owner(Node node) {
+    Node owner = node;
+    Set<Node> seen = new LinkedHashSet<>();
+    while (owner.isBlank() && seen.add(owner)) {
+      Map<Node, List<Node>> referring = byObject.getOrDefault(owner, Map.of());
+      if (referring.isEmpty()) {
+        return owner;
+      }
+      owner = referring.values().iterator().next().get(0);
+    }
+    return owner;
+  }
+}
