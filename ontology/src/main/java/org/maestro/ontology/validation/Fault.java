@@ -13,7 +13,10 @@ package org.maestro.ontology.validation;
 public record Fault(
     String source, int line, String subject, String property, String problem, String cure) {
 
-  /** One line, such as {@code bob.ttl:41: lamp-b1 maestro:beamAngle "abc" is not a number; write degrees, such as 100}. */
+  /**
+   * One line, such as {@code bob.ttl:41: lamp-b1 maestro:beamAngle "abc" is not a number; write
+   * degrees, such as 100}.
+   */
   @Override
   public String toString() {
     String where = line > 0 ? source + ":" + line : source;

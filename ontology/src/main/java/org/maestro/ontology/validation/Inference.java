@@ -11,8 +11,9 @@ import org.apache.jena.vocabulary.RDF;
 import org.apache.jena.vocabulary.RDFS;
 
 /**
- * Adds to a graph what follows from subclass, subproperty, equivalent, inverse, symmetric and transitive declarations, until nothing
- * new follows. New statements come in a stable order; their origin is the statement that they follow from.
+ * Adds to a graph what follows from subclass, subproperty, equivalent, inverse, symmetric and
+ * transitive declarations, until nothing new follows. New statements come in a stable order; their
+ * origin is the statement that they follow from.
  */
 public final class Inference {
 

@@ -15,8 +15,8 @@ import org.apache.jena.sparql.graph.GraphFactory;
 import org.apache.jena.vocabulary.RDF;
 
 /**
- * Statements in the order in which the texts state them, each with its origin, and the faults found in them so far. Not safe for
- * threads; a reader makes one, fills it and drops it.
+ * Statements in the order in which the texts state them, each with its origin, and the faults found
+ * in them so far. Not safe for threads; a reader makes one, fills it and drops it.
  */
 public final class SourceGraph {
 
@@ -131,7 +131,8 @@ public final class SourceGraph {
   }
 
   /** Notes a fault in a statement about the subject; {@code value} is shown when given. */
-  public void fault(Node subject, Node property, Optional<Node> value, String problem, String cure) {
+  public void fault(
+      Node subject, Node property, Optional<Node> value, String problem, String cure) {
     Origin origin = origin(subject, property, value);
     String shown = value.map(v -> Nodes.shown(v) + " ").orElse("");
     faults.add(
@@ -177,8 +178,7 @@ public final class SourceGraph {
   }
 
   private Origin firstOrigin(Node subject) {
-    for (Map.Entry<Node, List<Node>> entry :
-        bySubject.getOrDefault(subject, Map.of()).entrySet()) {
+    for (Map.Entry<Node, List<Node>> entry : bySubject.getOrDefault(subject, Map.of()).entrySet()) {
       return origins.get(Triple.create(subject, entry.getKey(), entry.getValue().get(0)));
     }
     return new Origin("", 0);

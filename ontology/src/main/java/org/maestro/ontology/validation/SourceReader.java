@@ -59,7 +59,9 @@ public final class SourceReader {
     read(RiotParsers.factoryTTL.create(Lang.TURTLE, profile()), text, RIOT.getContext().copy());
   }
 
-  /** Reads a JSON-LD document; contexts other than {@link #CONTEXT_IRI} or inline ones are faults. */
+  /**
+   * Reads a JSON-LD document; contexts other than {@link #CONTEXT_IRI} or inline ones are faults.
+   */
   public void readJsonLd(String text) {
     JsonLdOptions options = new JsonLdOptions((DocumentLoader) (url, loading) -> context(url));
     Context context = RIOT.getContext().copy();

@@ -1,0 +1,126 @@
+package org.maestro.ontology.home;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.apache.jena.graph.Node;
+import org.apache.jena.vocabulary.RDF;
+import org.maestro.ontology.validation.Maestro;
+import org.maestro.ontology.validation.SourceGraph;
+import org.maestro.ontology.vocabulary.FeatureReader;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.Literals;
+import org.maestro.ontology.vocabulary.Vocabulary;
+
+/** Reads a device with what its classes, from the general to the special, and it itself say. */
+final class DeviceReader {
+
+  private static final Node OFFERS = Maestro.term("offers");
+
+  private final SourceGraph graph;
+  private final Vocabulary vocabulary;
+  private final Literals literals;
+  private final FeatureReader features;
+
+  DeviceReader(SourceGraph graph, Vocabulary vocabulary) {
+    this.graph = graph;
+    this.vocabulary = vocabulary;
+    this.literals = new Literals(graph);
+    this.features =
+        new FeatureReader(
+            graph,
+            name -> vocabulary.predicate(name).map(declared -> declared.fluent()).orElse(false));
+  }
+
+  Device read(Node node, Individual individual) {
+    List<Node> layers = layers(node);
+    Optional<String> container = Optional.empty();
+    Optional<String> driver = Optional.empty();
+    Map<String, String> reports = new TreeMap<>();
+    Map<String, Offer> offers = new LinkedHashMap<>();
+    for (Node layer : layers) {
+      container = literals.text(layer, "container").or(orElse(container));
+      driver = literals.text(layer, "driver").or(orElse(driver));
+      reports = features.namedFacts(layer, "reports", reports);
+      for (Node offered : graph.objects(layer, OFFERS)) {
+        offer(layer, offered, offers);
+      }
+    }
+    List<FeatureType> types =
+        offers.values().stream()
+            .sorted(
+                Comparator.comparingDouble(Offer::order).thenComparing(offer -> offer.type.name()))
+            .map(Offer::type)
+            .toList();
+    return new Device(individual, container, driver, types, reports);
+  }
+
+  private static <T> Supplier<Optional<T>> orElse(Optional<T> before) {
+    return () -> before;
+  }
+
+  /** The device's classes, the one with the fewest ancestors first, and the device. */
+  private List<Node> layers(Node node) {
+    List<Node> layers = new ArrayList<>(graph.objects(node, RDF.type.asNode()));
+    layers.sort(
+        Comparator.comparingInt(this::ancestors).thenComparing(type -> Literals.name(type)));
+    layers.add(node);
+    return layers;
+  }
+
+  private int ancestors(Node type) {
+    return Optional.ofNullable(vocabulary.classes().get(Literals.name(type)))
+        .map(declared -> declared.ancestors().size())
+        .orElse(0);
+  }
+
+  private void offer(Node device, Node offered, Map<String, Offer> offers) {
+    Optional<Node> typeNode = typeOf(offered);
+    String name = typeNode.map(Literals::name).orElse("");
+    FeatureType known = vocabulary.features().get(name);
+    if (typeNode.isEmpty() || known == null && !FeatureReader.isFeature(graph, typeNode.get())) {
+      graph.fault(
+          device,
+          OFFERS,
+          Optional.of(typeNode.orElse(offered)),
+          "is no known feature",
+          vocabulary.features().isEmpty()
+              ? "describe it as a maestro:Action or maestro:Task"
+              : "offer one of "
+                  + String.join(", ", vocabulary.features().keySet())
+                  + ", or describe it as a maestro:Action or maestro:Task");
+      return;
+    }
+    Offer before = offers.get(name);
+    FeatureType base =
+        before != null ? before.type : known != null ? known : features.read(typeNode.get());
+    FeatureType type = offered.equals(typeNode.get()) ? base : features.read(offered, base);
+    double order =
+        literals
+            .number(offered, "order")
+            .orElse(literals.number(typeNode.get(), "order").orElse(Double.MAX_VALUE));
+    offers.put(name, new Offer(type, order));
+  }
+
+  /** The feature type itself, or the type of a node that says what differs. */
+  private Optional<Node> typeOf(Node offered) {
+    if (offered.isURI()) {
+      return Optional.of(offered);
+    }
+    return graph.objects(offered, RDF.type.asNode()).stream()
+        .filter(Node::isURI)
+        .filter(
+            type ->
+                vocabulary.features().containsKey(Literals.name(type))
+                    || FeatureReader.isFeature(graph, type))
+        .findFirst()
+        .or(() -> graph.object(offered, RDF.type.asNode()));
+  }
+
+  private record Offer(FeatureType type, double order) {}
+}

@@ -1,0 +1,136 @@
+package org.maestro.ontology.home;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.maestro.ontology.validation.Fault;
+import org.maestro.ontology.validation.Inference;
+import org.maestro.ontology.validation.SourceGraph;
+import org.maestro.ontology.validation.SourceReader;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.ontology.vocabulary.VocabularyReader;
+
+/**
+ * Loads homes: reads the file together with the vocabulary, adds what follows from both, and
+ * refuses the whole when anything in it is wrong. Follows no {@code owl:imports} and never uses the
+ * network. Stateless, safe for threads.
+ */
+public final class HomeLoader {
+
+  private static final String META_RESOURCE = "maestro.ttl";
+  private static final String DOMAIN_RESOURCE = "domain.ttl";
+  private static final String VOCABULARY_BASE = "https://w3id.org/maestro";
+  private static final String HOMES_BASE = "https://w3id.org/maestro/home/";
+
+  private final Optional<List<String>> domainTexts;
+
+  /** With the shipped domain vocabulary. */
+  public HomeLoader() {
+    this(Optional.empty());
+  }
+
+  private HomeLoader(Optional<List<String>> domainTexts) {
+    this.domainTexts = domainTexts;
+  }
+
+  /**
+   * With other domain vocabularies in place of the shipped one; the meta-vocabulary stays.
+   *
+   * @param turtleTexts any number of Turtle documents; faults call them {@code vocabulary 1} and so
+   *     on
+   */
+  public static HomeLoader withVocabulary(List<String> turtleTexts) {
+    return new HomeLoader(Optional.of(List.copyOf(turtleTexts)));
+  }
+
+  /** The shipped domain vocabulary as Turtle. */
+  public static String shippedVocabulary() {
+    return resource(DOMAIN_RESOURCE);
+  }
+
+  /**
+   * Loads a home file.
+   *
+   * @throws HomeFaultException with every fault that was found, also when the file cannot be read
+   */
+  public Home load(Path file) {
+    String name = String.valueOf(file.getFileName());
+    try {
+      return load(Files.readString(file), name);
+    } catch (IOException e) {
+      throw new HomeFaultException(
+          List.of(
+              new Fault(
+                  file.toString(),
+                  0,
+                  "the file",
+                  "",
+                  "cannot be read (" + e.getClass().getSimpleName() + ")",
+                  "give the path of a Turtle file in UTF-8")));
+    }
+  }
+
+  /**
+   * Loads a home from its text.
+   *
+   * @param baseName how faults call the text, such as {@code bob.ttl}
+   * @throws HomeFaultException with every fault that was found
+   */
+  public Home load(String text, String baseName) {
+    SourceGraph graph = new SourceGraph();
+    readVocabulary(graph);
+    String base = HOMES_BASE + baseName.replaceFirst("\\.ttl$", "").replaceAll("[^\\w.-]", "-");
+    new SourceReader(graph, baseName, base).readTurtle(text);
+    refuseFaults(graph);
+    new Inference(graph).run();
+    Vocabulary vocabulary = new VocabularyReader(graph).read();
+    Home home = new HomeReader(graph, vocabulary, baseName).read();
+    refuseFaults(graph);
+    return home;
+  }
+
+  /** The vocabulary without a home. */
+  public Vocabulary vocabulary() {
+    SourceGraph graph = new SourceGraph();
+    readVocabulary(graph);
+    refuseFaults(graph);
+    new Inference(graph).run();
+    Vocabulary vocabulary = new VocabularyReader(graph).read();
+    refuseFaults(graph);
+    return vocabulary;
+  }
+
+  private void readVocabulary(SourceGraph graph) {
+    new SourceReader(graph, META_RESOURCE, VOCABULARY_BASE).readTurtle(resource(META_RESOURCE));
+    if (domainTexts.isEmpty()) {
+      new SourceReader(graph, DOMAIN_RESOURCE, VOCABULARY_BASE + "/domain")
+          .readTurtle(resource(DOMAIN_RESOURCE));
+      return;
+    }
+    int number = 1;
+    for (String text : domainTexts.get()) {
+      new SourceReader(graph, "vocabulary " + number++, VOCABULARY_BASE + "/domain")
+          .readTurtle(text);
+    }
+  }
+
+  private static void refuseFaults(SourceGraph graph) {
+    if (!graph.faults().isEmpty()) {
+      throw new HomeFaultException(graph.faults());
+    }
+  }
+
+  private static String resource(String name) {
+    try (InputStream stream =
+        HomeLoader.class.getResourceAsStream("/org/maestro/ontology/" + name)) {
+      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException("The vocabulary " + name + " cannot be read from the jar.", e);
+    }
+  }
+}

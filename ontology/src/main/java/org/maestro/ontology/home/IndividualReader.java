@@ -1,0 +1,78 @@
+package org.maestro.ontology.home;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.apache.jena.graph.Node;
+import org.apache.jena.vocabulary.RDF;
+import org.apache.jena.vocabulary.RDFS;
+import org.maestro.ontology.validation.Maestro;
+import org.maestro.ontology.validation.SourceGraph;
+import org.maestro.ontology.vocabulary.Literals;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Term;
+
+/**
+ * Reads what is said of a thing of a home: its classes with their ancestors, and its properties.
+ */
+final class IndividualReader {
+
+  /** Said of a device for its member and agent, not as a property of the thing. */
+  private static final Set<Node> STRUCTURE =
+      Set.of(
+          RDF.type.asNode(),
+          RDFS.label.asNode(),
+          RDFS.comment.asNode(),
+          Maestro.term("offers"),
+          Maestro.term("reports"),
+          Maestro.term("driver"),
+          Maestro.term("container"));
+
+  private final SourceGraph graph;
+  private final Vocabulary vocabulary;
+  private final Literals literals;
+
+  IndividualReader(SourceGraph graph, Vocabulary vocabulary) {
+    this.graph = graph;
+    this.vocabulary = vocabulary;
+    this.literals = new Literals(graph);
+  }
+
+  Individual read(Node node) {
+    Set<String> classes = new TreeSet<>();
+    for (Node type : graph.objects(node, RDF.type.asNode())) {
+      if (isOurs(type)) {
+        classes.add(Literals.name(type));
+        if (vocabulary.classes().containsKey(Literals.name(type))) {
+          classes.addAll(vocabulary.classes().get(Literals.name(type)).ancestors());
+        }
+      }
+    }
+    Map<String, List<Term>> properties = new TreeMap<>();
+    for (Node property : graph.predicates(node)) {
+      if (!STRUCTURE.contains(property)) {
+        properties
+            .computeIfAbsent(Literals.name(property), name -> new ArrayList<>())
+            .addAll(graph.objects(node, property).stream().map(Literals::term).toList());
+      }
+    }
+    properties.replaceAll((name, values) -> sorted(values));
+    return new Individual(
+        Literals.name(node), node.getURI(), literals.label(node), classes, properties);
+  }
+
+  private static boolean isOurs(Node type) {
+    return type.isURI()
+        && !type.getURI().startsWith("http://www.w3.org/2002/07/owl#")
+        && !type.getURI().startsWith(RDFS.getURI());
+  }
+
+  private static List<Term> sorted(List<Term> values) {
+    return values.stream().distinct().sorted(Comparator.comparing(SlPrinter::print)).toList();
+  }
+}

@@ -1,0 +1,209 @@
+package org.maestro.ontology.vocabulary;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Predicate;
+import org.apache.jena.graph.Node;
+import org.maestro.ontology.validation.Maestro;
+import org.maestro.ontology.validation.SourceGraph;
+import org.maestro.sl.Effect;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Term;
+
+/**
+ * Reads feature types, whole or as what differs from a type. Parameters are told apart by name and
+ * come sorted by it.
+ */
+public final class FeatureReader {
+
+  private static final Node COST = Maestro.term("cost");
+
+  private final SourceGraph graph;
+  private final Literals literals;
+  private final Predicate<String> fluents;
+
+  /**
+   * @param fluents which names are numeric fluents
+   */
+  public FeatureReader(SourceGraph graph, Predicate<String> fluents) {
+    this.graph = graph;
+    this.literals = new Literals(graph);
+    this.fluents = fluents;
+  }
+
+  /** Whether the graph itself describes the node as an action or a task. */
+  public static boolean isFeature(SourceGraph graph, Node node) {
+    return graph.isA(node, Maestro.term("Action")) || graph.isA(node, Maestro.term("Task"));
+  }
+
+  /** A feature type that the node describes whole. */
+  public FeatureType read(Node node) {
+    FeatureType blank =
+        new FeatureType(
+            Literals.name(node),
+            node.isURI() ? node.getURI() : "",
+            graph.isA(node, Maestro.term("Task")),
+            "{self} runs " + literals.label(node),
+            List.of(),
+            List.of(),
+            List.of(),
+            new Formula.And(List.of()),
+            new Effect.All(List.of()),
+            Optional.empty(),
+            false,
+            Optional.empty(),
+            OptionalDouble.empty(),
+            Set.of(),
+            new Price.Stated(new Expression.OfTerm(new Term.Number(0))),
+            new Expression.OfTerm(new Term.Number(0)),
+            Optional.empty(),
+            Literals.name(node),
+            Map.of());
+    if (graph.objects(node, COST).isEmpty()) {
+      graph.fault(node, "has no maestro:cost", "write a number, an expression, or maestro:asked");
+    }
+    return read(node, blank);
+  }
+
+  /** The feature type with what the node says otherwise. */
+  public FeatureType read(Node node, FeatureType type) {
+    Price price = price(node).orElse(type.cost());
+    return new FeatureType(
+        type.name(),
+        type.iri(),
+        type.task(),
+        literals.text(node, "sentence").orElse(type.sentence()),
+        parameters(node, "input", type.inputs()),
+        parameters(node, "binds", type.binds()),
+        parameters(node, "output", type.outputs()),
+        literals
+            .parsed(node, "precondition", text -> SlParser.formula(text, fluents))
+            .orElse(type.precondition()),
+        effect(node, "effect").orElse(type.effect()),
+        effect(node, "learns").or(type::learns),
+        has(node, "continuous") ? literals.flag(node, "continuous") : type.continuous(),
+        literals.text(node, "endedBy").or(type::endedBy),
+        frequency(node, type.frequencyHertz()),
+        has(node, "occupies")
+            ? new LinkedHashSet<>(literals.names(node, "occupies"))
+            : type.occupies(),
+        price,
+        literals
+            .parsed(node, "seconds", SlParser::expression)
+            .orElse(has(node, "cost") ? lowest(price) : type.seconds()),
+        literals.text(node, "exit").or(type::exit),
+        literals.text(node, "procedure").orElse(type.procedure()),
+        namedFacts(node, "refersTo", type.refersTo()));
+  }
+
+  /**
+   * Names and facts, as {@code maestro:refersTo} and {@code maestro:reports} give them, over what
+   * holds without.
+   */
+  public Map<String, String> namedFacts(Node node, String property, Map<String, String> before) {
+    Map<String, String> facts = new TreeMap<>(before);
+    for (Node entry : graph.objects(node, Maestro.term(property))) {
+      Optional<String> name = literals.text(entry, "name");
+      Optional<String> fact =
+          literals.parsed(entry, "fact", text -> SlPrinter.print(SlParser.fact(text)));
+      if (name.isPresent() && fact.isPresent()) {
+        facts.put(name.get(), fact.get());
+      } else if (name.isEmpty() || !has(entry, "fact")) {
+        graph.fault(
+            node,
+            Maestro.term(property),
+            Optional.of(entry),
+            "lacks its maestro:name or maestro:fact",
+            "write [ maestro:name \"level\" ; maestro:fact \"(level ?self)\" ]");
+      }
+    }
+    return facts;
+  }
+
+  private Optional<Effect> effect(Node node, String property) {
+    return literals.parsed(node, property, text -> SlParser.effect(text, fluents));
+  }
+
+  private boolean has(Node node, String property) {
+    return !graph.objects(node, Maestro.term(property)).isEmpty();
+  }
+
+  private Optional<Price> price(Node node) {
+    if (graph.objects(node, COST).contains(Maestro.term("asked"))) {
+      Expression atLeast =
+          literals
+              .parsed(node, "costAtLeast", SlParser::expression)
+              .orElse(new Expression.OfTerm(new Term.Number(0)));
+      return Optional.of(new Price.Asked(atLeast));
+    }
+    return literals.parsed(node, "cost", SlParser::expression).map(Price.Stated::new);
+  }
+
+  private static Expression lowest(Price price) {
+    return price instanceof Price.Stated stated ? stated.cost() : ((Price.Asked) price).atLeast();
+  }
+
+  private OptionalDouble frequency(Node node, OptionalDouble before) {
+    Optional<Node> value = graph.object(node, Maestro.term("frequency"));
+    if (value.isEmpty()) {
+      return before;
+    }
+    return value.get().isBlank()
+        ? literals.number(value.get(), "upTo")
+        : literals.number(node, "frequency");
+  }
+
+  private List<Parameter> parameters(Node node, String property, List<Parameter> before) {
+    Map<String, Parameter> byName = new TreeMap<>();
+    before.forEach(parameter -> byName.put(parameter.name(), parameter));
+    for (Node entry : graph.objects(node, Maestro.term(property))) {
+      Optional<String> name = literals.text(entry, "name");
+      if (name.isEmpty()) {
+        graph.fault(
+            node,
+            Maestro.term(property),
+            Optional.of(entry),
+            "lacks its maestro:name",
+            "write [ maestro:name \"object\" ; maestro:type maestro:Thing ]");
+      } else {
+        byName.merge(name.get(), parameter(entry, name.get()), FeatureReader::over);
+      }
+    }
+    return List.copyOf(byName.values());
+  }
+
+  private Parameter parameter(Node entry, String name) {
+    return new Parameter(
+        name,
+        sorted(literals.names(entry, "type")),
+        literals.terms(entry, "oneOf"),
+        sorted(literals.names(entry, "needs")),
+        literals.flag(entry, "optional"));
+  }
+
+  private static List<String> sorted(Collection<String> names) {
+    List<String> sorted = new ArrayList<>(names);
+    sorted.sort(null);
+    return sorted;
+  }
+
+  /** What a description says otherwise of a parameter. */
+  private static Parameter over(Parameter before, Parameter given) {
+    return new Parameter(
+        before.name(),
+        given.types().isEmpty() ? before.types() : given.types(),
+        given.oneOf().isEmpty() ? before.oneOf() : given.oneOf(),
+        given.needs().isEmpty() ? before.needs() : given.needs(),
+        given.optional() || before.optional());
+  }
+}

@@ -1,0 +1,174 @@
+package org.maestro.ontology.vocabulary;
+
+import java.time.Duration;
+import java.time.format.DateTimeParseException;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.apache.jena.graph.Node;
+import org.apache.jena.vocabulary.OWL;
+import org.apache.jena.vocabulary.RDFS;
+import org.maestro.ontology.validation.Maestro;
+import org.maestro.ontology.validation.SourceGraph;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.TypedVariable;
+
+/** Reads classes, predicates and feature types from a graph to which inference was applied. */
+public final class VocabularyReader {
+
+  /** Classes of the meta-vocabulary that no individual of a home has. */
+  private static final Set<String> ABOUT_DESCRIPTIONS =
+      Set.of(
+          "Predicate",
+          "Fluent",
+          "Observable",
+          "GeometryFunction",
+          "Feature",
+          "Action",
+          "Task",
+          "Home");
+
+  private final SourceGraph graph;
+  private final Literals literals;
+  private final Map<String, Node> named = new LinkedHashMap<>();
+
+  public VocabularyReader(SourceGraph graph) {
+    this.graph = graph;
+    this.literals = new Literals(graph);
+  }
+
+  /** What the graph declares; what is wrong in it becomes faults of the graph. */
+  public Vocabulary read() {
+    Map<String, ClassDeclaration> classes = new TreeMap<>();
+    Map<String, Node> predicateNodes = new TreeMap<>();
+    Map<String, Node> featureNodes = new TreeMap<>();
+    for (Node subject : graph.subjects()) {
+      if (!subject.isURI()) {
+        continue;
+      }
+      String name = Literals.name(subject);
+      if (isClass(subject)) {
+        declare(name, subject);
+        classes.put(name, classOf(subject));
+      } else if (isPredicate(subject)) {
+        declare(name, subject);
+        predicateNodes.put(name, subject);
+      } else if (FeatureReader.isFeature(graph, subject)) {
+        declare(name, subject);
+        featureNodes.put(name, subject);
+      }
+    }
+    Map<String, PredicateDeclaration> predicates = new TreeMap<>();
+    Set<String> fluents = new TreeSet<>();
+    predicateNodes.forEach(
+        (name, node) -> {
+          if (graph.isA(node, Maestro.term("Fluent"))) {
+            fluents.add(name);
+          }
+        });
+    predicateNodes.forEach((name, node) -> predicates.put(name, predicate(node, fluents)));
+    FeatureReader features = new FeatureReader(graph, fluents::contains);
+    Map<String, FeatureType> types = new TreeMap<>();
+    featureNodes.forEach((name, node) -> types.put(name, features.read(node)));
+    return new Vocabulary(classes, predicates, types);
+  }
+
+  private boolean isClass(Node subject) {
+    return graph.isA(subject, OWL.Class.asNode())
+        && !(subject.getURI().startsWith(Maestro.NAMESPACE)
+            && ABOUT_DESCRIPTIONS.contains(Literals.name(subject)));
+  }
+
+  private boolean isPredicate(Node subject) {
+    return graph.isA(subject, Maestro.term("Predicate"))
+        || graph.isA(subject, Maestro.term("Fluent"));
+  }
+
+  private void declare(String name, Node node) {
+    Node other = named.putIfAbsent(name, node);
+    if (other != null && !other.equals(node)) {
+      graph.fault(node, "has the local name of " + other.getURI(), "give one of both another name");
+    }
+  }
+
+  private ClassDeclaration classOf(Node node) {
+    Set<String> ancestors = new LinkedHashSet<>(Set.of(Literals.name(node)));
+    graph.objects(node, RDFS.subClassOf.asNode()).stream()
+        .filter(this::isNamedClass)
+        .forEach(wider -> ancestors.add(Literals.name(wider)));
+    return new ClassDeclaration(
+        Literals.name(node), node.getURI(), literals.label(node), ancestors);
+  }
+
+  private boolean isNamedClass(Node node) {
+    return node.isURI() && isClass(node);
+  }
+
+  private PredicateDeclaration predicate(Node node, Set<String> fluents) {
+    String name = Literals.name(node);
+    return new PredicateDeclaration(
+        name,
+        node.getURI(),
+        literals.label(node),
+        arguments(node),
+        fluents.contains(name),
+        graph.isA(node, Maestro.term("Observable")),
+        graph.isA(node, OWL.FunctionalProperty.asNode()),
+        graph.isA(node, OWL.SymmetricProperty.asNode()),
+        validFor(node),
+        validForByClass(node),
+        formula(node, "derivedWhen", fluents),
+        formula(node, "observedWhen", fluents),
+        formula(node, "likelyWhen", fluents),
+        graph.isA(node, Maestro.term("GeometryFunction"))
+            ? Optional.of(name)
+            : literals.text(node, "computedBy"),
+        literals.text(node, "unit"));
+  }
+
+  private List<TypedVariable> arguments(Node node) {
+    Node property = Maestro.term("arguments");
+    Optional<Node> head = graph.object(node, property);
+    if (head.isEmpty()) {
+      graph.fault(node, "has no maestro:arguments", "write a list such as ( \"?x - Thing\" )");
+      return List.of();
+    }
+    return graph.list(head.get()).stream()
+        .map(value -> literals.parsed(node, property, value, SlParser::variable))
+        .flatMap(Optional::stream)
+        .toList();
+  }
+
+  private Optional<Formula> formula(Node node, String property, Set<String> fluents) {
+    return literals.parsed(node, property, text -> SlParser.formula(text, fluents::contains));
+  }
+
+  private Optional<Duration> validFor(Node node) {
+    Node property = Maestro.term("validFor");
+    Optional<Node> value = graph.object(node, property);
+    try {
+      return value.map(Literals::name).map(Duration::parse);
+    } catch (DateTimeParseException e) {
+      graph.fault(
+          node, property, value, "is not a duration", "write days to seconds, such as PT10M");
+      return Optional.empty();
+    }
+  }
+
+  private Map<String, Duration> validForByClass(Node node) {
+    Map<String, Duration> byClass = new TreeMap<>();
+    for (Node validity : graph.objects(node, Maestro.term("validity"))) {
+      Optional<Duration> duration = validFor(validity);
+      literals
+          .text(validity, "ofClass")
+          .ifPresent(name -> duration.ifPresent(age -> byClass.put(name, age)));
+    }
+    return byClass;
+  }
+}
