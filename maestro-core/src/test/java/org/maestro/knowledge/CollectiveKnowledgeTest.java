@@ -230,4 +230,49 @@ class CollectiveKnowledgeTest {
         .hasMessageContaining("has variables");
     assertThat(home.knowledge.snapshot().version()).isZero();
   }
+
+  @Test
+  void aPositionIsNoLongerGoodThanThePlaceItTells() {
+    home.state(Household.CAMERA, "(position Bob \"1 0 0\")");
+    home.pass(Duration.ofSeconds(31));
+    home.state(Household.CAMERA, "(position Cup \"1.2 0 0\")");
+
+    assertThat(home.truth("(in Bob zone-a)")).isEqualTo(Truth.UNKNOWN);
+    assertThat(home.truth("(nextTo Cup Bob)")).isEqualTo(Truth.UNKNOWN);
+  }
+
+  @Test
+  void writersOnManyThreadsLeaveOneConsistentWorld() throws InterruptedException {
+    List<Long> versions = new ArrayList<>();
+    home.knowledge.watch(change -> versions.add(change.version()));
+    List<Thread> writers = new ArrayList<>();
+    for (int writer = 0; writer < 4; writer++) {
+      String agent = "writer-" + writer;
+      Thread thread =
+          new Thread(
+              () -> {
+                for (int i = 0; i < 50; i++) {
+                  String place = i % 2 == 0 ? "zone-a" : "zone-b";
+                  home.state(
+                      new Source(Source.Kind.OBSERVED, agent),
+                      "(in Cup " + place + ")",
+                      "(= (level " + agent + ") " + i + ")");
+                }
+              });
+      writers.add(thread);
+      thread.start();
+    }
+    for (Thread writer : writers) {
+      writer.join();
+    }
+
+    assertThat(versions).isSorted().doesNotHaveDuplicates().hasSize(200);
+    assertThat(home.knowledge.snapshot().beliefs()).hasSize(5);
+    assertThat(
+            home.knowledge.select(
+                "SELECT ?s WHERE { GRAPH <https://example.org/home#graph/world>"
+                    + " { ?s <https://w3id.org/maestro#fact> ?f } }"))
+        .as("one pointer for each current fact")
+        .hasSize(5);
+  }
 }
