@@ -62,8 +62,8 @@ public final class CoordinatorAgent extends MaestroAgent {
    * @param decisionTime simulated time that a decision takes; zero on a paced clock
    */
   public CoordinatorAgent(
-      Clock clock, KnowledgeBase knowledge, Planner planner, Story archive, Duration decisionTime) {
-    super(clock);
+      AgentTime time, KnowledgeBase knowledge, Planner planner, Story archive, Duration decisionTime) {
+    super(time);
     this.knowledge = knowledge;
     this.archive = archive;
     this.decisionTime = decisionTime;
@@ -75,7 +75,7 @@ public final class CoordinatorAgent extends MaestroAgent {
                 new AclMarket(this, this::agentOf),
                 new AclCrew(this, this::agentOf),
                 new OwnThread(),
-                clock,
+                time.clock(),
                 this::told));
   }
 
@@ -92,6 +92,7 @@ public final class CoordinatorAgent extends MaestroAgent {
 
   @Override
   protected void takeDown() {
+    super.takeDown();
     planning.shutdownNow();
   }
 
@@ -280,6 +281,11 @@ public final class CoordinatorAgent extends MaestroAgent {
   private final class OwnThread implements Thinking {
     @Override
     public <T> void think(Supplier<T> work, Consumer<T> then) {
+      // An event of its own, so that on a stepped clock the agent is idle while it is planned.
+      clock().schedule(Duration.ZERO, NAME, () -> begin(work, then));
+    }
+
+    private <T> void begin(Supplier<T> work, Consumer<T> then) {
       Clock.Ticket ticket = clock().hold("planning");
       planning.execute(
           () -> {

@@ -4,7 +4,6 @@ import jade.core.AID;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.function.Consumer;
-import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 
@@ -16,8 +15,8 @@ public final class DeskAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
   private static final Duration NO_END = Duration.ofDays(365);
 
-  public DeskAgent(Clock clock) {
-    super(clock);
+  public DeskAgent(AgentTime time) {
+    super(time);
   }
 
   @Override

@@ -24,7 +24,6 @@ import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Progress;
 import org.maestro.rats.protocol.RatsError;
 import org.maestro.rats.protocol.Result;
-import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 import org.maestro.sl.Term;
 import org.slf4j.Logger;
@@ -51,8 +50,8 @@ public final class GenericAgent extends MaestroAgent {
    * @param describedBy reads a member's description; throws a RuntimeException with one sentence when it is faulty
    */
   public GenericAgent(
-      Clock clock, RatsLink link, String member, Function<String, Device> describedBy) {
-    super(clock);
+      AgentTime time, RatsLink link, String member, Function<String, Device> describedBy) {
+    super(time);
     this.member = member;
     this.link = link;
     this.describedBy = describedBy;

@@ -1,8 +1,11 @@
 package org.maestro.agents;
 
 import jade.core.behaviours.CyclicBehaviour;
+import java.time.Duration;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import org.maestro.agents.stepping.IdleDetector;
+import org.maestro.agents.stepping.WorkTickets;
 import org.maestro.rats.time.Clock;
 
 /** Work handed to an agent by other threads, done on the agent's own, in order of arrival. */
@@ -14,16 +17,28 @@ final class Inbox extends CyclicBehaviour {
   private final transient Queue<Work> queue = new ConcurrentLinkedQueue<>();
   private final transient MaestroAgent agent;
   private final transient Clock clock;
+  private final transient WorkTickets tickets;
+  private final transient IdleDetector idleDetector;
 
-  Inbox(MaestroAgent agent, Clock clock) {
+  Inbox(MaestroAgent agent, Clock clock, WorkTickets tickets, IdleDetector idleDetector) {
     super(agent);
     this.agent = agent;
     this.clock = clock;
+    this.tickets = tickets;
+    this.idleDetector = idleDetector;
   }
 
-  /** Any thread. */
+  /** Any thread. On a stepped clock the work is an event of its own, so that nothing else is under way with it. */
   void add(Runnable action) {
-    queue.add(new Work(action, clock.hold("the inbox of an agent")));
+    if (clock.isStepped()) {
+      clock.schedule(Duration.ZERO, agent.getLocalName(), () -> enqueue(action));
+    } else {
+      enqueue(action);
+    }
+  }
+
+  private void enqueue(Runnable action) {
+    queue.add(new Work(action, clock.hold("the inbox of " + agent.getLocalName())));
     restart();
   }
 
@@ -37,9 +52,14 @@ final class Inbox extends CyclicBehaviour {
       }
       return;
     }
-    try {
-      agent.work(work.action());
-    } finally {
+    tickets.taken(work.ticket());
+    idleDetector.restart();
+    agent.work(work.action());
+  }
+
+  /** The agent ends: nobody will do what is left. */
+  void end() {
+    for (Work work = queue.poll(); work != null; work = queue.poll()) {
       work.ticket().close();
     }
   }

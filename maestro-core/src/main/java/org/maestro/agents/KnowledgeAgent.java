@@ -10,7 +10,6 @@ import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.knowledge.Source;
 import org.maestro.ontology.home.Device;
-import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Term;
@@ -25,8 +24,8 @@ public final class KnowledgeAgent extends MaestroAgent {
   private final transient Function<String, Device> describedBy;
 
   public KnowledgeAgent(
-      Clock clock, KnowledgeBase knowledge, Function<String, Device> describedBy) {
-    super(clock);
+      AgentTime time, KnowledgeBase knowledge, Function<String, Device> describedBy) {
+    super(time);
     this.knowledge = knowledge;
     this.describedBy = describedBy;
   }

@@ -2,12 +2,22 @@ package org.maestro.agents;
 
 import jade.core.AID;
 import jade.core.Agent;
+import jade.core.MessageQueue;
+import jade.core.ServiceException;
+import jade.core.behaviours.Behaviour;
 import jade.core.behaviours.CyclicBehaviour;
 import jade.domain.FIPANames;
 import jade.lang.acl.ACLMessage;
 import jade.lang.acl.MessageTemplate;
 import java.time.Duration;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import org.maestro.agents.stepping.IdleDetector;
+import org.maestro.agents.stepping.SteppedMail;
+import org.maestro.agents.stepping.SteppedMailService;
+import org.maestro.agents.stepping.TicketedQueue;
+import org.maestro.agents.stepping.WorkTickets;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 import org.maestro.sl.SlSyntaxException;
@@ -28,18 +38,45 @@ public abstract class MaestroAgent extends Agent {
   /** The ontology slot of all messages, as in the paper's example. */
   public static final String ONTOLOGY = "WorldModel";
 
-  private final transient Clock clock;
+  private final transient AgentTime time;
+  private final transient WorkTickets tickets;
+  private final transient IdleDetector idleDetector;
   private final transient Conversations conversations;
   private final transient Inbox inbox;
+  private final transient CountDownLatch started = new CountDownLatch(1);
 
-  protected MaestroAgent(Clock clock) {
-    this.clock = clock;
-    this.conversations = new Conversations(this, clock);
-    this.inbox = new Inbox(this, clock);
+  protected MaestroAgent(AgentTime time) {
+    this.time = time;
+    this.tickets = new WorkTickets(time.clock(), getClass().getSimpleName());
+    this.idleDetector = new IdleDetector(tickets, started::countDown);
+    this.conversations = new Conversations(this, time.clock());
+    this.inbox = new Inbox(this, time.clock(), tickets, idleDetector);
+  }
+
+  @Override
+  protected MessageQueue createMessageQueue() {
+    return new TicketedQueue(tickets);
+  }
+
+  @Override
+  public void addBehaviour(Behaviour behaviour) {
+    idleDetector.added(behaviour);
+    super.addBehaviour(behaviour);
+  }
+
+  @Override
+  public void removeBehaviour(Behaviour behaviour) {
+    idleDetector.removed(behaviour);
+    super.removeBehaviour(behaviour);
+  }
+
+  /** Waits until the agent has set itself up. Not to be called by an agent. */
+  public final boolean awaitStart(Duration limit) throws InterruptedException {
+    return started.await(limit.toMillis(), TimeUnit.MILLISECONDS);
   }
 
   protected final Clock clock() {
-    return clock;
+    return time.clock();
   }
 
   final Conversations conversations() {
@@ -48,9 +85,29 @@ public abstract class MaestroAgent extends Agent {
 
   @Override
   protected void setup() {
+    tickets.taken(time.clock().hold("the start of " + getLocalName()));
+    time.mail().ifPresent(this::joinMail);
+    super.addBehaviour(idleDetector);
     addBehaviour(inbox);
     addBehaviour(conversations);
     addBehaviour(new Mail());
+  }
+
+  private void joinMail(SteppedMail mail) {
+    try {
+      ((SteppedMailService.Registration) getHelper(SteppedMailService.NAME)).register(this, mail);
+    } catch (ServiceException e) {
+      throw new IllegalStateException(
+          "A stepped agent needs the service " + SteppedMailService.NAME + " in its container", e);
+    }
+    mail.open(this, tickets);
+  }
+
+  @Override
+  protected void takeDown() {
+    time.mail().ifPresent(mail -> mail.close(this));
+    inbox.end();
+    tickets.end();
   }
 
   /** Has the agent do this on its own thread, soon. Any thread may call. */

@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.maestro.rats.link.RatsLink;
-import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 
 /**
@@ -36,8 +35,8 @@ public final class SupervisorAgent extends MaestroAgent {
   private final transient RatsLink link;
   private final transient Containers containers;
 
-  public SupervisorAgent(Clock clock, RatsLink link, Containers containers) {
-    super(clock);
+  public SupervisorAgent(AgentTime time, RatsLink link, Containers containers) {
+    super(time);
     this.link = link;
     this.containers = containers;
   }

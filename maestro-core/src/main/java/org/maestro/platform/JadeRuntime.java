@@ -5,6 +5,7 @@ import jade.core.ProfileImpl;
 import jade.core.Runtime;
 import jade.util.leap.Properties;
 import jade.wrapper.AgentContainer;
+import jade.wrapper.AgentController;
 import jade.wrapper.StaleProxyException;
 import java.io.File;
 import java.io.IOException;
@@ -13,19 +14,27 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Optional;
+import org.maestro.agents.MaestroAgent;
+import org.maestro.agents.stepping.SteppedMailService;
 
 /** Starts and ends JADE containers with safe defaults: loopback only, no multicast, no MTP, no files in the working directory. */
 final class JadeRuntime {
   private static final String LOOPBACK = "127.0.0.1";
+  private static final Duration START_WITHIN = Duration.ofSeconds(20);
+  private static final String SERVICES =
+      String.join(
+          ";",
+          "jade.core.mobility.AgentMobilityService",
+          "jade.core.event.NotificationService",
+          SteppedMailService.class.getName());
 
   private JadeRuntime() {}
 
-  static {
+  static AgentContainer main(String platformName, int port, Path fileDirectory) {
     // JADE reads it when its first class loads; without it a process has room for one platform only.
     System.setProperty("jade.enable.multiple.platforms", "true");
-  }
-
-  static AgentContainer main(String platformName, int port, Path fileDirectory) {
     Properties properties = common(fileDirectory);
     properties.setProperty(Profile.MAIN, "true");
     properties.setProperty(Profile.PLATFORM_ID, platformName);
@@ -40,7 +49,17 @@ final class JadeRuntime {
     return container;
   }
 
-  static AgentContainer join(String host, int mainPort, String containerName, Path fileDirectory) {
+  /**
+   * Joins a platform.
+   *
+   * @param platformName needed where several platforms live in this process; elsewhere the main container tells it
+   */
+  static AgentContainer join(
+      Optional<String> platformName,
+      String host,
+      int mainPort,
+      String containerName,
+      Path fileDirectory) {
     if (!answers(host, mainPort)) {
       throw new PlatformStartException(
           "No platform answers at %s:%d; start one with ./maestro run, or name another with --main HOST:PORT."
@@ -48,6 +67,7 @@ final class JadeRuntime {
     }
     Properties properties = common(fileDirectory);
     properties.setProperty(Profile.MAIN, "false");
+    platformName.ifPresent(name -> properties.setProperty(Profile.PLATFORM_ID, name));
     properties.setProperty(Profile.MAIN_HOST, host);
     properties.setProperty(Profile.MAIN_PORT, String.valueOf(mainPort));
     properties.setProperty(Profile.LOCAL_PORT, String.valueOf(freePort()));
@@ -59,6 +79,26 @@ final class JadeRuntime {
               .formatted(containerName, host, mainPort));
     }
     return container;
+  }
+
+  /** Starts the agent and waits until it has set itself up, so that agents start one after the other. */
+  static AgentController start(AgentContainer container, String name, MaestroAgent agent) {
+    try {
+      AgentController controller = container.acceptNewAgent(name, agent);
+      controller.start();
+      if (!agent.awaitStart(START_WITHIN)) {
+        throw new PlatformStartException(
+            "The agent %s was not ready within %d s; the log says why."
+                .formatted(name, START_WITHIN.toSeconds()));
+      }
+      return controller;
+    } catch (StaleProxyException e) {
+      throw new PlatformStartException(
+          "The agent %s could not start; is there another of that name?".formatted(name), e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new PlatformStartException("Interrupted while the agent " + name + " started.", e);
+    }
   }
 
   static void end(AgentContainer container) {
@@ -107,6 +147,7 @@ final class JadeRuntime {
     properties.setProperty(Profile.LOCAL_HOST, LOOPBACK);
     properties.setProperty(Profile.DETECT_MAIN, "false");
     properties.setProperty(Profile.NO_MTP, "true");
+    properties.setProperty(Profile.SERVICES, SERVICES);
     properties.setProperty(Profile.FILE_DIR, fileDirectory + File.separator);
     properties.setProperty("jade_imtp_leap_JICP_JICPServer_acceptlocalhostonly", "true");
     properties.setProperty("jade_core_messaging_MessageManager_poolsize", "1");

@@ -1,21 +1,22 @@
 package org.maestro.platform;
 
-import jade.core.Agent;
 import jade.lang.acl.ACLMessage;
 import jade.wrapper.AgentContainer;
-import jade.wrapper.StaleProxyException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Function;
+import org.maestro.agents.AgentTime;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.GenericAgent;
+import org.maestro.agents.MaestroAgent;
 import org.maestro.agents.SupervisorAgent;
 import org.maestro.agents.Words;
 import org.maestro.ontology.home.Device;
@@ -32,19 +33,20 @@ public final class JoinedContainer implements AutoCloseable {
 
   private final AgentContainer container;
   private final DeskAgent desk;
-  private final Clock clock;
+  private final AgentTime time;
 
-  private JoinedContainer(AgentContainer container, DeskAgent desk, Clock clock) {
+  private JoinedContainer(AgentContainer container, DeskAgent desk, AgentTime time) {
     this.container = container;
     this.desk = desk;
-    this.clock = clock;
+    this.time = time;
   }
 
   /** Joins, with a desk agent named after the container. */
   public static JoinedContainer join(String host, int port, String name, Clock clock) {
-    AgentContainer container = JadeRuntime.join(host, port, name, temporaryDirectory());
-    DeskAgent desk = new DeskAgent(clock);
-    JoinedContainer joined = new JoinedContainer(container, desk, clock);
+    AgentContainer container = JadeRuntime.join(Optional.empty(), host, port, name, temporaryDirectory());
+    AgentTime time = AgentTime.of(clock);
+    DeskAgent desk = new DeskAgent(time);
+    JoinedContainer joined = new JoinedContainer(container, desk, time);
     joined.accept(name + "-desk", desk);
     return joined;
   }
@@ -103,16 +105,11 @@ public final class JoinedContainer implements AutoCloseable {
 
   /** Starts the generic agents of the members here. */
   public void host(List<String> members, RatsLink link, Function<String, Device> describedBy) {
-    members.forEach(member -> accept(member, new GenericAgent(clock, link, member, describedBy)));
+    members.forEach(member -> accept(member, new GenericAgent(time, link, member, describedBy)));
   }
 
-  private void accept(String name, Agent agent) {
-    try {
-      container.acceptNewAgent(name, agent).start();
-    } catch (StaleProxyException e) {
-      throw new PlatformStartException(
-          "The agent %s could not start; is there another of that name?".formatted(name), e);
-    }
+  private void accept(String name, MaestroAgent agent) {
+    JadeRuntime.start(container, name, agent);
   }
 
   @Override

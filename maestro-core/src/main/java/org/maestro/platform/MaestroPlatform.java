@@ -1,6 +1,5 @@
 package org.maestro.platform;
 
-import jade.core.Agent;
 import jade.lang.acl.ACLMessage;
 import jade.wrapper.AgentContainer;
 import jade.wrapper.StaleProxyException;
@@ -18,10 +17,12 @@ import java.util.TreeMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.maestro.agents.AgentTime;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.GenericAgent;
 import org.maestro.agents.KnowledgeAgent;
+import org.maestro.agents.MaestroAgent;
 import org.maestro.agents.SupervisorAgent;
 import org.maestro.coordination.Story;
 import org.maestro.coordination.StoryEntry;
@@ -42,7 +43,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private static final String DESK = "desk";
 
   private final PlatformSettings settings;
-  private final Clock clock;
+  private final AgentTime time;
   private final RatsLink link;
   private final KnowledgeBase knowledge;
   private final Function<String, Device> describedBy;
@@ -65,7 +66,7 @@ public final class MaestroPlatform implements AutoCloseable {
       int port,
       AgentContainer main) {
     this.settings = settings;
-    this.clock = clock;
+    this.time = AgentTime.of(clock);
     this.link = link;
     this.describedBy = describedBy;
     this.fileDirectory = fileDirectory;
@@ -73,11 +74,14 @@ public final class MaestroPlatform implements AutoCloseable {
     this.main = main;
     this.knowledge = knowledge;
     this.topics =
-        new TopicContainers(topic -> JadeRuntime.join("127.0.0.1", port, topic, fileDirectory));
+        new TopicContainers(
+            topic ->
+                JadeRuntime.join(
+                    Optional.of(settings.name()), "127.0.0.1", port, topic, fileDirectory));
     this.coordinator =
         new CoordinatorAgent(
-            clock, knowledge, planner, this::told, settings.decisionTime());
-    this.desk = new DeskAgent(clock);
+            time, knowledge, planner, this::told, settings.decisionTime());
+    this.desk = new DeskAgent(time);
   }
 
   /**
@@ -115,9 +119,9 @@ public final class MaestroPlatform implements AutoCloseable {
           stories.begin();
           listeners.add(stories);
         });
-    accept(KnowledgeAgent.NAME, new KnowledgeAgent(clock, knowledge, describedBy));
+    accept(KnowledgeAgent.NAME, new KnowledgeAgent(time, knowledge, describedBy));
     accept(CoordinatorAgent.NAME, coordinator);
-    accept(SupervisorAgent.NAME, new SupervisorAgent(clock, link, new Supervision()));
+    accept(SupervisorAgent.NAME, new SupervisorAgent(time, link, new Supervision()));
     accept(DESK, desk);
     knowledge.home().devices().values().stream()
         .sorted(Comparator.comparingDouble(Device::order).thenComparing(Device::id))
@@ -152,15 +156,11 @@ public final class MaestroPlatform implements AutoCloseable {
   }
 
   private void place(String member, String topic) {
-    topics.place(member, topic, id -> new GenericAgent(clock, link, id, describedBy));
+    topics.place(member, topic, id -> new GenericAgent(time, link, id, describedBy));
   }
 
-  private void accept(String name, Agent agent) {
-    try {
-      main.acceptNewAgent(name, agent).start();
-    } catch (StaleProxyException e) {
-      throw new PlatformStartException("The agent " + name + " could not start.", e);
-    }
+  private void accept(String name, MaestroAgent agent) {
+    JadeRuntime.start(main, name, agent);
   }
 
   private void told(StoryEntry entry) {

@@ -1,6 +1,5 @@
 package org.maestro.platform;
 
-import jade.core.Agent;
 import jade.wrapper.AgentContainer;
 import jade.wrapper.AgentController;
 import jade.wrapper.StaleProxyException;
@@ -10,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import org.maestro.agents.MaestroAgent;
 
 /**
  * The abstraction containers of this process, one for each topic (M70), and the agents in them. Any thread may call; one at a
@@ -28,20 +28,14 @@ final class TopicContainers {
   }
 
   /** Starts the agent in its topic's container, unless the member has one already or the topic is held elsewhere. */
-  synchronized boolean place(String member, String topic, Function<String, Agent> newAgent) {
+  synchronized boolean place(String member, String topic, Function<String, MaestroAgent> newAgent) {
     if (placedByMember.containsKey(member) || elsewhere.containsKey(topic)) {
       return false;
     }
     AgentContainer container = containerByTopic.computeIfAbsent(topic, newContainer);
-    try {
-      AgentController agent = container.acceptNewAgent(member, newAgent.apply(member));
-      agent.start();
-      placedByMember.put(member, new Placed(topic, agent));
-      return true;
-    } catch (StaleProxyException e) {
-      throw new PlatformStartException(
-          "The agent " + member + " could not start in the container " + topic + ".", e);
-    }
+    AgentController agent = JadeRuntime.start(container, member, newAgent.apply(member));
+    placedByMember.put(member, new Placed(topic, agent));
+    return true;
   }
 
   /** Ends the topic's container here, so that another process can take its members; returns them. */

@@ -38,6 +38,11 @@ public interface Clock {
     return 1.0;
   }
 
+  /** Whether time jumps from event to event, so that all work has to be accounted for by tickets. */
+  default boolean isStepped() {
+    return false;
+  }
+
   default Instant instant() {
     return start().plus(now());
   }

@@ -52,6 +52,11 @@ public final class SteppedClock implements Clock {
   }
 
   @Override
+  public boolean isStepped() {
+    return true;
+  }
+
+  @Override
   public Timer schedule(Duration delay, String owner, Runnable action) {
     synchronized (monitor) {
       Duration due = delay.isNegative() ? now : now.plus(delay);

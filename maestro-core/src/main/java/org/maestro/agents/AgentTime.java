@@ -1,0 +1,18 @@
+package org.maestro.agents;
+
+import java.util.Optional;
+import org.maestro.agents.stepping.SteppedMail;
+import org.maestro.rats.time.Clock;
+
+/**
+ * How the agents of one platform live in time.
+ *
+ * @param mail what carries their messages on a stepped clock; empty on a paced one, where JADE does
+ */
+public record AgentTime(Clock clock, Optional<SteppedMail> mail) {
+
+  public static AgentTime of(Clock clock) {
+    return new AgentTime(
+        clock, clock.isStepped() ? Optional.of(new SteppedMail(clock)) : Optional.empty());
+  }
+}
