@@ -1,0 +1,246 @@
+package org.maestro.ontology.home;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
+import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
+
+/**
+ * The closed list of geometry functions over a home: {@code distance}, {@code inside}, {@code
+ * viewShare}, {@code luxAt} and {@code shortestPath}. They ask for properties such as pose and view
+ * angle, never for a kind of device. Fixed devices stand where the home says, movable things where
+ * {@link Positions} says. Doors let robots through; light and sight through them are not counted
+ * on. Safe for threads.
+ */
+public final class Geometry {
+
+  /** Spacing of the points at which a zone's view is sampled; metres. */
+  private static final double SAMPLE_SPACING = 0.1;
+
+  private static final double HEMISPHERE_DEGREES = 180;
+
+  private final Map<String, Individual> individuals;
+  private final Map<String, Polygon> outlines = new TreeMap<>();
+  private final Map<String, Pose> fixed = new TreeMap<>();
+  private final FloorPlan closed;
+  private final WayFinder ways;
+  private final Map<Sight, Double> viewShares = new ConcurrentHashMap<>();
+
+  private record Sight(Pose pose, double viewAngle, String zone) {}
+
+  /**
+   * @param home its poses and outlines are well-formed, as the loader makes sure
+   */
+  public Geometry(Home home) {
+    this.individuals = home.individuals();
+    List<Polygon> solid = new ArrayList<>();
+    List<Segment> openings = new ArrayList<>();
+    for (Individual individual : individuals.values()) {
+      text(individual, "outline")
+          .map(Polygon::parse)
+          .ifPresent(o -> outlines.put(individual.name(), o));
+      text(individual, "pose")
+          .or(() -> text(individual, "position"))
+          .map(Pose::parse)
+          .ifPresent(pose -> fixed.put(individual.name(), pose));
+      if (individual.classes().contains("Room") || individual.classes().contains("Wall")) {
+        Optional.ofNullable(outlines.get(individual.name())).ifPresent(solid::add);
+      }
+      opening(individual).ifPresent(openings::add);
+    }
+    this.closed = new FloorPlan(solid, List.of());
+    this.ways = new WayFinder(new FloorPlan(solid, openings), solid, openings);
+  }
+
+  /** Whether a function of this name gives a number. */
+  public static boolean isNumber(String function) {
+    return List.of("distance", "viewShare", "luxAt", "shortestPath").contains(function);
+  }
+
+  /** Whether a function of this name gives a truth value. */
+  public static boolean isTruth(String function) {
+    return function.equals("inside");
+  }
+
+  /** A door's opening, when the home states it. */
+  public static Optional<Segment> opening(Individual door) {
+    return text(door, "openingFrom")
+        .flatMap(from -> text(door, "openingTo").map(to -> new Segment(point(from), point(to))));
+  }
+
+  /** The outline of a room, zone or wall. */
+  public Optional<Polygon> outline(String name) {
+    return Optional.ofNullable(outlines.get(name));
+  }
+
+  /**
+   * The value of a function with two arguments, as formulas write it.
+   *
+   * @return empty when a position is unknown or the function is none of numbers
+   */
+  public OptionalDouble number(String function, List<Term> arguments, Positions positions) {
+    if (arguments.size() != 2
+        || !(arguments.get(0) instanceof Term.Name first)
+        || !(arguments.get(1) instanceof Term.Name second)) {
+      return OptionalDouble.empty();
+    }
+    return switch (function) {
+      case "distance" -> distance(first.text(), second.text(), positions);
+      case "viewShare" -> viewShare(first.text(), second.text(), positions);
+      case "luxAt" -> luxAt(first.text(), second.text(), positions);
+      case "shortestPath" -> shortestPath(first.text(), second.text(), positions);
+      default -> OptionalDouble.empty();
+    };
+  }
+
+  /** The truth of a function with two arguments; unknown when a position is. */
+  public Truth truth(String function, List<Term> arguments, Positions positions) {
+    if (isTruth(function)
+        && arguments.size() == 2
+        && arguments.get(0) instanceof Term.Name thing
+        && arguments.get(1) instanceof Term.Name zone) {
+      return inside(thing.text(), zone.text(), positions);
+    }
+    return Truth.UNKNOWN;
+  }
+
+  /** Horizontal distance in metres; of zones and rooms the middle counts. */
+  public OptionalDouble distance(String a, String b, Positions positions) {
+    Optional<Point2> from = floorPoint(a, positions);
+    Optional<Point2> to = floorPoint(b, positions);
+    return from.isPresent() && to.isPresent()
+        ? OptionalDouble.of(from.get().distance(to.get()))
+        : OptionalDouble.empty();
+  }
+
+  /** Whether a thing is within a zone's outline; false for a place without outline. */
+  public Truth inside(String thing, String zone, Positions positions) {
+    Polygon outline = outlines.get(zone);
+    if (outline == null) {
+      return Truth.FALSE;
+    }
+    return pose(thing, positions)
+        .map(pose -> Truth.of(outline.contains(pose.floor())))
+        .orElse(Truth.UNKNOWN);
+  }
+
+  /** The share, 0 to 1, of a zone's floor in a device's view; 0 without view angle. */
+  public OptionalDouble viewShare(String device, String zone, Positions positions) {
+    OptionalDouble angle = property(device, "viewAngle");
+    Polygon outline = outlines.get(zone);
+    if (angle.isEmpty() || outline == null) {
+      return OptionalDouble.of(0);
+    }
+    Optional<Pose> pose = pose(device, positions);
+    return pose.isEmpty()
+        ? OptionalDouble.empty()
+        : OptionalDouble.of(
+            viewShares.computeIfAbsent(
+                new Sight(pose.get(), angle.getAsDouble(), zone),
+                sight -> viewShare(sight, outline)));
+  }
+
+  private double viewShare(Sight sight, Polygon outline) {
+    List<Point2> samples = outline.samples(SAMPLE_SPACING);
+    Pose pose = sight.pose();
+    long seen =
+        samples.stream()
+            .filter(point -> pose.angleTo(point.x(), point.y(), 0) <= sight.viewAngle() / 2)
+            .filter(point -> !closed.isBlocked(pose.floor(), point))
+            .count();
+    return samples.isEmpty() ? 0 : (double) seen / samples.size();
+  }
+
+  /**
+   * What a source at full level adds at a zone's reference point: I cos^3 / h^2 in lux; 0 outside
+   * its beam, behind walls, or without luminous intensity.
+   */
+  public OptionalDouble luxAt(String device, String zone, Positions positions) {
+    OptionalDouble intensity = property(device, "luminousIntensity");
+    Optional<Pose> point = referencePoint(zone);
+    if (intensity.isEmpty() || point.isEmpty()) {
+      return OptionalDouble.of(0);
+    }
+    Optional<Pose> pose = pose(device, positions);
+    if (pose.isEmpty()) {
+      return OptionalDouble.empty();
+    }
+    Pose lamp = pose.get();
+    Pose lit = point.get();
+    double height = lamp.z() - lit.z();
+    double beam = property(device, "beamAngle").orElse(HEMISPHERE_DEGREES);
+    if (height <= 0
+        || lamp.angleTo(lit.x(), lit.y(), lit.z()) > beam / 2
+        || closed.isBlocked(lamp.floor(), lit.floor())) {
+      return OptionalDouble.of(0);
+    }
+    double cosine = height / Math.hypot(height, lamp.floor().distance(lit.floor()));
+    return OptionalDouble.of(
+        intensity.getAsDouble() * cosine * cosine * cosine / (height * height));
+  }
+
+  /** Length in metres of the shortest way between two places; empty when there is none. */
+  public OptionalDouble shortestPath(String a, String b, Positions positions) {
+    Optional<Point2> from = floorPoint(a, positions);
+    Optional<Point2> to = floorPoint(b, positions);
+    return from.isPresent() && to.isPresent()
+        ? ways.length(from.get(), to.get())
+        : OptionalDouble.empty();
+  }
+
+  /** Where a zone's light is measured: as stated, or the middle of its floor. */
+  public Optional<Pose> referencePoint(String zone) {
+    return Optional.ofNullable(individuals.get(zone))
+        .flatMap(individual -> text(individual, "referencePoint"))
+        .map(Pose::parse)
+        .or(
+            () ->
+                outline(zone)
+                    .map(Polygon::centroid)
+                    .map(middle -> new Pose(middle.x(), middle.y(), 0, 0, 0, 0)));
+  }
+
+  private Optional<Point2> floorPoint(String name, Positions positions) {
+    return pose(name, positions)
+        .map(Pose::floor)
+        .or(() -> outline(name).map(Polygon::centroid))
+        .or(
+            () ->
+                Optional.ofNullable(individuals.get(name))
+                    .flatMap(Geometry::opening)
+                    .map(Segment::middle));
+  }
+
+  private Optional<Pose> pose(String name, Positions positions) {
+    return positions.of(name).or(() -> Optional.ofNullable(fixed.get(name)));
+  }
+
+  private OptionalDouble property(String name, String property) {
+    Individual individual = individuals.get(name);
+    if (individual != null) {
+      for (Term value : individual.properties().getOrDefault(property, List.of())) {
+        if (value instanceof Term.Number number) {
+          return OptionalDouble.of(number.value());
+        }
+      }
+    }
+    return OptionalDouble.empty();
+  }
+
+  private static Optional<String> text(Individual individual, String property) {
+    return individual.properties().getOrDefault(property, List.of()).stream()
+        .filter(Term.Text.class::isInstance)
+        .map(value -> ((Term.Text) value).value())
+        .findFirst();
+  }
+
+  private static Point2 point(String text) {
+    double[] numbers = Pose.numbers(text);
+    return new Point2(numbers[0], numbers[1]);
+  }
+}

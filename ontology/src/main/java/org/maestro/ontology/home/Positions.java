@@ -1,0 +1,14 @@
+package org.maestro.ontology.home;
+
+import java.util.Optional;
+
+/** Where movable things are, as far as anybody knows. */
+@FunctionalInterface
+public interface Positions {
+
+  /** Nothing is known of movable things. */
+  Positions UNKNOWN = name -> Optional.empty();
+
+  /** The pose of a thing or device by its local name, or empty when unknown. */
+  Optional<Pose> of(String name);
+}
