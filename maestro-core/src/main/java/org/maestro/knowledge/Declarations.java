@@ -21,6 +21,9 @@ final class Declarations {
   /** Where a thing is, as a text; the one predicate that is known without a vocabulary. */
   static final String POSITION = "position";
 
+  /** Where the home says that a thing is fixed. */
+  static final String POSE = "pose";
+
   private static final int PAIR = 2;
 
   private final Home home;

@@ -2,32 +2,52 @@ package org.maestro.knowledge;
 
 import java.util.List;
 import java.util.OptionalDouble;
+import org.maestro.ontology.home.Geometry;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Pose;
+import org.maestro.ontology.home.Positions;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
-/** The geometry of a home. */
+/** The geometry of a home, with movable things where a snapshot knows them. */
 final class HomeMeasures implements Measures {
 
-  HomeMeasures(Home home) {}
+  private final Geometry geometry;
+
+  HomeMeasures(Home home) {
+    this.geometry = new Geometry(home);
+  }
 
   @Override
   public boolean isNumber(String function) {
-    return false;
+    return Geometry.isNumber(function);
   }
 
   @Override
   public boolean isTruth(String function) {
-    return false;
+    return Geometry.isTruth(function);
   }
 
   @Override
   public OptionalDouble number(String function, List<Term> arguments, Snapshot snapshot) {
-    return OptionalDouble.empty();
+    return geometry.number(function, arguments, positions(snapshot));
   }
 
+  /** A place without outline is a carrier, of which no position tells what is in it. */
   @Override
   public Truth truth(String function, List<Term> arguments, Snapshot snapshot) {
-    return Truth.UNKNOWN;
+    boolean outlined =
+        arguments.size() > 1
+            && arguments.get(1) instanceof Term.Name place
+            && geometry.outline(place.text()).isPresent();
+    return outlined ? geometry.truth(function, arguments, positions(snapshot)) : Truth.UNKNOWN;
+  }
+
+  private static Positions positions(Snapshot snapshot) {
+    return name ->
+        snapshot
+            .value(Declarations.POSITION, List.of(new Term.Name(name)))
+            .filter(Term.Text.class::isInstance)
+            .map(value -> Pose.parse(((Term.Text) value).value()));
   }
 }

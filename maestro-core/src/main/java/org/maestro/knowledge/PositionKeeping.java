@@ -6,10 +6,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
+import org.maestro.ontology.home.Pose;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Keeps positions and what follows from them in step: a new position decides its {@code
@@ -17,6 +20,8 @@ import org.maestro.sl.Truth;
  * what followed from it.
  */
 final class PositionKeeping {
+
+  private static final Logger LOG = LoggerFactory.getLogger(PositionKeeping.class);
 
   private final Draft draft;
   private final Function<World, Snapshot> view;
@@ -35,8 +40,12 @@ final class PositionKeeping {
     Set<Term> moved = new LinkedHashSet<>();
     for (Fact fact : facts) {
       if (fact instanceof Fact.Holds holds && isPosition(holds.atom())) {
-        draft.write(fact, source, false);
-        moved.add(holds.atom().arguments().get(0));
+        if (isReadable(holds.atom().arguments().get(1))) {
+          draft.write(fact, source, false);
+          moved.add(holds.atom().arguments().get(0));
+        } else {
+          LOG.warn("{} told {}, which is no position; it is ignored.", source.agent(), fact);
+        }
       } else {
         rest.add(fact);
       }
@@ -135,6 +144,18 @@ final class PositionKeeping {
   private boolean isFromItsPosition(StateVariable variable) {
     return draft.base().declarations().isFunctional(variable.predicate())
         && draft.base().cell(variable).flatMap(Cell::value).filter(Held::fromPosition).isPresent();
+  }
+
+  private static boolean isReadable(Term position) {
+    if (!(position instanceof Term.Text text)) {
+      return false;
+    }
+    try {
+      Pose.parse(text.value());
+      return true;
+    } catch (IllegalArgumentException e) {
+      return false;
+    }
   }
 
   private static boolean isPosition(Formula.Atom atom) {

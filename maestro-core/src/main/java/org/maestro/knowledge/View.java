@@ -64,7 +64,10 @@ final class View implements Snapshot {
     if (world.described().holds(atom)) {
       return Truth.TRUE;
     }
-    return isDescribedOtherwise(atom) ? Truth.FALSE : notKnown(atom);
+    if (isDescribedOtherwise(atom)) {
+      return Truth.FALSE;
+    }
+    return isFixed(asked) ? new Sightings(world, this).decided(asked) : notKnown(atom);
   }
 
   @Override
@@ -178,6 +181,25 @@ final class View implements Snapshot {
     }
     Held excluded = cell.excluded().get(wanted);
     return excluded != null && isFresh(variable, excluded) ? Truth.FALSE : notKnown(atom);
+  }
+
+  /**
+   * Whether the home itself says where the atom's first argument stands, and that decides the
+   * predicate.
+   */
+  private boolean isFixed(Formula.Atom atom) {
+    return world
+            .declarations()
+            .declared(atom.predicate())
+            .flatMap(PredicateDeclaration::observedWhen)
+            .isPresent()
+        && atom.arguments().stream()
+            .findFirst()
+            .filter(
+                subject ->
+                    !world.described().values(subject, Declarations.POSE).isEmpty()
+                        || !world.described().values(subject, Declarations.POSITION).isEmpty())
+            .isPresent();
   }
 
   private boolean isDescribedOtherwise(Formula.Atom atom) {
