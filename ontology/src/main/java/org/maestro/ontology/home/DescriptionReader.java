@@ -1,0 +1,106 @@
+package org.maestro.ontology.home;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.apache.jena.graph.Node;
+import org.apache.jena.vocabulary.RDF;
+import org.maestro.ontology.validation.Fault;
+import org.maestro.ontology.validation.Maestro;
+import org.maestro.ontology.validation.SourceGraph;
+import org.maestro.ontology.validation.SourceReader;
+import org.maestro.ontology.vocabulary.FeatureReader;
+import org.maestro.ontology.vocabulary.Literals;
+import org.maestro.ontology.vocabulary.Vocabulary;
+
+/**
+ * Reads the description that a member sends of itself. A feature that the vocabulary knows needs
+ * its type's name and what differs; any other is described whole. Never uses the network.
+ * Stateless, safe for threads.
+ */
+public final class DescriptionReader {
+
+  private static final String BASE = "https://w3id.org/maestro/member/";
+
+  private final Vocabulary vocabulary;
+
+  public DescriptionReader(Vocabulary vocabulary) {
+    this.vocabulary = vocabulary;
+  }
+
+  /**
+   * Reads and validates a description.
+   *
+   * @param jsonLd the document
+   * @param member the id of the member that sent it; it may speak of nothing else
+   * @throws HomeFaultException with every fault that was found
+   */
+  public Device read(String jsonLd, String member) {
+    SourceGraph graph = new SourceGraph();
+    new SourceReader(graph, member, BASE + "#").readJsonLd(jsonLd);
+    refuseFaults(graph);
+    Node node = memberNode(graph, member);
+    refuseStrangers(graph, node);
+    refuseFaults(graph);
+    Individual individual = new IndividualReader(graph, vocabulary).read(node);
+    if (!individual.classes().contains("Device")) {
+      graph.fault(
+          node,
+          "is no maestro:Device",
+          "add the type "
+              + Maestro.NAMESPACE
+              + "Device, or a class that the vocabulary has under it");
+    }
+    Device device = new DeviceReader(graph, vocabulary).read(node, individual);
+    refuseFaults(graph);
+    return device;
+  }
+
+  private static Node memberNode(SourceGraph graph, String member) {
+    Optional<Node> node =
+        graph.subjects().stream()
+            .filter(subject -> subject.isURI() && Literals.name(subject).equals(member))
+            .findFirst();
+    return node.orElseThrow(
+        () ->
+            new HomeFaultException(
+                List.of(
+                    new Fault(
+                        member,
+                        0,
+                        "the description",
+                        "",
+                        "does not speak of " + member,
+                        "give it an id that ends in #" + member))));
+  }
+
+  /**
+   * A description speaks of its member, of the features that only it offers, and of nothing else.
+   */
+  private void refuseStrangers(SourceGraph graph, Node member) {
+    Set<Node> own = new LinkedHashSet<>(Set.of(member));
+    for (Node offered : graph.objects(member, Maestro.term("offers"))) {
+      own.add(offered);
+      graph.objects(offered, RDF.type.asNode()).stream()
+          .filter(type -> FeatureReader.isFeature(graph, type))
+          .forEach(own::add);
+    }
+    for (Node subject : graph.subjects()) {
+      boolean redefines =
+          subject.isURI() && vocabulary.features().containsKey(Literals.name(subject));
+      if (subject.isURI() && (redefines || !own.contains(subject))) {
+        graph.fault(
+            subject,
+            "is not for " + Literals.name(member) + " to describe",
+            "speak only of " + Literals.name(member) + " and of features that only it has");
+      }
+    }
+  }
+
+  private static void refuseFaults(SourceGraph graph) {
+    if (!graph.faults().isEmpty()) {
+      throw new HomeFaultException(graph.faults());
+    }
+  }
+}

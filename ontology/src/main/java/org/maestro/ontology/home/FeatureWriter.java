@@ -1,0 +1,114 @@
+package org.maestro.ontology.home;
+
+import jakarta.json.Json;
+import jakarta.json.JsonArrayBuilder;
+import jakarta.json.JsonObjectBuilder;
+import java.util.List;
+import java.util.Map;
+import java.util.function.UnaryOperator;
+import org.maestro.ontology.validation.Maestro;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.Parameter;
+import org.maestro.ontology.vocabulary.Price;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.sl.SlPrinter;
+
+/**
+ * Writes a feature as part of a description: by its type's name where it is as the vocabulary says,
+ * else whole.
+ */
+final class FeatureWriter {
+
+  private static final String XSD = "http://www.w3.org/2001/XMLSchema#";
+
+  private final Vocabulary vocabulary;
+  private final UnaryOperator<String> properties;
+
+  /**
+   * @param properties gives a property's IRI by its local name
+   */
+  FeatureWriter(Vocabulary vocabulary, UnaryOperator<String> properties) {
+    this.vocabulary = vocabulary;
+    this.properties = properties;
+  }
+
+  JsonObjectBuilder write(FeatureType feature, int order) {
+    FeatureType known = vocabulary.features().get(feature.name());
+    JsonObjectBuilder json = Json.createObjectBuilder();
+    if (known == null) {
+      json.add("id", feature.iri());
+      json.add("type", Maestro.NAMESPACE + (feature.task() ? "Task" : "Action"));
+    } else {
+      json.add("type", feature.iri());
+    }
+    json.add("order", order);
+    if (!feature.equals(known)) {
+      addAll(json, feature);
+    }
+    return json;
+  }
+
+  private void addAll(JsonObjectBuilder json, FeatureType feature) {
+    json.add("sentence", feature.sentence());
+    json.add("procedure", feature.procedure());
+    json.add("input", parameters(feature.inputs()));
+    json.add("binds", parameters(feature.binds()));
+    json.add("output", parameters(feature.outputs()));
+    json.add("precondition", SlPrinter.print(feature.precondition()));
+    json.add("effect", SlPrinter.print(feature.effect()));
+    feature.learns().ifPresent(learns -> json.add("learns", SlPrinter.print(learns)));
+    json.add("continuous", feature.continuous());
+    feature.endedBy().ifPresent(name -> json.add("endedBy", featureIri(name)));
+    feature.frequencyHertz().ifPresent(hertz -> json.add("frequency", hertz));
+    json.add("occupies", Json.createArrayBuilder(feature.occupies()));
+    if (feature.cost() instanceof Price.Stated stated) {
+      json.add("cost", SlPrinter.print(stated.cost()));
+    } else if (feature.cost() instanceof Price.Asked asked) {
+      json.add("cost", Json.createObjectBuilder().add("id", Maestro.NAMESPACE + "asked"));
+      json.add("costAtLeast", SlPrinter.print(asked.atLeast()));
+    }
+    json.add("seconds", SlPrinter.print(feature.seconds()));
+    feature.exit().ifPresent(exit -> json.add("exit", exit));
+    json.add("refersTo", namedFacts(feature.refersTo()));
+  }
+
+  static JsonArrayBuilder namedFacts(Map<String, String> facts) {
+    JsonArrayBuilder json = Json.createArrayBuilder();
+    facts.forEach(
+        (name, fact) -> json.add(Json.createObjectBuilder().add("name", name).add("fact", fact)));
+    return json;
+  }
+
+  private JsonArrayBuilder parameters(List<Parameter> parameters) {
+    JsonArrayBuilder json = Json.createArrayBuilder();
+    for (Parameter parameter : parameters) {
+      JsonObjectBuilder entry = Json.createObjectBuilder().add("name", parameter.name());
+      JsonArrayBuilder types = Json.createArrayBuilder();
+      parameter.types().forEach(type -> types.add(typeIri(type)));
+      JsonArrayBuilder values = Json.createArrayBuilder();
+      parameter.oneOf().forEach(value -> DescriptionWriter.addLiteral(values, value));
+      JsonArrayBuilder needs = Json.createArrayBuilder();
+      parameter.needs().forEach(need -> needs.add(properties.apply(need)));
+      json.add(
+          entry
+              .add("types", types)
+              .add("oneOf", values)
+              .add("needs", needs)
+              .add("optional", parameter.optional()));
+    }
+    return json;
+  }
+
+  private String typeIri(String name) {
+    if (vocabulary.classes().containsKey(name)) {
+      return vocabulary.classes().get(name).iri();
+    }
+    return (name.equals("Pose") ? Maestro.NAMESPACE : XSD) + name;
+  }
+
+  private String featureIri(String name) {
+    return vocabulary.features().containsKey(name)
+        ? vocabulary.features().get(name).iri()
+        : Maestro.NAMESPACE + name;
+  }
+}

@@ -1,0 +1,131 @@
+package org.maestro.ontology.home;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.Parameter;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Term;
+
+class DescriptionTest {
+
+  private static final String BLIND =
+      """
+      {"@context": "https://w3id.org/maestro/context.jsonld",
+       "id": "https://example.org/devices#blind-1",
+       "type": ["maestro:Device", "https://example.org/devices#Blind"],
+       "label": "the blind", "driver": "blind", "container": "lights",
+       "https://example.org/devices#slats": 24,
+       "offers": {"id": "https://example.org/devices#tilt", "type": "maestro:Action",
+         "input": {"name": "angle", "types": ["xsd:decimal"], "oneOf": [0, 45, 90]},
+         "binds": {"name": "zone", "types": ["maestro:Zone"]},
+         "precondition": "(inside ?self ?zone)",
+         "effect": "(increase (illuminance ?zone) (* 2 ?angle))",
+         "cost": "1.5"}}
+      """;
+
+  private final Home bob = ShippedHomes.bob();
+  private final DescriptionReader reader = new DescriptionReader(bob.vocabulary());
+
+  @Test
+  void everyDeviceOfTheShippedHomesSurvivesTheWire() {
+    for (Home home : List.of(bob, ShippedHomes.arena())) {
+      DescriptionWriter writer = new DescriptionWriter(home);
+      DescriptionReader ofHome = new DescriptionReader(home.vocabulary());
+      for (Device device : home.devices().values()) {
+        String text = writer.write(device);
+        assertThat(ofHome.read(text, device.id())).as(text).isEqualTo(device);
+        assertThat(writer.write(device)).isEqualTo(text);
+      }
+    }
+  }
+
+  @Test
+  void aReaderWithoutTheFeatureTypesGetsThemWhole() {
+    Vocabulary known = bob.vocabulary();
+    Vocabulary poor = new Vocabulary(known.classes(), known.predicates(), java.util.Map.of());
+    Home described = new Home(bob.iri(), bob.label(), poor, bob.individuals(), bob.devices());
+    DescriptionWriter writer = new DescriptionWriter(described);
+    for (Device device : bob.devices().values()) {
+      assertThat(new DescriptionReader(poor).read(writer.write(device), device.id()))
+          .isEqualTo(device);
+    }
+  }
+
+  @Test
+  void understandsADeviceThatNobodyHasHeardOf() {
+    Device blind = reader.read(BLIND, "blind-1");
+    assertThat(blind.individual().classes()).containsExactly("Blind", "Device");
+    assertThat(blind.individual().properties())
+        .containsEntry("slats", List.of(new Term.Number(24)));
+    FeatureType tilt = blind.features().get(0);
+    assertThat(tilt.name()).isEqualTo("tilt");
+    assertThat(tilt.inputs())
+        .containsExactly(
+            new Parameter(
+                "angle",
+                List.of("decimal"),
+                List.of(new Term.Number(0), new Term.Number(45), new Term.Number(90)),
+                List.of(),
+                false));
+    assertThat(SlPrinter.print(tilt.effect()))
+        .isEqualTo("(increase (illuminance ?zone) (* 2 ?angle))");
+    assertThat(tilt.procedure()).isEqualTo("tilt");
+  }
+
+  @Test
+  void aFeatureOfTheVocabularyNeedsOnlyWhatDiffers() {
+    Device lamp =
+        reader.read(
+            """
+            {"@context": "https://w3id.org/maestro/context.jsonld",
+             "id": "https://example.org/devices#lamp-9",
+             "type": "https://w3id.org/maestro/domain#Lamp",
+             "offers": {"type": "https://w3id.org/maestro/domain#adjustLight", "cost": "7"}}
+            """,
+            "lamp-9");
+    FeatureType type = bob.vocabulary().features().get("adjustLight");
+    assertThat(lamp.individual().classes()).contains("Lamp", "Device");
+    assertThat(lamp.features().get(0).effect()).isEqualTo(type.effect());
+    assertThat(lamp.features().get(0).cost()).isNotEqualTo(type.cost());
+  }
+
+  @Test
+  void aMemberSpeaksOnlyOfItself() {
+    assertThatThrownBy(() -> reader.read(BLIND, "blind-2"))
+        .isInstanceOf(HomeFaultException.class)
+        .hasMessageContaining("does not speak of blind-2");
+    String meddling =
+        BLIND.replace(
+            "\"label\": \"the blind\"",
+            "\"maestro:note\": {\"id\": \"https://w3id.org/maestro/home/bob#rose\", \"label\": \"x\"}");
+    assertThatThrownBy(() -> reader.read(meddling, "blind-1"))
+        .hasMessageContaining("blind-1: rose is not for blind-1 to describe");
+    String redefining =
+        BLIND.replace("https://example.org/devices#tilt", "https://w3id.org/maestro/domain#pick");
+    assertThatThrownBy(() -> reader.read(redefining, "blind-1"))
+        .hasMessageContaining("pick is not for blind-1 to describe");
+  }
+
+  @Test
+  void faultsInADescriptionNameWhatIsWrong() {
+    assertThatThrownBy(
+            () -> reader.read(BLIND.replace("(inside ?self ?zone)", "(inside ?self"), "blind-1"))
+        .hasMessageContaining("tilt")
+        .hasMessageContaining("column 14");
+    assertThatThrownBy(
+            () ->
+                reader.read(
+                    BLIND.replace("w3id.org/maestro/context", "example.org/other"), "blind-1"))
+        .isInstanceOf(HomeFaultException.class)
+        .hasMessageContaining("https://example.org/other.jsonld");
+    assertThatThrownBy(() -> reader.read("{\"@context\": ", "blind-1"))
+        .isInstanceOf(HomeFaultException.class);
+    assertThatThrownBy(() -> reader.read(BLIND.replace("\"maestro:Device\",", ""), "blind-1"))
+        .hasMessageContaining("is no maestro:Device");
+  }
+}
