@@ -1,0 +1,101 @@
+package org.maestro.device;
+
+import java.util.List;
+import java.util.Optional;
+import org.maestro.hal.Completion;
+import org.maestro.hal.GripperArm;
+import org.maestro.hal.Position;
+import org.maestro.ontology.home.Point2;
+import org.maestro.rats.member.Execution;
+import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.RatsError;
+
+/** What picking and placing share: the robot, its arm, and the way out on cancel. */
+abstract class ArmTask extends DeviceProcedure {
+
+  private final FeatureContext context;
+  private final Robot robot;
+  private final GripperArm arm;
+  private final Reach reach;
+
+  ArmTask(FeatureContext context) {
+    this.context = context;
+    this.robot = new Robot(context);
+    this.arm = context.driver(GripperArm.class);
+    this.reach = new Reach(robot, arm.reach());
+  }
+
+  final FeatureContext context() {
+    return context;
+  }
+
+  final Robot robot() {
+    return robot;
+  }
+
+  final GripperArm arm() {
+    return arm;
+  }
+
+  final Reach reach() {
+    return reach;
+  }
+
+  final ActionSequence.Action drive(Point2 stand, String doing) {
+    return new ActionSequence.Action(
+        "approach",
+        completion -> robot.driveToNearest(List.of(stand), completion),
+        reason -> unreachable(doing + ": " + reason + "."));
+  }
+
+  static RatsError unreachable(String message) {
+    return FeatureContext.unmet(message, "clear the way", List.of());
+  }
+
+  /** The price of a task of the arm, with what of the way counts for it. */
+  final CostAnswer price(Optional<Reach.Approach> approach, double armSeconds, String doing) {
+    if (approach.isEmpty()) {
+      return impossible("There is no free way for " + doing);
+    }
+    double metres = Math.min(approach.get().route().length(), Prices.LONGEST_APPROACH_METRES);
+    double driving = metres / robot.base().speed();
+    return price(
+        driving + armSeconds, driving * robot.base().power() + armSeconds * arm.power());
+  }
+
+  final CostAnswer price(double armSeconds) {
+    return price(armSeconds, armSeconds * arm.power());
+  }
+
+  /** Exit strategy (M45): stand still, put down what is held if there is a free spot, fold the arm. */
+  final void exitSafely(Execution execution) {
+    execution.onCancel(
+        safe -> {
+          robot.base().stop();
+          Optional<Point2> spot = arm.held().flatMap(held -> reach.here());
+          if (spot.isPresent()) {
+            arm.extend(Position.onFloor(spot.get()), then(() -> letGo(safe), safe));
+          } else {
+            arm.fold(then(safe, safe));
+          }
+        });
+  }
+
+  private void letGo(Runnable safe) {
+    arm.release(then(() -> arm.fold(then(safe, safe)), safe));
+  }
+
+  private static Completion then(Runnable next, Runnable otherwise) {
+    return new Completion() {
+      @Override
+      public void done() {
+        next.run();
+      }
+
+      @Override
+      public void failed(String reason) {
+        otherwise.run();
+      }
+    };
+  }
+}

@@ -1,0 +1,113 @@
+package org.maestro.device;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.maestro.hal.Camera;
+import org.maestro.hal.Position;
+import org.maestro.rats.member.Execution;
+import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.RatsError;
+import org.maestro.sl.Term;
+
+/**
+ * Looks for an object until ended (M87). Found is said when several frames of a burst agree; not found only when the images are bright
+ * enough everywhere in what the camera covers that missing it is next to impossible. Otherwise the call fails and names the light that
+ * is missing; once established it says nothing while it cannot tell.
+ */
+final class ObserveObject extends DeviceProcedure {
+
+  private static final int FRAMES = 15;
+  private static final double SECONDS = 1;
+
+  private final FeatureContext context;
+  private final Camera camera;
+  private final Observations observations;
+  private final Duration period;
+
+  ObserveObject(FeatureContext context, Observations observations) {
+    this.context = context;
+    this.camera = context.driver(Camera.class);
+    this.observations = observations;
+    this.period = Streams.period(context.feature());
+  }
+
+  @Override
+  void start(Execution execution, CallParameters parameters) {
+    Pointer object = parameters.pointer("object");
+    observations.add(object.name(), execution);
+    look(execution, parameters, object, true);
+  }
+
+  private void look(Execution execution, CallParameters parameters, Pointer object, boolean first) {
+    if (execution.ended()) {
+      return;
+    }
+    Duration begun = context.clock().now();
+    camera.look(
+        object.target(),
+        FRAMES,
+        new Camera.Listener() {
+          @Override
+          public void looked(Camera.Look look) {
+            judge(execution, parameters, look, first);
+            Streams.next(
+                context, begun, period, () -> look(execution, parameters, object, false));
+          }
+
+          @Override
+          public void failed(String reason) {
+            execution.fail(FeatureContext.broken(reason));
+          }
+        });
+  }
+
+  private void judge(
+      Execution execution, CallParameters parameters, Camera.Look look, boolean first) {
+    SightVerdict verdict = SightVerdict.of(look, camera);
+    if (verdict.found()) {
+      Position position = look.position().orElseThrow();
+      Map<String, Object> values = new LinkedHashMap<>();
+      values.put("found", true);
+      values.put("pose", List.of(position.x(), position.y(), position.z()));
+      report(execution, values, first);
+    } else if (verdict.unfit().isEmpty()) {
+      report(execution, new LinkedHashMap<>(Map.of("found", false)), first);
+    } else if (first) {
+      execution.fail(refusal(parameters, verdict.unfit()));
+    }
+  }
+
+  private RatsError refusal(CallParameters parameters, List<SightVerdict.UnfitLight> unfit) {
+    List<RatsError.Reference> references = new ArrayList<>();
+    List<String> lights = new ArrayList<>();
+    for (SightVerdict.UnfitLight light : unfit) {
+      Map<String, Term> area = new TreeMap<>(Map.of("zone", new Term.Name(light.area())));
+      context
+          .reference("light", parameters, area, light.need(), light.lux())
+          .ifPresent(references::add);
+      lights.add(
+          "%s lux in %s, %s needed"
+              .formatted(Numbers.plain(light.lux()), light.area(), light.need()));
+    }
+    boolean dark = unfit.stream().anyMatch(light -> light.lux() < camera.minimumLux());
+    return FeatureContext.unmet(
+        String.join("; ", lights), dark ? "raise the light" : "lower the light", references);
+  }
+
+  private static void report(Execution execution, Map<String, Object> values, boolean first) {
+    if (first) {
+      execution.established(values);
+    } else {
+      execution.observed(values);
+    }
+  }
+
+  @Override
+  CostAnswer cost(CallParameters parameters) {
+    return price(SECONDS, 0);
+  }
+}

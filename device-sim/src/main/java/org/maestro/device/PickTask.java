@@ -1,0 +1,70 @@
+package org.maestro.device;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.maestro.hal.Position;
+import org.maestro.rats.member.Execution;
+import org.maestro.rats.protocol.CostAnswer;
+
+/** Picks something up: approach, open the hand, reach out, grasp, fold (M29). */
+final class PickTask extends ArmTask {
+
+  PickTask(FeatureContext context) {
+    super(context);
+  }
+
+  @Override
+  void start(Execution execution, CallParameters parameters) {
+    Pointer object = parameters.pointer("object");
+    Position place =
+        object
+            .position()
+            .orElseThrow(
+                () ->
+                    new InvalidCallException(
+                        "The pointer object comes without position, so that nobody can grasp it."));
+    if (arm().held().isPresent()) {
+      execution.fail(
+          FeatureContext.unmet(
+              "The hand holds " + arm().held().get() + " already.",
+              "place it first",
+              context().reference("hand", parameters, Map.of(), "true", false).stream().toList()));
+      return;
+    }
+    Optional<Reach.Approach> approach = reach().to(place.floor());
+    if (approach.isEmpty()) {
+      execution.fail(unreachable("There is no free way to " + object.name() + "."));
+      return;
+    }
+    exitSafely(execution);
+    new ActionSequence(
+            context().device(),
+            execution,
+            List.of(
+                drive(approach.get().stand(), "Cannot drive to " + object.name()),
+                new ActionSequence.Action("open hand", arm()::open),
+                new ActionSequence.Action(
+                    "reach out", completion -> arm().extend(place, completion)),
+                new ActionSequence.Action(
+                    "grasp",
+                    completion -> arm().grasp(object.target(), completion),
+                    reason ->
+                        FeatureContext.unmet(
+                            "Cannot grasp " + object.name() + ": " + reason + ".",
+                            "look for it again",
+                            List.of())),
+                new ActionSequence.Action("fold", arm()::fold)),
+            () -> execution.succeed(Map.of()))
+        .run();
+  }
+
+  @Override
+  CostAnswer cost(CallParameters parameters) {
+    Pointer object = parameters.pointer("object");
+    return object
+        .position()
+        .map(place -> price(reach().to(place.floor()), arm().pickSeconds(), object.name()))
+        .orElseGet(() -> price(arm().pickSeconds()));
+  }
+}

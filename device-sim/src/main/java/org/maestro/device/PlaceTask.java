@@ -1,0 +1,74 @@
+package org.maestro.device;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.maestro.hal.Area;
+import org.maestro.hal.Position;
+import org.maestro.rats.member.Execution;
+import org.maestro.rats.protocol.CostAnswer;
+
+/** Puts down what the hand holds, beside a thing or in an area: approach, reach out, let go, fold (M29). */
+final class PlaceTask extends ArmTask {
+
+  PlaceTask(FeatureContext context) {
+    super(context);
+  }
+
+  @Override
+  void start(Execution execution, CallParameters parameters) {
+    Pointer object = parameters.pointer("object");
+    Pointer target = parameters.pointer("target");
+    if (!arm().held().equals(Optional.of(object.name()))) {
+      execution.fail(
+          FeatureContext.unmet(
+              "The hand does not hold " + object.name() + ".",
+              "pick it up first",
+              context().reference("holding", parameters, Map.of(), "true", false).stream()
+                  .toList()));
+      return;
+    }
+    Optional<Reach.Approach> approach =
+        approach(target)
+            .orElseThrow(
+                () ->
+                    new InvalidCallException(
+                        "The pointer target comes without position and is no area of the map."));
+    if (approach.isEmpty()) {
+      execution.fail(unreachable("There is no free spot at " + target.name() + "."));
+      return;
+    }
+    exitSafely(execution);
+    Position spot = Position.onFloor(approach.get().spot());
+    new ActionSequence(
+            context().device(),
+            execution,
+            List.of(
+                drive(approach.get().stand(), "Cannot drive to " + target.name()),
+                new ActionSequence.Action(
+                    "reach out", completion -> arm().extend(spot, completion)),
+                new ActionSequence.Action("let go", arm()::release),
+                new ActionSequence.Action("fold", arm()::fold)),
+            () -> execution.succeed(Map.of()))
+        .run();
+  }
+
+  /** Empty when the target can be nowhere; empty inside when there is no free spot or way. */
+  private Optional<Optional<Reach.Approach>> approach(Pointer target) {
+    Optional<Area> area =
+        target
+            .outline()
+            .map(outline -> new Area(target.name(), outline, outline.centroid()))
+            .or(() -> robot().area(target.name()));
+    return area.map(place -> reach().within(place))
+        .or(() -> target.position().map(place -> reach().beside(place.floor())));
+  }
+
+  @Override
+  CostAnswer cost(CallParameters parameters) {
+    Pointer target = parameters.pointer("target");
+    return approach(target)
+        .map(approach -> price(approach, arm().placeSeconds(), target.name()))
+        .orElseGet(() -> price(arm().placeSeconds()));
+  }
+}

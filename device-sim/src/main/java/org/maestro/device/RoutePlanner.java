@@ -1,0 +1,158 @@
+package org.maestro.device;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.PriorityQueue;
+import java.util.Set;
+import org.maestro.hal.Surroundings.Obstacle;
+import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.home.Segment;
+
+/**
+ * Shortest ways of a round body among walls and round obstacles: A* over a visibility graph, whose corners lie on 16-sided polygons
+ * around wall ends and obstacles. A way is at most 2 % longer than the true one, where it bends. Immutable.
+ */
+public final class RoutePlanner {
+
+  private static final int SIDES = 16;
+  private static final double TOLERANCE = 1e-6;
+  private static final double OUTWARD = 1e-4;
+
+  private final List<Segment> walls;
+  private final List<Obstacle> obstacles;
+  private final double radius;
+  private final List<Point2> corners;
+
+  /**
+   * @param radius of the body; metres
+   */
+  public RoutePlanner(List<Segment> walls, List<Obstacle> obstacles, double radius) {
+    this.walls = List.copyOf(walls);
+    this.obstacles = List.copyOf(obstacles);
+    this.radius = radius;
+    Set<Point2> ends = new LinkedHashSet<>();
+    walls.forEach(wall -> Collections.addAll(ends, wall.from(), wall.to()));
+    List<Point2> around = new ArrayList<>();
+    ends.forEach(end -> addPolygon(around, end, radius));
+    obstacles.forEach(obstacle -> addPolygon(around, obstacle.middle(), obstacle.radius() + radius));
+    this.corners = around.stream().filter(this::isFree).toList();
+  }
+
+  /** Whether the body may stand there. */
+  public boolean isFree(Point2 point) {
+    return walls.stream().allMatch(wall -> wall.distance(point) >= radius - TOLERANCE)
+        && obstacles.stream()
+            .allMatch(
+                obstacle ->
+                    obstacle.middle().distance(point) >= obstacle.radius() + radius - TOLERANCE);
+  }
+
+  /** Whether the body can go straight from one point to the other, given that it stands at the first. */
+  public boolean isFreeWay(Point2 from, Point2 to) {
+    Segment way = new Segment(from, to);
+    for (Segment wall : walls) {
+      double needed = Math.min(radius, wall.distance(from));
+      if (wall.intersects(way) || distance(wall, way) < needed - TOLERANCE) {
+        return false;
+      }
+    }
+    for (Obstacle obstacle : obstacles) {
+      double needed =
+          Math.min(obstacle.radius() + radius, obstacle.middle().distance(from));
+      if (way.distance(obstacle.middle()) < needed - TOLERANCE) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** The shortest way to the nearest of the goals that can be reached; those where the body may not stand are left out. */
+  public Optional<Route> shortest(Point2 start, List<Point2> goals) {
+    List<Point2> nodes = new ArrayList<>();
+    nodes.add(start);
+    for (Point2 goal : goals) {
+      if (goal.equals(start)) {
+        return Optional.of(new Route(List.of(), 0));
+      }
+      if (isFree(goal)) {
+        nodes.add(goal);
+      }
+    }
+    int firstCorner = nodes.size();
+    if (firstCorner == 1) {
+      return Optional.empty();
+    }
+    List<Point2> free = List.copyOf(nodes.subList(1, firstCorner));
+    nodes.addAll(corners);
+    double[] rest = new double[nodes.size()];
+    for (int i = 0; i < rest.length; i++) {
+      Point2 node = nodes.get(i);
+      rest[i] = free.stream().mapToDouble(node::distance).min().orElseThrow();
+    }
+    return search(nodes, firstCorner, rest);
+  }
+
+  private Optional<Route> search(List<Point2> nodes, int firstCorner, double[] rest) {
+    int count = nodes.size();
+    double[] length = new double[count];
+    Arrays.fill(length, Double.POSITIVE_INFINITY);
+    int[] before = new int[count];
+    boolean[] closed = new boolean[count];
+    PriorityQueue<Entry> open =
+        new PriorityQueue<>(Comparator.comparingDouble(Entry::estimate).thenComparingInt(Entry::node));
+    length[0] = 0;
+    open.add(new Entry(0, rest[0]));
+    while (!open.isEmpty()) {
+      int node = open.remove().node();
+      if (closed[node]) {
+        continue;
+      }
+      closed[node] = true;
+      if (node > 0 && node < firstCorner) {
+        return Optional.of(trace(nodes, before, node, length[node]));
+      }
+      for (int next = 1; next < count; next++) {
+        double reached = length[node] + nodes.get(node).distance(nodes.get(next));
+        if (!closed[next]
+            && reached < length[next] - TOLERANCE
+            && isFreeWay(nodes.get(node), nodes.get(next))) {
+          length[next] = reached;
+          before[next] = node;
+          open.add(new Entry(next, reached + rest[next]));
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static Route trace(List<Point2> nodes, int[] before, int end, double length) {
+    List<Point2> way = new ArrayList<>();
+    for (int node = end; node != 0; node = before[node]) {
+      way.add(nodes.get(node));
+    }
+    Collections.reverse(way);
+    return new Route(way, length);
+  }
+
+  private static double distance(Segment first, Segment second) {
+    return Math.min(
+        Math.min(first.distance(second.from()), first.distance(second.to())),
+        Math.min(second.distance(first.from()), second.distance(first.to())));
+  }
+
+  private static void addPolygon(List<Point2> points, Point2 middle, double clearance) {
+    double outer = clearance / Math.cos(Math.PI / SIDES) + OUTWARD;
+    for (int i = 0; i < SIDES; i++) {
+      double angle = 2 * Math.PI * i / SIDES;
+      points.add(
+          new Point2(middle.x() + outer * Math.cos(angle), middle.y() + outer * Math.sin(angle)));
+    }
+  }
+
+  private record Entry(int node, double estimate) {}
+}

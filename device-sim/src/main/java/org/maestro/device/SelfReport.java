@@ -1,0 +1,76 @@
+package org.maestro.device;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.maestro.hal.Area;
+import org.maestro.hal.DimmableLamp;
+import org.maestro.hal.DoorDrive;
+import org.maestro.hal.Drivers;
+import org.maestro.hal.GripperArm;
+import org.maestro.hal.MobileBase;
+import org.maestro.hal.ShutterDrive;
+import org.maestro.hal.Surroundings;
+import org.maestro.ontology.home.Point2;
+import org.maestro.rats.member.MemberProfile;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Term;
+
+/** What a device's drivers know of themselves, as the facts that its description makes of them. Clock thread only. */
+final class SelfReport implements MemberProfile.Values {
+
+  private final FactTemplates reports;
+  private final Drivers drivers;
+
+  SelfReport(FactTemplates reports, Drivers drivers) {
+    this.reports = reports;
+    this.drivers = drivers;
+  }
+
+  @Override
+  public List<String> current() {
+    List<String> facts = new ArrayList<>();
+    words().forEach((word, value) -> reports.statement(word, value).ifPresent(facts::add));
+    return facts;
+  }
+
+  private Map<String, Term> words() {
+    Map<String, Term> words = new TreeMap<>();
+    drivers
+        .find(DimmableLamp.class)
+        .ifPresent(
+            lamp -> {
+              words.put("level", new Term.Number(lamp.level()));
+              words.put("white", new Term.Number(lamp.whiteKelvin()));
+            });
+    drivers
+        .find(ShutterDrive.class)
+        .ifPresent(shutter -> words.put("opening", new Term.Number(shutter.opening())));
+    drivers
+        .find(DoorDrive.class)
+        .ifPresent(door -> words.put("open", new Term.Truth(door.isOpen())));
+    drivers
+        .find(GripperArm.class)
+        .flatMap(GripperArm::held)
+        .ifPresent(held -> words.put("holding", new Term.Name(held)));
+    drivers.find(MobileBase.class).ifPresent(base -> addPlace(words, base.position()));
+    return words;
+  }
+
+  private void addPlace(Map<String, Term> words, Point2 position) {
+    String text =
+        "%s %s 0"
+            .formatted(
+                SlPrinter.print(Numbers.millimetres(position.x())),
+                SlPrinter.print(Numbers.millimetres(position.y())));
+    words.put("position", new Term.Text(text));
+    Optional<Area> area =
+        drivers.find(Surroundings.class).stream()
+            .flatMap(surroundings -> surroundings.areas().stream())
+            .filter(candidate -> candidate.outline().contains(position))
+            .findFirst();
+    area.ifPresent(inside -> words.put("zone", new Term.Name(inside.name())));
+  }
+}

@@ -1,0 +1,69 @@
+package org.maestro.device;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.maestro.hal.Camera;
+
+/**
+ * What a burst of frames allows to say.
+ *
+ * @param found enough frames agree
+ * @param unfit areas in which the light does not allow to say "not there"; empty: it is not there
+ */
+record SightVerdict(boolean found, List<UnfitLight> unfit) {
+
+  /** A detection in one or two frames may be noise. Stated assumption. */
+  static final int AGREEING_FRAMES = 3;
+
+  /** The greatest chance of missing what is there that still allows to say "not there". */
+  static final double MISS_LIMIT = 1e-6;
+
+  /** Light that stands in the way; {@code need} reads {@code >= 72}. */
+  record UnfitLight(String area, double lux, String need) {}
+
+  SightVerdict {
+    unfit = List.copyOf(unfit);
+  }
+
+  static SightVerdict of(Camera.Look look, Camera camera) {
+    if (look.detections() >= AGREEING_FRAMES && look.position().isPresent()) {
+      return new SightVerdict(true, List.of());
+    }
+    List<UnfitLight> unfit = new ArrayList<>();
+    for (Camera.AreaLight light : look.areas()) {
+      boolean missed = false;
+      for (double lux : new double[] {light.darkestLux(), light.brightestLux()}) {
+        missed |= missProbability(look.frames(), camera.detectability(lux)) >= MISS_LIMIT;
+      }
+      double minimum = camera.minimumLux();
+      double maximum = camera.maximumLux();
+      if (light.referenceLux() < minimum) {
+        unfit.add(unfit(light, light.referenceLux(), ">= ", minimum));
+      } else if (light.referenceLux() > maximum) {
+        unfit.add(unfit(light, light.referenceLux(), "<= ", maximum));
+      } else if (missed && light.darkestLux() < minimum) {
+        unfit.add(unfit(light, light.darkestLux(), ">= ", minimum));
+      } else if (missed) {
+        unfit.add(unfit(light, light.brightestLux(), "<= ", maximum));
+      }
+    }
+    return new SightVerdict(false, unfit);
+  }
+
+  /** The chance that fewer frames than must agree show what is there, one frame showing it with the given chance. */
+  static double missProbability(int frames, double detectability) {
+    double tail = 0;
+    double ways = 1;
+    for (int shown = 0; shown < AGREEING_FRAMES; shown++) {
+      tail +=
+          ways * Math.pow(detectability, shown) * Math.pow(1 - detectability, frames - shown);
+      ways = ways * (frames - shown) / (shown + 1);
+    }
+    return tail;
+  }
+
+  private static UnfitLight unfit(
+      Camera.AreaLight light, double lux, String relation, double limit) {
+    return new UnfitLight(light.area(), Numbers.tenths(lux), relation + Numbers.plain(limit));
+  }
+}

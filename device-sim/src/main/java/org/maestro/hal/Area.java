@@ -1,0 +1,11 @@
+package org.maestro.hal;
+
+import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.home.Polygon;
+
+/**
+ * A named area of the floor on a device's map.
+ *
+ * @param reference where the light is measured that stands for the whole area
+ */
+public record Area(String name, Polygon outline, Point2 reference) {}

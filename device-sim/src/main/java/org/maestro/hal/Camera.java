@@ -1,0 +1,50 @@
+package org.maestro.hal;
+
+import java.util.List;
+import java.util.Optional;
+
+/** A camera with colour-based object detection (M81). */
+public interface Camera {
+
+  /** Takes frames and says what they show; several looks may run at once. */
+  void look(Target target, int frames, Listener listener);
+
+  /** Light at an area's reference point from which the camera is specified to work; lux. */
+  double minimumLux();
+
+  /** Light above which colours are washed out; lux. */
+  double maximumLux();
+
+  /**
+   * The chance that one frame shows a visible object that stands in so much light.
+   *
+   * @return 0 to 1
+   */
+  double detectability(double lux);
+
+  /** Frames a second. */
+  double frameRate();
+
+  /** Told once per look, unless the camera dies. */
+  interface Listener {
+    void looked(Look look);
+
+    void failed(String reason);
+  }
+
+  /**
+   * What a series of frames showed.
+   *
+   * @param detections frames in which the target was detected
+   * @param position mean of the detections
+   * @param areas the light in the areas that the camera covers, as its images show it
+   */
+  record Look(int frames, int detections, Optional<Position> position, List<AreaLight> areas) {
+    public Look {
+      areas = List.copyOf(areas);
+    }
+  }
+
+  /** The light in one covered area, at its reference point and at its extremes; lux. */
+  record AreaLight(String area, double referenceLux, double darkestLux, double brightestLux) {}
+}

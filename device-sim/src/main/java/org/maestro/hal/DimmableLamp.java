@@ -1,0 +1,18 @@
+package org.maestro.hal;
+
+import java.util.OptionalInt;
+
+/** A dimmable lamp with white shades (M82). */
+public interface DimmableLamp {
+
+  /**
+   * @param level share of full light, 0 to 1
+   * @param whiteKelvin colour temperature, or empty to keep it
+   */
+  void set(double level, OptionalInt whiteKelvin, Completion completion);
+
+  /** The level that the lamp believes it has. */
+  double level();
+
+  int whiteKelvin();
+}

@@ -1,0 +1,20 @@
+package org.maestro.hal;
+
+import java.util.List;
+import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.home.Segment;
+
+/** What a mobile device knows of the floor: its map, and what its scanners see standing there now. */
+public interface Surroundings {
+
+  /** Walls and closed doors. */
+  List<Segment> walls();
+
+  /** What stands on the floor, without the device itself and what it holds. */
+  List<Obstacle> obstacles();
+
+  List<Area> areas();
+
+  /** Something round that stands on the floor; metres. */
+  record Obstacle(Point2 middle, double radius) {}
+}
