@@ -1,0 +1,114 @@
+package org.maestro.sim;
+
+/** Every number of the simulated physics, each with its source; "assumed" means stated here and nowhere measured. */
+public record PhysicalParameters(
+    CameraData camera, SensorData sensor, LampData lamp, BaseData base, ArmData arm, DriveData drives) {
+
+  public static PhysicalParameters standard() {
+    return new PhysicalParameters(
+        CameraData.LIFECAM,
+        SensorData.TSL2561,
+        LampData.HUE,
+        BaseData.YOUBOT,
+        ArmData.YOUBOT,
+        DriveData.USUAL);
+  }
+
+  /**
+   * @param frameRate frames a second; paper 4.1: 30
+   * @param minimumLux paper 5.1: about 72 lux is the critical threshold
+   * @param maximumLux assumed: colours wash out from 2,000 lux on
+   * @param halfLux light in which half of the frames show an object; assumed a little under the threshold
+   * @param slopeLux steepness of the logistic around it; assumed: at the threshold 98 % of the frames show it
+   * @param washedOutSlopeLux the same around {@code maximumLux} times 1.1; assumed
+   * @param positionError standard deviation per metre of distance, each axis; assumed 1 % (calibration; a pixel is 2 mm at 2.8 m)
+   * @param lightError standard deviation of the light estimated from images, relative; assumed
+   */
+  public record CameraData(
+      double frameRate,
+      double minimumLux,
+      double maximumLux,
+      double halfLux,
+      double slopeLux,
+      double washedOutSlopeLux,
+      double positionError,
+      double lightError) {
+    static final CameraData LIFECAM = new CameraData(30, 72, 2000, 69, 0.75, 20, 0.01, 0.005);
+    private static final double WASHED_OUT_HALF = 1.1;
+
+    /** The chance that one frame shows a visible object in so much light. */
+    double detectability(double lux) {
+      double dark = 1 / (1 + Math.exp(-(lux - halfLux) / slopeLux));
+      double washedOut =
+          1 / (1 + Math.exp((lux - WASHED_OUT_HALF * maximumLux) / washedOutSlopeLux));
+      return dark * washedOut;
+    }
+  }
+
+  /**
+   * @param leastLux TSL2561 data sheet: 0.1 lux; also its resolution here
+   * @param greatestLux TSL2561 data sheet: 40,000 lux
+   * @param integrationSeconds TSL2561 data sheet: nominal 402 ms
+   * @param noise standard deviation, relative; assumed 1 %
+   */
+  public record SensorData(
+      double leastLux, double greatestLux, double integrationSeconds, double noise) {
+    static final SensorData TSL2561 = new SensorData(0.1, 40_000, 0.402, 0.01);
+  }
+
+  /**
+   * @param transitionSeconds Hue's usual transition time is 400 ms; the light jumps at its end (assumed)
+   * @param whiteKelvin the white it starts with; assumed
+   */
+  public record LampData(double transitionSeconds, int whiteKelvin) {
+    static final LampData HUE = new LampData(0.4, 2700);
+  }
+
+  /**
+   * @param speed youBot data sheet: 0.8 m/s; reached at once (assumed)
+   * @param radius youBot data sheet: 580 mm by 380 mm, the circle around it
+   * @param power watts while driving; assumed from 24 V, 5 Ah and 90 minutes
+   * @param checkSeconds how often the scanner looks for what came in the way; assumed
+   */
+  public record BaseData(double speed, double radius, double power, double checkSeconds) {
+    static final BaseData YOUBOT = new BaseData(0.8, 0.347, 80, 0.25);
+  }
+
+  /**
+   * @param reach from the base's middle; youBot data sheet: the arm reaches 0.655 m, minus its offset and the hand's angle (assumed)
+   * @param payload youBot data sheet: 0.5 kg
+   * @param extendSeconds assumed; so are the following durations
+   * @param graspSeconds a jamming gripper's evacuation takes about a second (Brown et al. 2010), with pressing on
+   * @param graspTolerance how far from where it is expected a thing is found by the camera on board; assumed
+   * @param placingError standard deviation of where a thing comes to stand, each axis; assumed
+   * @param power watts while moving; assumed
+   */
+  public record ArmData(
+      double reach,
+      double payload,
+      double extendSeconds,
+      double graspSeconds,
+      double releaseSeconds,
+      double foldSeconds,
+      double graspTolerance,
+      double placingError,
+      double power) {
+    static final ArmData YOUBOT = new ArmData(0.5, 0.5, 1.5, 1.5, 0.5, 1.0, 0.15, 0.01, 40);
+
+    double pickSeconds() {
+      return extendSeconds + graspSeconds + foldSeconds;
+    }
+
+    double placeSeconds() {
+      return extendSeconds + releaseSeconds + foldSeconds;
+    }
+  }
+
+  /**
+   * @param doorSeconds to open or close; assumed
+   * @param shutterSeconds for the whole way; assumed
+   */
+  public record DriveData(double doorSeconds, double shutterSeconds) {
+    static final DriveData USUAL = new DriveData(3, 8);
+  }
+}

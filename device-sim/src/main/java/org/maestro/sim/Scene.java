@@ -1,0 +1,71 @@
+package org.maestro.sim;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.maestro.hal.Position;
+
+/** The ground truth with which a simulation begins, by local names of the home. The knowledge base never reads it. Immutable. */
+public record Scene(String name, Map<String, Entry> entries) {
+  public Scene {
+    entries = Collections.unmodifiableMap(new LinkedHashMap<>(entries));
+  }
+
+  /** What the scene says of it; nothing when it is not mentioned. */
+  public Entry of(String thing) {
+    return entries.getOrDefault(thing, Entry.NOTHING);
+  }
+
+  /** The same scene with another entry for one thing. */
+  public Scene with(String thing, Entry entry) {
+    Map<String, Entry> changed = new LinkedHashMap<>(entries);
+    changed.put(thing, entry);
+    return new Scene(name, changed);
+  }
+
+  /**
+   * What is true of one thing, place or device.
+   *
+   * @param hidden no camera sees it and no robot bumps into it: it is in a cupboard
+   * @param radius of the circle around it on the floor; metres
+   * @param mass kilograms
+   * @param level of a lamp, 0 to 1
+   * @param strength what a lamp gives of its stated light, 1 is all
+   * @param ambientLux light in a zone that comes from no lamp
+   * @param open of a door
+   * @param dead without power from the beginning
+   * @param diesWhen the {@link WorldEvent.Kind} upon which it loses power
+   */
+  public record Entry(
+      Optional<Position> position,
+      boolean hidden,
+      OptionalDouble radius,
+      OptionalDouble mass,
+      OptionalDouble level,
+      OptionalDouble strength,
+      OptionalDouble ambientLux,
+      Optional<Boolean> open,
+      boolean dead,
+      Optional<WorldEvent.Kind> diesWhen) {
+
+    public static final Entry NOTHING =
+        new Entry(
+            Optional.empty(),
+            false,
+            OptionalDouble.empty(),
+            OptionalDouble.empty(),
+            OptionalDouble.empty(),
+            OptionalDouble.empty(),
+            OptionalDouble.empty(),
+            Optional.empty(),
+            false,
+            Optional.empty());
+
+    public Entry at(Position place) {
+      return new Entry(
+          Optional.of(place), hidden, radius, mass, level, strength, ambientLux, open, dead, diesWhen);
+    }
+  }
+}

@@ -1,0 +1,154 @@
+package org.maestro.sim;
+
+import java.util.Optional;
+import org.maestro.hal.Completion;
+import org.maestro.hal.GripperArm;
+import org.maestro.hal.Position;
+import org.maestro.hal.Target;
+
+/** An arm with a jamming gripper; a camera on board finds the thing near where it is expected. */
+final class SimulatedArm implements GripperArm {
+
+  /** The base stands where it was sent; the arm evens out so much of distance. */
+  private static final double SLACK_METRES = 0.06;
+
+  private final Actuator actuator;
+  private final PhysicalParameters.ArmData data;
+  private Position hand = new Position(0, 0, 0);
+  private long commandNumber;
+
+  SimulatedArm(Actuator actuator, PhysicalParameters.ArmData data) {
+    this.actuator = actuator;
+    this.data = data;
+  }
+
+  @Override
+  public void extend(Position place, Completion completion) {
+    run(
+        data.extendSeconds(),
+        completion,
+        () -> {
+          double distance = robot().floor().distance(place.floor());
+          if (distance > data.reach() + SLACK_METRES) {
+            completion.failed("it is out of reach");
+          } else {
+            hand = place;
+            completion.done();
+          }
+        });
+  }
+
+  @Override
+  public void open(Completion completion) {
+    run(0, completion, completion::done);
+  }
+
+  @Override
+  public void grasp(Target target, Completion completion) {
+    actuator.tell(WorldEvent.Kind.GRASP);
+    run(data.graspSeconds(), completion, () -> close(target, completion));
+  }
+
+  private void close(Target target, Completion completion) {
+    World world = actuator.world();
+    Optional<Body> body =
+        world
+            .findBody(target.name())
+            .filter(thing -> thing.isObstacle())
+            .filter(
+                thing ->
+                    world.position(thing.name()).orElseThrow().floor().distance(hand.floor())
+                        <= data.graspTolerance());
+    if (body.isEmpty()) {
+      completion.failed("it is not where it was seen");
+    } else if (body.get().mass() > data.payload()) {
+      completion.failed("it is heavier than " + data.payload() + " kg");
+    } else {
+      world.put(body.get().heldBy(actuator.device()));
+      world.tell(WorldEvent.Kind.PICKED, actuator.device(), Optional.of(target.name()));
+      if (world.isAlive(actuator.device())) {
+        completion.done();
+      }
+    }
+  }
+
+  @Override
+  public void release(Completion completion) {
+    actuator.tell(WorldEvent.Kind.RELEASE);
+    run(
+        data.releaseSeconds(),
+        completion,
+        () -> {
+          Optional<String> thing = held();
+          thing.ifPresent(this::putDown);
+          completion.done();
+        });
+  }
+
+  private void putDown(String thing) {
+    World world = actuator.world();
+    Position place =
+        new Position(
+            hand.x() + actuator.error(data.placingError()),
+            hand.y() + actuator.error(data.placingError()),
+            hand.z());
+    world.put(world.body(thing).at(place));
+    world.tell(WorldEvent.Kind.PLACED, actuator.device(), Optional.of(thing));
+  }
+
+  @Override
+  public void fold(Completion completion) {
+    run(data.foldSeconds(), completion, completion::done);
+  }
+
+  private void run(double seconds, Completion completion, Runnable effect) {
+    long number = ++commandNumber;
+    actuator.after(
+        seconds,
+        () -> {
+          if (number != commandNumber) {
+            return;
+          }
+          Optional<String> defect = actuator.world().defect(actuator.device());
+          if (defect.isPresent()) {
+            completion.failed(defect.get());
+          } else {
+            effect.run();
+          }
+        });
+  }
+
+  private Position robot() {
+    return actuator.world().position(actuator.device()).orElseThrow();
+  }
+
+  @Override
+  public Optional<String> held() {
+    return actuator.world().held(actuator.device());
+  }
+
+  @Override
+  public double reach() {
+    return data.reach();
+  }
+
+  @Override
+  public double payload() {
+    return data.payload();
+  }
+
+  @Override
+  public double pickSeconds() {
+    return data.pickSeconds();
+  }
+
+  @Override
+  public double placeSeconds() {
+    return data.placeSeconds();
+  }
+
+  @Override
+  public double power() {
+    return data.power();
+  }
+}

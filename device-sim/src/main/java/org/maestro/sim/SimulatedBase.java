@@ -1,0 +1,97 @@
+package org.maestro.sim;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import org.maestro.device.RoutePlanner;
+import org.maestro.hal.Completion;
+import org.maestro.hal.MobileBase;
+import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.home.Segment;
+
+/** A base that drives at full speed and stands still before what comes in its way. */
+final class SimulatedBase implements MobileBase {
+
+  /** A planned way passes obstacles at the very radius; only what is nearer than this less has come in the way. */
+  private static final double GRAZING_METRES = 0.01;
+
+  private final Actuator actuator;
+  private final PhysicalParameters.BaseData data;
+  private long driveNumber;
+
+  SimulatedBase(Actuator actuator, PhysicalParameters.BaseData data) {
+    this.actuator = actuator;
+    this.data = data;
+  }
+
+  @Override
+  public Point2 position() {
+    return actuator.world().position(actuator.device()).orElseThrow().floor();
+  }
+
+  @Override
+  public void drive(List<Point2> way, Completion completion) {
+    stop();
+    long number = ++driveNumber;
+    actuator.command(
+        WorldEvent.Kind.DRIVE,
+        0,
+        completion::failed,
+        () -> {
+          if (number == driveNumber) {
+            Drive drive = new Drive(actuator.clock().now(), position(), way, data.speed());
+            actuator.world().start(actuator.device(), drive);
+            goOn(drive, number, completion);
+          }
+        });
+  }
+
+  private void goOn(Drive drive, long number, Completion completion) {
+    if (number != driveNumber || !actuator.world().drive(actuator.device()).equals(Optional.of(drive))) {
+      return;
+    }
+    Duration now = actuator.clock().now();
+    double left = drive.begun().plus(drive.duration()).minus(now).toNanos() / 1e9;
+    if (left <= 0) {
+      actuator.world().stop(actuator.device());
+      actuator.tell(WorldEvent.Kind.DRIVEN);
+      completion.done();
+    } else if (!isFree(drive.ahead(now, data.checkSeconds()))) {
+      actuator.world().stop(actuator.device());
+      actuator.tell(WorldEvent.Kind.BLOCKED);
+      completion.failed("something stands in the way");
+    } else {
+      actuator.after(
+          Math.min(left, data.checkSeconds()), () -> goOn(drive, number, completion));
+    }
+  }
+
+  private boolean isFree(List<Segment> ahead) {
+    World world = actuator.world();
+    RoutePlanner body =
+        new RoutePlanner(
+            world.walls(), world.obstacles(actuator.device()), data.radius() - GRAZING_METRES);
+    return ahead.stream().allMatch(piece -> body.isFreeWay(piece.from(), piece.to()));
+  }
+
+  @Override
+  public void stop() {
+    driveNumber++;
+    actuator.world().stop(actuator.device());
+  }
+
+  @Override
+  public double speed() {
+    return data.speed();
+  }
+
+  @Override
+  public double radius() {
+    return data.radius();
+  }
+
+  @Override
+  public double power() {
+    return data.power();
+  }
+}

@@ -1,0 +1,208 @@
+package org.maestro.sim;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Random;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import org.maestro.device.DeviceMember;
+import org.maestro.hal.Drivers;
+import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.Home;
+import org.maestro.rats.member.RatsMember;
+import org.maestro.rats.time.Clock;
+import org.maestro.rats.transport.Transport;
+
+/**
+ * A home whose devices are simulated: one world, and one RATS member for each device that has a driver, started in declared order
+ * ({@code maestro:order}). A device that dies in the world leaves the bus without goodbye; one that is revived joins it anew.
+ * Any thread may call it.
+ */
+public final class SimulatedHome implements AutoCloseable {
+
+  private final Setup setup;
+  private final World world;
+  private final Map<String, DeviceMember> members = new LinkedHashMap<>();
+  private final Map<String, RatsMember> running = new LinkedHashMap<>();
+  private boolean closed;
+
+  /**
+   * What a simulated home is made from.
+   *
+   * @param seed of all chance; a device's share depends on its place in the declared order, not on its name
+   * @param transports makes a transport, not yet open, for a member's id
+   * @param site name of the site on the bus
+   * @param descriptions writes the document that a member publishes
+   * @param only which devices are run here; the others are not on the bus, though lamps among them give their light
+   */
+  public record Setup(
+      Home home,
+      Scene scene,
+      Clock clock,
+      long seed,
+      Function<String, Transport> transports,
+      String site,
+      Function<Device, String> descriptions,
+      Predicate<String> only,
+      PhysicalParameters parameters) {
+
+    /** All devices, with the usual physics. */
+    public Setup(
+        Home home,
+        Scene scene,
+        Clock clock,
+        long seed,
+        Function<String, Transport> transports,
+        String site,
+        Function<Device, String> descriptions) {
+      this(
+          home,
+          scene,
+          clock,
+          seed,
+          transports,
+          site,
+          descriptions,
+          id -> true,
+          PhysicalParameters.standard());
+    }
+
+    public Setup only(Set<String> ids) {
+      return new Setup(
+          home, scene, clock, seed, transports, site, descriptions, ids::contains, parameters);
+    }
+
+    public Setup with(PhysicalParameters other) {
+      return new Setup(
+          home, scene, clock, seed, transports, site, descriptions, only, other);
+    }
+  }
+
+  private SimulatedHome(Setup setup) {
+    this.setup = setup;
+    this.world = new World(setup.home(), setup.scene(), setup.clock());
+  }
+
+  /**
+   * Builds the world and starts the members; they are ready some messages later.
+   *
+   * @throws SimulationException when home or scene lack what the simulation needs
+   * @throws org.maestro.device.DeviceSetupException when a device offers what its driver cannot do
+   */
+  public static SimulatedHome start(Setup setup) {
+    SimulatedHome simulated = new SimulatedHome(setup);
+    simulated.furnish();
+    simulated.members.keySet().stream()
+        .filter(simulated.world::isAlive)
+        .forEach(simulated::startMember);
+    simulated.world.listen(simulated::follow);
+    return simulated;
+  }
+
+  public World world() {
+    return world;
+  }
+
+  /** Ids of the devices run here, in declared order. */
+  public List<String> devices() {
+    return List.copyOf(members.keySet());
+  }
+
+  /**
+   * The time below which nobody could bring the thing next to the target, with things where they are now.
+   *
+   * @throws SimulationException when one of them is nowhere, or there is no way
+   */
+  public Duration lowerBound(String robot, String thing, String target) {
+    return new LowerBound(world, setup.parameters()).bringNextTo(robot, thing, target);
+  }
+
+  /** All members leave the bus for good. */
+  @Override
+  public void close() {
+    List<RatsMember> leaving;
+    synchronized (this) {
+      closed = true;
+      leaving = new ArrayList<>(running.values());
+      running.clear();
+    }
+    leaving.forEach(RatsMember::close);
+  }
+
+  private void furnish() {
+    DriverFactory factory =
+        new DriverFactory(world, setup.scene(), setup.clock(), setup.parameters());
+    List<Device> inOrder = inDeclaredOrder(setup.home());
+    Random seeds = new Random(setup.seed());
+    for (Device device : inOrder) {
+      Random random = new Random(seeds.nextLong());
+      Optional<Drivers> drivers =
+          device.driver().map(key -> factory.drivers(device, key, random));
+      if (drivers.isPresent() && setup.only().test(device.id())) {
+        members.put(
+            device.id(),
+            DeviceMember.of(
+                device, drivers.get(), setup.clock(), setup.descriptions().apply(device)));
+      }
+    }
+  }
+
+  static List<Device> inDeclaredOrder(Home home) {
+    return home.devices().values().stream()
+        .sorted(
+            Comparator.comparingDouble(
+                    (Device device) ->
+                        FloorMap.number(device.individual(), "order")
+                            .orElse(Double.POSITIVE_INFINITY))
+                .thenComparing(Device::id))
+        .toList();
+  }
+
+  private void startMember(String id) {
+    DeviceMember member = members.get(id);
+    RatsMember started =
+        RatsMember.start(
+            member.profile(),
+            member.values(),
+            setup.transports().apply(id),
+            setup.site(),
+            setup.clock());
+    synchronized (this) {
+      running.put(id, started);
+    }
+  }
+
+  private void follow(WorldEvent event) {
+    String subject = event.subject();
+    if (event.kind() == WorldEvent.Kind.DIED) {
+      removeRunning(subject).ifPresent(RatsMember::die);
+    } else if (event.kind() == WorldEvent.Kind.REVIVED && isWanted(subject)) {
+      startMember(subject);
+    } else {
+      findRunning(subject).ifPresent(this::tellChange);
+    }
+  }
+
+  /** The change may have been made by any thread; the member belongs to the clock's. */
+  private void tellChange(RatsMember member) {
+    setup.clock().schedule(Duration.ZERO, member.id(), member::stateChanged);
+  }
+
+  private synchronized Optional<RatsMember> findRunning(String id) {
+    return Optional.ofNullable(running.get(id));
+  }
+
+  private synchronized Optional<RatsMember> removeRunning(String id) {
+    return Optional.ofNullable(running.remove(id));
+  }
+
+  private synchronized boolean isWanted(String id) {
+    return !closed && members.containsKey(id) && !running.containsKey(id);
+  }
+}

@@ -1,0 +1,43 @@
+package org.maestro.sim;
+
+import java.util.OptionalInt;
+import org.maestro.hal.Completion;
+import org.maestro.hal.DimmableLamp;
+
+/** A dimmable lamp with shades of white. */
+final class SimulatedLamp implements DimmableLamp {
+
+  private final Actuator actuator;
+  private final PhysicalParameters.LampData data;
+  private int whiteKelvin;
+
+  SimulatedLamp(Actuator actuator, PhysicalParameters.LampData data) {
+    this.actuator = actuator;
+    this.data = data;
+    this.whiteKelvin = data.whiteKelvin();
+  }
+
+  @Override
+  public void set(double level, OptionalInt white, Completion completion) {
+    actuator.command(
+        WorldEvent.Kind.ADJUST,
+        data.transitionSeconds(),
+        completion::failed,
+        () -> {
+          actuator.world().setLevel(actuator.device(), level);
+          white.ifPresent(kelvin -> whiteKelvin = kelvin);
+          actuator.tell(WorldEvent.Kind.LIT);
+          completion.done();
+        });
+  }
+
+  @Override
+  public double level() {
+    return actuator.world().lampLevel(actuator.device());
+  }
+
+  @Override
+  public int whiteKelvin() {
+    return whiteKelvin;
+  }
+}

@@ -1,0 +1,40 @@
+package org.maestro.sim;
+
+import java.time.Duration;
+import java.util.Optional;
+
+/**
+ * Something that happened in the world.
+ *
+ * @param at simulated time since the start
+ * @param subject the device, or the thing that was moved by hand
+ * @param thing the thing concerned
+ */
+public record WorldEvent(Duration at, Kind kind, String subject, Optional<String> thing) {
+
+  /** The first six are commands that a device's driver received, before they take effect. */
+  public enum Kind {
+    ADJUST,
+    LOOK,
+    READ,
+    DRIVE,
+    GRASP,
+    RELEASE,
+    LIT,
+    DRIVEN,
+    BLOCKED,
+    PICKED,
+    PLACED,
+    DROPPED,
+    OPENED,
+    CLOSED,
+    DIED,
+    REVIVED,
+    MOVED
+  }
+
+  /** Told on the thread that caused the event, mostly the clock's; may change the world. */
+  public interface Listener {
+    void happened(WorldEvent event);
+  }
+}
