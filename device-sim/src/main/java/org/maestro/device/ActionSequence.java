@@ -8,8 +8,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A task's local plan (M29): atomic actions of the device, one after the other. It stays private; only the share done is told. It
- * goes no further once the call has ended. Clock thread only.
+ * A task's local plan (M29): atomic actions of the device, one after the other. It stays private;
+ * only the share done is told. It goes no further once the call has ended. Clock thread only.
  */
 final class ActionSequence {
 
@@ -47,18 +47,20 @@ final class ActionSequence {
     }
     Action action = actions.get(index);
     LOG.debug("{} {} ({} of {})", device, action.name(), index + 1, actions.size());
-    action.command().start(
-        new Completion() {
-          @Override
-          public void done() {
-            run(index + 1);
-          }
+    action
+        .command()
+        .start(
+            new Completion() {
+              @Override
+              public void done() {
+                run(index + 1);
+              }
 
-          @Override
-          public void failed(String reason) {
-            execution.fail(action.failure().of(reason));
-          }
-        });
+              @Override
+              public void failed(String reason) {
+                execution.fail(action.failure().of(reason));
+              }
+            });
   }
 
   /**

@@ -59,15 +59,16 @@ abstract class ArmTask extends DeviceProcedure {
     }
     double metres = Math.min(approach.get().route().length(), Prices.LONGEST_APPROACH_METRES);
     double driving = metres / robot.base().speed();
-    return price(
-        driving + armSeconds, driving * robot.base().power() + armSeconds * arm.power());
+    return price(driving + armSeconds, driving * robot.base().power() + armSeconds * arm.power());
   }
 
   final CostAnswer price(double armSeconds) {
     return price(armSeconds, armSeconds * arm.power());
   }
 
-  /** Exit strategy (M45): stand still, put down what is held if there is a free spot, fold the arm. */
+  /**
+   * Exit strategy (M45): stand still, put down what is held if there is a free spot, fold the arm.
+   */
   final void exitSafely(Execution execution) {
     execution.onCancel(
         safe -> {

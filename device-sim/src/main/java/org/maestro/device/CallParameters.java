@@ -15,7 +15,8 @@ record CallParameters(Map<String, Object> values) {
   double number(String name) {
     return optionalNumber(name)
         .orElseThrow(
-            () -> new InvalidCallException("The parameter " + name + " is missing; it is a number."));
+            () ->
+                new InvalidCallException("The parameter " + name + " is missing; it is a number."));
   }
 
   OptionalDouble optionalNumber(String name) {

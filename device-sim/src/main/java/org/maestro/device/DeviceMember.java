@@ -12,7 +12,10 @@ import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.rats.member.MemberProfile;
 import org.maestro.rats.time.Clock;
 
-/** A described device with its drivers, ready to be run as a member. Its procedures and values are used on the clock's thread only. */
+/**
+ * A described device with its drivers, ready to be run as a member. Its procedures and values are
+ * used on the clock's thread only.
+ */
 public record DeviceMember(MemberProfile profile, MemberProfile.Values values) {
 
   private static final String STANDBY = "standby";

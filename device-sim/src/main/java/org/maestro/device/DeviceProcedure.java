@@ -7,7 +7,10 @@ import org.maestro.rats.member.Execution;
 import org.maestro.rats.member.Procedure;
 import org.maestro.rats.protocol.CostAnswer;
 
-/** What all procedures share: faulty parameters become an answer, never a stack trace. Clock thread only. */
+/**
+ * What all procedures share: faulty parameters become an answer, never a stack trace. Clock thread
+ * only.
+ */
 abstract class DeviceProcedure implements Procedure {
 
   abstract void start(Execution execution, CallParameters parameters);

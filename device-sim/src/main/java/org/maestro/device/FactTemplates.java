@@ -9,7 +9,10 @@ import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 
-/** What a device's own words mean as facts: templates of its description, with {@code ?self} and other variables to fill in. */
+/**
+ * What a device's own words mean as facts: templates of its description, with {@code ?self} and
+ * other variables to fill in.
+ */
 final class FactTemplates {
 
   private final Term.Name self;
@@ -23,13 +26,19 @@ final class FactTemplates {
     facts.forEach((word, fact) -> templates.put(word, SlParser.fact(fact)));
   }
 
-  /** The fact that the word means, with these values for its variables; empty when the description does not say. */
+  /**
+   * The fact that the word means, with these values for its variables; empty when the description
+   * does not say.
+   */
   Optional<String> fact(String word, Map<String, Term> values) {
     return Optional.ofNullable(templates.get(word))
         .map(template -> SlPrinter.print(filled(template, values)));
   }
 
-  /** The fact that this value of the word means; a false truth value of a plain atom is its negation. */
+  /**
+   * The fact that this value of the word means; a false truth value of a plain atom is its
+   * negation.
+   */
   Optional<String> statement(String word, Term value) {
     return Optional.ofNullable(templates.get(word))
         .map(

@@ -40,12 +40,14 @@ record FeatureContext(
 
   /** The fact that stands in the way, if the description says what the quantity means. */
   Optional<RatsError.Reference> reference(
-      String quantity, CallParameters parameters, Map<String, Term> also, String need, Object have) {
+      String quantity,
+      CallParameters parameters,
+      Map<String, Term> also,
+      String need,
+      Object have) {
     Map<String, Term> values = new TreeMap<>(parameters.terms());
     values.putAll(also);
-    return quantities
-        .fact(quantity, values)
-        .map(fact -> new RatsError.Reference(fact, need, have));
+    return quantities.fact(quantity, values).map(fact -> new RatsError.Reference(fact, need, have));
   }
 
   static RatsError unmet(String message, String hint, List<RatsError.Reference> references) {

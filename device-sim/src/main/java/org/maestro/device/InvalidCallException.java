@@ -1,6 +1,9 @@
 package org.maestro.device;
 
-/** A call's parameters are not what the procedure needs; the message says which and what would be right. */
+/**
+ * A call's parameters are not what the procedure needs; the message says which and what would be
+ * right.
+ */
 final class InvalidCallException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 

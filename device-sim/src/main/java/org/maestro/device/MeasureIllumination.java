@@ -6,7 +6,10 @@ import org.maestro.hal.IlluminationSensor;
 import org.maestro.rats.member.Execution;
 import org.maestro.rats.protocol.CostAnswer;
 
-/** Measures the light at the sensor, and goes on until ended: the first value establishes, the others are its stream. */
+/**
+ * Measures the light at the sensor, and goes on until ended: the first value establishes, the
+ * others are its stream.
+ */
 final class MeasureIllumination extends DeviceProcedure {
 
   private static final double SECONDS = 0.5;

@@ -10,7 +10,10 @@ import org.maestro.rats.member.Execution;
 import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.RatsError;
 
-/** Drives to the nearest point of an area at which the robot stands wholly in it. On cancel it stands still, which is safe. */
+/**
+ * Drives to the nearest point of an area at which the robot stands wholly in it. On cancel it
+ * stands still, which is safe.
+ */
 final class MoveTask extends DeviceProcedure {
 
   /** Even where nothing is to be driven, a call takes its time. */

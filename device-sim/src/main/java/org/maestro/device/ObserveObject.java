@@ -14,9 +14,10 @@ import org.maestro.rats.protocol.RatsError;
 import org.maestro.sl.Term;
 
 /**
- * Looks for an object until ended (M87). Found is said when several frames of a burst agree; not found only when the images are bright
- * enough everywhere in what the camera covers that missing it is next to impossible. Otherwise the call fails and names the light that
- * is missing; once established it says nothing while it cannot tell.
+ * Looks for an object until ended (M87). Found is said when several frames of a burst agree; not
+ * found only when the images are bright enough everywhere in what the camera covers that missing it
+ * is next to impossible. Otherwise the call fails and names the light that is missing; once
+ * established it says nothing while it cannot tell.
  */
 final class ObserveObject extends DeviceProcedure {
 
@@ -54,8 +55,7 @@ final class ObserveObject extends DeviceProcedure {
           @Override
           public void looked(Camera.Look look) {
             judge(execution, parameters, look, first);
-            Streams.next(
-                context, begun, period, () -> look(execution, parameters, object, false));
+            Streams.next(context, begun, period, () -> look(execution, parameters, object, false));
           }
 
           @Override

@@ -8,7 +8,10 @@ import org.maestro.hal.Position;
 import org.maestro.rats.member.Execution;
 import org.maestro.rats.protocol.CostAnswer;
 
-/** Puts down what the hand holds, beside a thing or in an area: approach, reach out, let go, fold (M29). */
+/**
+ * Puts down what the hand holds, beside a thing or in an area: approach, reach out, let go, fold
+ * (M29).
+ */
 final class PlaceTask extends ArmTask {
 
   PlaceTask(FeatureContext context) {

@@ -11,7 +11,8 @@ import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Polygon;
 
 /**
- * A pointer into the knowledge base as it travels in a call (M58): an individual, and the properties of it that the feature needs.
+ * A pointer into the knowledge base as it travels in a call (M58): an individual, and the
+ * properties of it that the feature needs.
  *
  * @param name the individual's local name
  */
@@ -25,7 +26,8 @@ record Pointer(String name, Map<String, Object> properties) {
     Map<String, Object> properties = new TreeMap<>();
     map.forEach((key, property) -> properties.put(String.valueOf(key), property));
     properties.remove("ref");
-    return new Pointer(ref.substring(Math.max(ref.lastIndexOf('#'), ref.lastIndexOf('/')) + 1), properties);
+    return new Pointer(
+        ref.substring(Math.max(ref.lastIndexOf('#'), ref.lastIndexOf('/')) + 1), properties);
   }
 
   Target target() {
@@ -40,7 +42,8 @@ record Pointer(String name, Map<String, Object> properties) {
     }
     List<Double> numbers = numbers(value, " ");
     if (numbers.size() < 2) {
-      throw new InvalidCallException("The position of " + name + " is [x, y, z], not " + value + ".");
+      throw new InvalidCallException(
+          "The position of " + name + " is [x, y, z], not " + value + ".");
     }
     return Optional.of(
         new Position(numbers.get(0), numbers.get(1), numbers.size() > 2 ? numbers.get(2) : 0));
@@ -72,11 +75,14 @@ record Pointer(String name, Map<String, Object> properties) {
 
   private List<Double> numbers(Object value, String separator) {
     List<Double> numbers = new ArrayList<>();
-    List<?> parts = value instanceof List<?> list ? list : List.of(String.valueOf(value).split(separator));
+    List<?> parts =
+        value instanceof List<?> list ? list : List.of(String.valueOf(value).split(separator));
     for (Object part : parts) {
       try {
         numbers.add(
-            part instanceof Number number ? number.doubleValue() : Double.valueOf(String.valueOf(part)));
+            part instanceof Number number
+                ? number.doubleValue()
+                : Double.valueOf(String.valueOf(part)));
       } catch (NumberFormatException e) {
         throw new InvalidCallException(
             "A coordinate of " + name + " is a number, not " + part + ".");

@@ -6,8 +6,8 @@ import java.util.function.Function;
 import org.maestro.rats.member.Procedure;
 
 /**
- * The routines of this software, by the key under which descriptions name them. One registry belongs to one device, since routines
- * of a device may share what is under way.
+ * The routines of this software, by the key under which descriptions name them. One registry
+ * belongs to one device, since routines of a device may share what is under way.
  */
 final class Procedures {
 
@@ -20,7 +20,9 @@ final class Procedures {
 
   Procedures() {
     Observations observations = new Observations();
-    kinds.put("observeObject", new Kind("observing", context -> new ObserveObject(context, observations)));
+    kinds.put(
+        "observeObject",
+        new Kind("observing", context -> new ObserveObject(context, observations)));
     kinds.put("stopObserve", new Kind("observing", context -> new StopObserve(observations)));
     kinds.put("measureIllumination", new Kind("measuring", MeasureIllumination::new));
     kinds.put("adjustLight", new Kind("adjusting", AdjustLight::new));

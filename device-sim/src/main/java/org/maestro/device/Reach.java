@@ -8,7 +8,10 @@ import java.util.Optional;
 import org.maestro.hal.Area;
 import org.maestro.ontology.home.Point2;
 
-/** Where a robot stands to reach a spot of the floor, and where beside a thing it can put something down. Clock thread only. */
+/**
+ * Where a robot stands to reach a spot of the floor, and where beside a thing it can put something
+ * down. Clock thread only.
+ */
 final class Reach {
 
   /** A spot beside a thing is this far from its middle, if the thing is not too thick; metres. */
@@ -55,7 +58,10 @@ final class Reach {
         : nearest(freeOnes(around(thing, distance)));
   }
 
-  /** The nearest stand from which a free spot of the area is reached; where the robot stands, if it can. */
+  /**
+   * The nearest stand from which a free spot of the area is reached; where the robot stands, if it
+   * can.
+   */
   Optional<Approach> within(Area area) {
     List<Point2> spots = new ArrayList<>(around(robot.base().position(), reach));
     spots.addAll(area.outline().samples(GRID_METRES));

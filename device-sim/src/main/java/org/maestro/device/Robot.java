@@ -10,7 +10,9 @@ import org.maestro.hal.Surroundings;
 import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Segment;
 
-/** How a mobile robot finds its ways: its base, and what it knows of the floor. Clock thread only. */
+/**
+ * How a mobile robot finds its ways: its base, and what it knows of the floor. Clock thread only.
+ */
 final class Robot {
 
   /** Times that a drive is planned anew when something came in the way. */
@@ -58,7 +60,9 @@ final class Robot {
     return surroundings.areas().stream().anyMatch(area -> area.outline().contains(point));
   }
 
-  /** Points of an area at which the whole base stands in it; just its middle where it is too narrow. */
+  /**
+   * Points of an area at which the whole base stands in it; just its middle where it is too narrow.
+   */
   List<Point2> standsIn(Area area) {
     List<Segment> edges = area.outline().edges();
     List<Point2> stands = new ArrayList<>();

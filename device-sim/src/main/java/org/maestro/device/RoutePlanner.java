@@ -14,8 +14,9 @@ import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Segment;
 
 /**
- * Shortest ways of a round body among walls and round obstacles: A* over a visibility graph, whose corners lie on 16-sided polygons
- * around wall ends and obstacles. A way is at most 2 % longer than the true one, where it bends. Immutable.
+ * Shortest ways of a round body among walls and round obstacles: A* over a visibility graph, whose
+ * corners lie on 16-sided polygons around wall ends and obstacles. A way is at most 2 % longer than
+ * the true one, where it bends. Immutable.
  */
 public final class RoutePlanner {
 
@@ -39,7 +40,8 @@ public final class RoutePlanner {
     walls.forEach(wall -> Collections.addAll(ends, wall.from(), wall.to()));
     List<Point2> around = new ArrayList<>();
     ends.forEach(end -> addPolygon(around, end, radius));
-    obstacles.forEach(obstacle -> addPolygon(around, obstacle.middle(), obstacle.radius() + radius));
+    obstacles.forEach(
+        obstacle -> addPolygon(around, obstacle.middle(), obstacle.radius() + radius));
     this.corners = around.stream().filter(this::isFree).toList();
   }
 
@@ -52,7 +54,10 @@ public final class RoutePlanner {
                     obstacle.middle().distance(point) >= obstacle.radius() + radius - TOLERANCE);
   }
 
-  /** Whether the body can go straight from one point to the other, given that it stands at the first. */
+  /**
+   * Whether the body can go straight from one point to the other, given that it stands at the
+   * first.
+   */
   public boolean isFreeWay(Point2 from, Point2 to) {
     Segment way = new Segment(from, to);
     for (Segment wall : walls) {
@@ -62,8 +67,7 @@ public final class RoutePlanner {
       }
     }
     for (Obstacle obstacle : obstacles) {
-      double needed =
-          Math.min(obstacle.radius() + radius, obstacle.middle().distance(from));
+      double needed = Math.min(obstacle.radius() + radius, obstacle.middle().distance(from));
       if (way.distance(obstacle.middle()) < needed - TOLERANCE) {
         return false;
       }
@@ -71,7 +75,10 @@ public final class RoutePlanner {
     return true;
   }
 
-  /** The shortest way to the nearest of the goals that can be reached; those where the body may not stand are left out. */
+  /**
+   * The shortest way to the nearest of the goals that can be reached; those where the body may not
+   * stand are left out.
+   */
   public Optional<Route> shortest(Point2 start, List<Point2> goals) {
     List<Point2> nodes = new ArrayList<>();
     nodes.add(start);
@@ -104,7 +111,8 @@ public final class RoutePlanner {
     int[] before = new int[count];
     boolean[] closed = new boolean[count];
     PriorityQueue<Entry> open =
-        new PriorityQueue<>(Comparator.comparingDouble(Entry::estimate).thenComparingInt(Entry::node));
+        new PriorityQueue<>(
+            Comparator.comparingDouble(Entry::estimate).thenComparingInt(Entry::node));
     length[0] = 0;
     open.add(new Entry(0, rest[0]));
     while (!open.isEmpty()) {

@@ -18,7 +18,10 @@ import org.maestro.rats.member.MemberProfile;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
-/** What a device's drivers know of themselves, as the facts that its description makes of them. Clock thread only. */
+/**
+ * What a device's drivers know of themselves, as the facts that its description makes of them.
+ * Clock thread only.
+ */
 final class SelfReport implements MemberProfile.Values {
 
   private final FactTemplates reports;

@@ -50,13 +50,15 @@ record SightVerdict(boolean found, List<UnfitLight> unfit) {
     return new SightVerdict(false, unfit);
   }
 
-  /** The chance that fewer frames than must agree show what is there, one frame showing it with the given chance. */
+  /**
+   * The chance that fewer frames than must agree show what is there, one frame showing it with the
+   * given chance.
+   */
   static double missProbability(int frames, double detectability) {
     double tail = 0;
     double ways = 1;
     for (int shown = 0; shown < AGREEING_FRAMES; shown++) {
-      tail +=
-          ways * Math.pow(detectability, shown) * Math.pow(1 - detectability, frames - shown);
+      tail += ways * Math.pow(detectability, shown) * Math.pow(1 - detectability, frames - shown);
       ways = ways * (frames - shown) / (shown + 1);
     }
     return tail;

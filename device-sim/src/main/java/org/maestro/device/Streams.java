@@ -6,7 +6,9 @@ import org.maestro.ontology.vocabulary.FeatureType;
 /** The pace of continuous features. */
 final class Streams {
 
-  /** Fast enough for people and plans; a feature's frequency may only lower it. Stated assumption. */
+  /**
+   * Fast enough for people and plans; a feature's frequency may only lower it. Stated assumption.
+   */
   private static final double USUAL_HERTZ = 2;
 
   private Streams() {}

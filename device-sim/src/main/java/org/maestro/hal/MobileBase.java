@@ -18,7 +18,8 @@ public interface MobileBase {
   double power();
 
   /**
-   * Drives along straight pieces from where the base stands. It fails, standing still, when something is in the way.
+   * Drives along straight pieces from where the base stands. It fails, standing still, when
+   * something is in the way.
    *
    * @param way corners and end, without the present position; empty is done at once
    */

@@ -1,7 +1,8 @@
 /**
- * The hardware abstraction layer: one plain interface per kind of hardware, from a lamp's dimmer to a robot's arm, as atomic
- * functions (M26). Commands flow in, measurements and completions flow out. Nothing blocks: whatever takes time reports to a
- * callback on the clock's thread, and commands come from there too. It knows neither who uses a driver nor whether hardware or a
+ * The hardware abstraction layer: one plain interface per kind of hardware, from a lamp's dimmer to
+ * a robot's arm, as atomic functions (M26). Commands flow in, measurements and completions flow
+ * out. Nothing blocks: whatever takes time reports to a callback on the clock's thread, and
+ * commands come from there too. It knows neither who uses a driver nor whether hardware or a
  * simulation stands behind it.
  */
 package org.maestro.hal;

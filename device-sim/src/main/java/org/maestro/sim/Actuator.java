@@ -6,7 +6,9 @@ import java.util.Random;
 import java.util.function.Consumer;
 import org.maestro.rats.time.Clock;
 
-/** What all simulated drivers of a device share: time, chance, power and defects. Clock thread only. */
+/**
+ * What all simulated drivers of a device share: time, chance, power and defects. Clock thread only.
+ */
 final class Actuator {
 
   private static final double NANOS = 1e9;
@@ -44,7 +46,10 @@ final class Actuator {
     return random.nextDouble() < probability;
   }
 
-  /** A command: told to the world, then its effect after the time it takes, unless the device dies or is defect. */
+  /**
+   * A command: told to the world, then its effect after the time it takes, unless the device dies
+   * or is defect.
+   */
   void command(WorldEvent.Kind kind, double seconds, Consumer<String> failed, Runnable effect) {
     world.tell(kind, device, Optional.empty());
     after(

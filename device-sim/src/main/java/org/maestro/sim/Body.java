@@ -6,7 +6,8 @@ import org.maestro.hal.Position;
 /**
  * A thing, person or robot in the world.
  *
- * @param position of the middle of its foot; of what is held: where it was picked up, the holder's place counts
+ * @param position of the middle of its foot; of what is held: where it was picked up, the holder's
+ *     place counts
  * @param radius of the circle around it on the floor; metres
  * @param mass kilograms
  * @param hidden in a cupboard

@@ -16,7 +16,10 @@ import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Pose;
 import org.maestro.rats.time.Clock;
 
-/** Makes simulated drivers for the driver keys of device descriptions, and puts the devices into the world. */
+/**
+ * Makes simulated drivers for the driver keys of device descriptions, and puts the devices into the
+ * world.
+ */
 final class DriverFactory {
 
   private static final double USUAL_BEAM_DEGREES = 120;
@@ -57,8 +60,7 @@ final class DriverFactory {
                 new SimulatedSensor(actuator, parameters.sensor(), place));
       }
       case "door" ->
-          Drivers.none()
-              .with(DoorDrive.class, new SimulatedDoor(actuator, parameters.drives()));
+          Drivers.none().with(DoorDrive.class, new SimulatedDoor(actuator, parameters.drives()));
       case "shutter" ->
           Drivers.none()
               .with(ShutterDrive.class, new SimulatedShutter(actuator, parameters.drives()));
@@ -84,8 +86,7 @@ final class DriverFactory {
             beam.orElse(USUAL_BEAM_DEGREES),
             entry.strength().orElse(FULL_STRENGTH),
             entry.level().orElse(0)));
-    return Drivers.none()
-        .with(DimmableLamp.class, new SimulatedLamp(actuator, parameters.lamp()));
+    return Drivers.none().with(DimmableLamp.class, new SimulatedLamp(actuator, parameters.lamp()));
   }
 
   private Drivers robot(Device device, Actuator actuator) {

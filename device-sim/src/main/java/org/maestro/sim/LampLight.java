@@ -21,7 +21,10 @@ record LampLight(Pose pose, double candela, double beamDegrees, double strength,
     return new LampLight(pose, candela, beamDegrees, newStrength, level);
   }
 
-  /** What it adds to the light on a horizontal surface: I cos / d^2, nothing outside the beam or behind a wall; lux. */
+  /**
+   * What it adds to the light on a horizontal surface: I cos / d^2, nothing outside the beam or
+   * behind a wall; lux.
+   */
   double lux(Position point, FloorPlan plan) {
     double height = pose.z() - point.z();
     if (level == 0

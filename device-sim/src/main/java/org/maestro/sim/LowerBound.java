@@ -6,7 +6,10 @@ import java.util.Set;
 import org.maestro.device.RoutePlanner;
 import org.maestro.ontology.home.Point2;
 
-/** The least time that physics allows: straight to the things, at full speed, one grip and one placing, nothing to be looked for. */
+/**
+ * The least time that physics allows: straight to the things, at full speed, one grip and one
+ * placing, nothing to be looked for.
+ */
 final class LowerBound {
 
   private static final double NANOS = 1e9;

@@ -5,7 +5,10 @@ import org.maestro.hal.Area;
 import org.maestro.hal.Surroundings;
 import org.maestro.ontology.home.Segment;
 
-/** A robot's map with laser scanner: it sees all that stands on the floor, exactly and everywhere (assumed). */
+/**
+ * A robot's map with laser scanner: it sees all that stands on the floor, exactly and everywhere
+ * (assumed).
+ */
 final class OnBoardMap implements Surroundings {
 
   private final String robot;

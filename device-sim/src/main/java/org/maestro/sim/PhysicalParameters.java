@@ -1,8 +1,16 @@
 package org.maestro.sim;
 
-/** Every number of the simulated physics, each with its source; "assumed" means stated here and nowhere measured. */
+/**
+ * Every number of the simulated physics, each with its source; "assumed" means stated here and
+ * nowhere measured.
+ */
 public record PhysicalParameters(
-    CameraData camera, SensorData sensor, LampData lamp, BaseData base, ArmData arm, DriveData drives) {
+    CameraData camera,
+    SensorData sensor,
+    LampData lamp,
+    BaseData base,
+    ArmData arm,
+    DriveData drives) {
 
   public static PhysicalParameters standard() {
     return new PhysicalParameters(
@@ -18,10 +26,13 @@ public record PhysicalParameters(
    * @param frameRate frames a second; paper 4.1: 30
    * @param minimumLux paper 5.1: about 72 lux is the critical threshold
    * @param maximumLux assumed: colours wash out from 2,000 lux on
-   * @param halfLux light in which half of the frames show an object; assumed a little under the threshold
-   * @param slopeLux steepness of the logistic around it; assumed: at the threshold 98 % of the frames show it
+   * @param halfLux light in which half of the frames show an object; assumed a little under the
+   *     threshold
+   * @param slopeLux steepness of the logistic around it; assumed: at the threshold 98 % of the
+   *     frames show it
    * @param washedOutSlopeLux the same around {@code maximumLux} times 1.1; assumed
-   * @param positionError standard deviation per metre of distance, each axis; assumed 1 % (calibration; a pixel is 2 mm at 2.8 m)
+   * @param positionError standard deviation per metre of distance, each axis; assumed 1 %
+   *     (calibration; a pixel is 2 mm at 2.8 m)
    * @param lightError standard deviation of the light estimated from images, relative; assumed
    */
   public record CameraData(
@@ -57,7 +68,8 @@ public record PhysicalParameters(
   }
 
   /**
-   * @param transitionSeconds Hue's usual transition time is 400 ms; the light jumps at its end (assumed)
+   * @param transitionSeconds Hue's usual transition time is 400 ms; the light jumps at its end
+   *     (assumed)
    * @param whiteKelvin the white it starts with; assumed
    */
   public record LampData(double transitionSeconds, int whiteKelvin) {
@@ -75,11 +87,14 @@ public record PhysicalParameters(
   }
 
   /**
-   * @param reach from the base's middle; youBot data sheet: the arm reaches 0.655 m, minus its offset and the hand's angle (assumed)
+   * @param reach from the base's middle; youBot data sheet: the arm reaches 0.655 m, minus its
+   *     offset and the hand's angle (assumed)
    * @param payload youBot data sheet: 0.5 kg
    * @param extendSeconds assumed; so are the following durations
-   * @param graspSeconds a jamming gripper's evacuation takes about a second (Brown et al. 2010), with pressing on
-   * @param graspTolerance how far from where it is expected a thing is found by the camera on board; assumed
+   * @param graspSeconds a jamming gripper's evacuation takes about a second (Brown et al. 2010),
+   *     with pressing on
+   * @param graspTolerance how far from where it is expected a thing is found by the camera on
+   *     board; assumed
    * @param placingError standard deviation of where a thing comes to stand, each axis; assumed
    * @param power watts while moving; assumed
    */

@@ -7,7 +7,10 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.maestro.hal.Position;
 
-/** The ground truth with which a simulation begins, by local names of the home. The knowledge base never reads it. Immutable. */
+/**
+ * The ground truth with which a simulation begins, by local names of the home. The knowledge base
+ * never reads it. Immutable.
+ */
 public record Scene(String name, Map<String, Entry> entries) {
   public Scene {
     entries = Collections.unmodifiableMap(new LinkedHashMap<>(entries));
@@ -65,7 +68,16 @@ public record Scene(String name, Map<String, Entry> entries) {
 
     public Entry at(Position place) {
       return new Entry(
-          Optional.of(place), hidden, radius, mass, level, strength, ambientLux, open, dead, diesWhen);
+          Optional.of(place),
+          hidden,
+          radius,
+          mass,
+          level,
+          strength,
+          ambientLux,
+          open,
+          dead,
+          diesWhen);
     }
   }
 }

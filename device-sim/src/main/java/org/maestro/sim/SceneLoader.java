@@ -22,7 +22,10 @@ import org.maestro.hal.Position;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Pose;
 
-/** Reads scenes in Turtle: words of {@code scene:} about things of one home. Every fault is one {@link SimulationException}. */
+/**
+ * Reads scenes in Turtle: words of {@code scene:} about things of one home. Every fault is one
+ * {@link SimulationException}.
+ */
 public final class SceneLoader {
 
   static final String NAMESPACE = "https://w3id.org/maestro/scene#";
@@ -38,7 +41,8 @@ public final class SceneLoader {
 
   /**
    * @param name for messages, such as the file's name
-   * @throws SimulationException when it is no Turtle, or speaks of what the home does not have or in words that no scene knows
+   * @throws SimulationException when it is no Turtle, or speaks of what the home does not have or
+   *     in words that no scene knows
    */
   public static Scene load(String name, InputStream turtle, Home home) {
     SceneLoader loader = new SceneLoader(name, home);
@@ -136,9 +140,18 @@ public final class SceneLoader {
         return OptionalDouble.of(number);
       }
     } catch (NumberFormatException e) {
-      throw fault("gives " + thing + " the scene:" + word + " \"" + text + "\", which is no number");
+      throw fault(
+          "gives " + thing + " the scene:" + word + " \"" + text + "\", which is no number");
     }
-    throw fault("gives " + thing + " the scene:" + word + " " + text + "; it lies between 0 and " + greatest);
+    throw fault(
+        "gives "
+            + thing
+            + " the scene:"
+            + word
+            + " "
+            + text
+            + "; it lies between 0 and "
+            + greatest);
   }
 
   private Optional<Boolean> truth(String thing, String word, String text) {
@@ -146,7 +159,8 @@ public final class SceneLoader {
       return Optional.empty();
     }
     if (!text.equals("true") && !text.equals("false")) {
-      throw fault("gives " + thing + " the scene:" + word + " \"" + text + "\"; it is true or false");
+      throw fault(
+          "gives " + thing + " the scene:" + word + " \"" + text + "\"; it is true or false");
     }
     return Optional.of(text.equals("true"));
   }

@@ -12,7 +12,10 @@ import org.maestro.ontology.home.Segment;
 /** A base that drives at full speed and stands still before what comes in its way. */
 final class SimulatedBase implements MobileBase {
 
-  /** A planned way passes obstacles at the very radius; only what is nearer than this less has come in the way. */
+  /**
+   * A planned way passes obstacles at the very radius; only what is nearer than this less has come
+   * in the way.
+   */
   private static final double GRAZING_METRES = 0.01;
 
   private final Actuator actuator;
@@ -47,7 +50,8 @@ final class SimulatedBase implements MobileBase {
   }
 
   private void goOn(Drive drive, long number, Completion completion) {
-    if (number != driveNumber || !actuator.world().drive(actuator.device()).equals(Optional.of(drive))) {
+    if (number != driveNumber
+        || !actuator.world().drive(actuator.device()).equals(Optional.of(drive))) {
       return;
     }
     Duration now = actuator.clock().now();
@@ -61,8 +65,7 @@ final class SimulatedBase implements MobileBase {
       actuator.tell(WorldEvent.Kind.BLOCKED);
       completion.failed("something stands in the way");
     } else {
-      actuator.after(
-          Math.min(left, data.checkSeconds()), () -> goOn(drive, number, completion));
+      actuator.after(Math.min(left, data.checkSeconds()), () -> goOn(drive, number, completion));
     }
   }
 

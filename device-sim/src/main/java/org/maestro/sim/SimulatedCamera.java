@@ -12,8 +12,9 @@ import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Pose;
 
 /**
- * A camera with colour-based detection: a cone of view, walls that hide, and light at the object that decides. What is in a cupboard or
- * in a gripper is hidden (assumed). It measures the light where it looks from its images.
+ * A camera with colour-based detection: a cone of view, walls that hide, and light at the object
+ * that decides. What is in a cupboard or in a gripper is hidden (assumed). It measures the light
+ * where it looks from its images.
  */
 final class SimulatedCamera implements Camera {
 
@@ -57,8 +58,7 @@ final class SimulatedCamera implements Camera {
     for (int frame = 0; frame < frames; frame++) {
       detections += actuator.happens(shown) ? 1 : 0;
     }
-    Optional<Position> measured =
-        detections > 0 ? place.map(this::measured) : Optional.empty();
+    Optional<Position> measured = detections > 0 ? place.map(this::measured) : Optional.empty();
     return new Look(frames, detections, measured, estimatedLight());
   }
 

@@ -20,9 +20,9 @@ import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.Transport;
 
 /**
- * A home whose devices are simulated: one world, and one RATS member for each device that has a driver, started in declared order
- * ({@code maestro:order}). A device that dies in the world leaves the bus without goodbye; one that is revived joins it anew.
- * Any thread may call it.
+ * A home whose devices are simulated: one world, and one RATS member for each device that has a
+ * driver, started in declared order ({@code maestro:order}). A device that dies in the world leaves
+ * the bus without goodbye; one that is revived joins it anew. Any thread may call it.
  */
 public final class SimulatedHome implements AutoCloseable {
 
@@ -35,11 +35,13 @@ public final class SimulatedHome implements AutoCloseable {
   /**
    * What a simulated home is made from.
    *
-   * @param seed of all chance; a device's share depends on its place in the declared order, not on its name
+   * @param seed of all chance; a device's share depends on its place in the declared order, not on
+   *     its name
    * @param transports makes a transport, not yet open, for a member's id
    * @param site name of the site on the bus
    * @param descriptions writes the document that a member publishes
-   * @param only which devices are run here; the others are not on the bus, though lamps among them give their light
+   * @param only which devices are run here; the others are not on the bus, though lamps among them
+   *     give their light
    */
   public record Setup(
       Home home,
@@ -79,8 +81,7 @@ public final class SimulatedHome implements AutoCloseable {
     }
 
     public Setup with(PhysicalParameters other) {
-      return new Setup(
-          home, scene, clock, seed, transports, site, descriptions, only, other);
+      return new Setup(home, scene, clock, seed, transports, site, descriptions, only, other);
     }
   }
 
@@ -115,7 +116,8 @@ public final class SimulatedHome implements AutoCloseable {
   }
 
   /**
-   * The time below which nobody could bring the thing next to the target, with things where they are now.
+   * The time below which nobody could bring the thing next to the target, with things where they
+   * are now.
    *
    * @throws SimulationException when one of them is nowhere, or there is no way
    */
@@ -142,8 +144,7 @@ public final class SimulatedHome implements AutoCloseable {
     Random seeds = new Random(setup.seed());
     for (Device device : inOrder) {
       Random random = new Random(seeds.nextLong());
-      Optional<Drivers> drivers =
-          device.driver().map(key -> factory.drivers(device, key, random));
+      Optional<Drivers> drivers = device.driver().map(key -> factory.drivers(device, key, random));
       if (drivers.isPresent() && setup.only().test(device.id())) {
         members.put(
             device.id(),

@@ -22,7 +22,9 @@ final class SimulatedSensor implements IlluminationSensor {
         WorldEvent.Kind.READ,
         data.integrationSeconds(),
         listener::failed,
-        () -> listener.measured(reading(actuator.world().lux(place) * (1 + actuator.error(data.noise())))));
+        () ->
+            listener.measured(
+                reading(actuator.world().lux(place) * (1 + actuator.error(data.noise())))));
   }
 
   private double reading(double lux) {

@@ -19,9 +19,9 @@ import org.maestro.ontology.home.Segment;
 import org.maestro.rats.time.Clock;
 
 /**
- * The ground truth: floor, light, bodies, and which device has power. Drivers act on it on the clock's thread; any thread may read
- * and change it, since every method holds the world's lock. Listeners are told outside the lock, on the thread that
- * caused the event.
+ * The ground truth: floor, light, bodies, and which device has power. Drivers act on it on the
+ * clock's thread; any thread may read and change it, since every method holds the world's lock.
+ * Listeners are told outside the lock, on the thread that caused the event.
  */
 public final class World {
 
@@ -147,7 +147,8 @@ public final class World {
 
   /** Light on a horizontal surface; lux. */
   public synchronized double lux(Position point) {
-    double lux = map.areaAt(point.floor()).map(area -> ambient.getOrDefault(area.name(), 0.0)).orElse(0.0);
+    double lux =
+        map.areaAt(point.floor()).map(area -> ambient.getOrDefault(area.name(), 0.0)).orElse(0.0);
     for (Map.Entry<String, LampLight> lamp : lamps.entrySet()) {
       if (!dead.contains(lamp.getKey())) {
         lux += lamp.getValue().lux(point, plan);
@@ -205,7 +206,8 @@ public final class World {
   public void setDoor(String door, boolean open) {
     synchronized (this) {
       if (!map.doors().containsKey(door)) {
-        throw new SimulationException("There is no door " + door + "; there are " + map.doors().keySet());
+        throw new SimulationException(
+            "There is no door " + door + "; there are " + map.doors().keySet());
       }
       if (open) {
         openDoors.add(door);
@@ -224,7 +226,10 @@ public final class World {
 
   // Power and faults
 
-  /** The device loses its power: it stands still, lets go of what it holds, gives no light and leaves the bus without goodbye. */
+  /**
+   * The device loses its power: it stands still, lets go of what it holds, gives no light and
+   * leaves the bus without goodbye.
+   */
   public void die(String device) {
     Optional<String> dropped;
     synchronized (this) {
@@ -271,7 +276,10 @@ public final class World {
     return Optional.ofNullable(broken.get(device));
   }
 
-  /** Runs the action once, the next time that this happens to the device; a command so met by {@link #die} has no effect. */
+  /**
+   * Runs the action once, the next time that this happens to the device; a command so met by {@link
+   * #die} has no effect.
+   */
   public synchronized void when(String device, WorldEvent.Kind kind, Runnable action) {
     triggers
         .computeIfAbsent(device, name -> new EnumMap<>(WorldEvent.Kind.class))
@@ -351,7 +359,8 @@ public final class World {
   synchronized Body body(String name) {
     Body body = bodies.get(name);
     if (body == null) {
-      throw new SimulationException(name + " is nowhere in this world; there are " + bodies.keySet());
+      throw new SimulationException(
+          name + " is nowhere in this world; there are " + bodies.keySet());
     }
     return body;
   }
@@ -376,9 +385,7 @@ public final class World {
   synchronized void stop(String robot) {
     Drive drive = drives.get(robot);
     if (drive != null) {
-      paths
-          .computeIfAbsent(robot, name -> new ArrayList<>())
-          .addAll(drive.pathUntil(clock.now()));
+      paths.computeIfAbsent(robot, name -> new ArrayList<>()).addAll(drive.pathUntil(clock.now()));
       Position place = Position.onFloor(drive.positionAt(clock.now()));
       drives.remove(robot);
       bodies.put(robot, body(robot).at(place));
