@@ -273,7 +273,7 @@ final class GoalPursuit {
       story.failed(step, report.problem().orElse("no reason given"), change);
     }
     if (planning) {
-      planAgain = Optional.of(story.becauseOf(change));
+      planAgain = Optional.of("meanwhile " + story.becauseOf(change));
     } else if (plan.isEmpty()) {
       if (underway.isEmpty()) {
         plan(Optional.of("what was under way has ended"));

@@ -1,0 +1,118 @@
+package org.maestro.coordination;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.Term;
+
+/** The way of a goal through Bob's home, without agents and devices. */
+class CoordinatorTest {
+  private static Home home;
+
+  @BeforeAll
+  static void loadHome() throws IOException {
+    try (InputStream turtle = CoordinatorTest.class.getResourceAsStream("/bob.ttl")) {
+      home = new HomeLoader().load(new String(turtle.readAllBytes(), StandardCharsets.UTF_8), "bob.ttl");
+    }
+  }
+
+  private final PretendHouse house = new PretendHouse(home);
+
+  @Test
+  void theCupComesToBobThoughItsRoomIsDark() {
+    GoalOutcome outcome = house.achieve("(nextTo Cup Bob)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(outcome.confirmed()).isTrue();
+    assertThat(house.place).containsEntry("Cup", "zone-a");
+    assertThat(outcome.calls()).isLessThanOrEqualTo(14);
+    assertThat(house.calls).filteredOn(c -> c.startsWith("adjustLight")).hasSize(2);
+  }
+
+  @Test
+  void litRoomsNeedNoLamp() {
+    house.ambientLux.put("zone-b", 100.0);
+
+    assertThat(house.achieve("(nextTo Cup Bob)").reached()).isTrue();
+    assertThat(house.calls).noneMatch(c -> c.startsWith("adjustLight"));
+  }
+
+  @Test
+  void weakLampsAreHelpedByAnother() {
+    house.weak.addAll(List.of("lamp-b1", "lamp-b2", "lamp-b3"));
+
+    assertThat(house.achieve("(nextTo Cup Bob)").reached()).as(String.join("\n", house.story)).isTrue();
+  }
+
+  @Test
+  void whoSeesTheCupIsPartOfTheAnswer() {
+    GoalOutcome outcome = house.achieve("(canSee ?agent Cup)");
+
+    assertThat(outcome.reached()).isTrue();
+    assertThat(outcome.binding()).containsEntry("agent", new Term.Name("cam-b"));
+  }
+
+  @Test
+  void withoutLampsTheReasonNamesTheLight() {
+    for (String lamp : new String[] {"lamp-b1", "lamp-b2", "lamp-b3"}) {
+      house.coordinator.memberLost(lamp, "no power");
+    }
+
+    GoalOutcome outcome = house.achieve("(nextTo Cup Bob)");
+
+    assertThat(outcome.state()).isEqualTo(GoalState.FAILED);
+    assertThat(String.join(" ", outcome.reasons()))
+        .contains("(illuminance zone-b)")
+        .contains("72")
+        .contains("17");
+  }
+
+  @Test
+  void aLampThatDiesIsReplaced() {
+    house.beforeCall =
+        call -> {
+          if (call.equals("adjustLight lamp-b2") && house.dead.add("lamp-b2")) {
+            house.coordinator.memberLost("lamp-b2", "no power");
+          }
+        };
+
+    assertThat(house.achieve("(nextTo Cup Bob)").reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(house.calls).contains("adjustLight lamp-b3");
+  }
+
+  @Test
+  void whatNobodyKnowsIsNamedWithWhatIsNear() {
+    assertThatThrownBy(
+            () ->
+                house.coordinator.submit(
+                    new GoalRequest(SlParser.formula("(nextTo Cupp Bob)"), "Bob"), o -> {}))
+        .isInstanceOf(InvalidGoalException.class)
+        .hasMessageContaining("Cupp")
+        .hasMessageContaining("Cup");
+  }
+
+  @Test
+  void aCancelledGoalEnds() {
+    List<GoalOutcome> ended = new ArrayList<>();
+    String id =
+        house.coordinator.submit(
+            new GoalRequest(SlParser.formula("(nextTo Cup Bob)"), "Bob"), ended::add);
+    house.clock.run(Duration.ofMillis(700));
+
+    assertThat(house.coordinator.cancel(id, "Bob")).isTrue();
+    house.clock.run(Duration.ofSeconds(60));
+
+    assertThat(ended).extracting(GoalOutcome::state).containsExactly(GoalState.CANCELLED);
+  }
+}

@@ -1,0 +1,232 @@
+package org.maestro.coordination;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+import org.maestro.knowledge.CollectiveKnowledge;
+import org.maestro.knowledge.FeatureRun;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.knowledge.Source;
+import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.Price;
+import org.maestro.planning.OptimalPlanner;
+import org.maestro.planning.Step;
+import org.maestro.rats.time.SteppedClock;
+import org.maestro.sl.Expression;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.Term;
+
+/** Bob's home without devices, bus or agents: the ports of coordination answered from a table of truths. */
+final class PretendHouse implements Market, Crew {
+  final SteppedClock clock = new SteppedClock();
+  final KnowledgeBase knowledge;
+  final Coordinator coordinator;
+  final List<String> story = new ArrayList<>();
+  final Map<String, String> place = new TreeMap<>();
+  final Map<String, Double> ambientLux = new TreeMap<>();
+  final Map<String, Double> level = new TreeMap<>();
+  final Set<String> dead = new TreeSet<>();
+  final List<String> calls = new ArrayList<>();
+  final Set<String> weak = new TreeSet<>();
+  Consumer<String> beforeCall = call -> {};
+
+  PretendHouse(Home home) {
+    knowledge = new CollectiveKnowledge(home, clock);
+    coordinator =
+        new Coordinator(
+            new Ports(
+                knowledge,
+                new OptimalPlanner(),
+                this,
+                this,
+                new Thinking() {
+                  @Override
+                  public <T> void think(
+                      java.util.function.Supplier<T> work, Consumer<T> then) {
+                    clock.schedule(
+                        Duration.ofMillis(20), "planning", () -> then.accept(work.get()));
+                  }
+                },
+                clock,
+                entry -> story.add(entry.at() + " " + entry.text())));
+    knowledge.watch(
+        change ->
+            clock.schedule(
+                Duration.ZERO, "knowledge", () -> coordinator.knowledgeChanged(change)));
+    place.put("Bob", "zone-a");
+    place.put("Cup", "zone-b");
+    place.put("rose", "zone-b");
+    ambientLux.put("zone-a", 5.0);
+    ambientLux.put("zone-b", 17.0);
+    for (Device device : home.devices().values()) {
+      coordinator.memberPresent(device.id());
+      if (has(device, "adjustLight")) {
+        setLevel(device.id(), device.id().startsWith("lamp-a") ? 1 : 0);
+      }
+      if (has(device, "move")) {
+        knowledge.state(
+            new Source(Source.Kind.STATED, device.id()),
+            List.of("(in %s %s)".formatted(device.id(), place.getOrDefault(device.id(), "zone-a"))));
+      }
+    }
+  }
+
+  private static boolean has(Device device, String procedure) {
+    return device.features().stream().anyMatch(f -> f.procedure().equals(procedure));
+  }
+
+  GoalOutcome achieve(String goal) {
+    List<GoalOutcome> outcome = new ArrayList<>();
+    coordinator.submit(new GoalRequest(SlParser.formula(goal), "Bob"), outcome::add);
+    clock.runUntil(() -> !outcome.isEmpty(), Duration.ofMinutes(10));
+    return outcome.get(0);
+  }
+
+  private void setLevel(String lamp, double value) {
+    level.put(lamp, value);
+    knowledge.state(
+        new Source(Source.Kind.STATED, lamp), List.of("(= (level %s) %s)".formatted(lamp, value)));
+  }
+
+  double lux(String zone) {
+    double lux = ambientLux.getOrDefault(zone, 0.0);
+    for (Map.Entry<String, Double> lamp : level.entrySet()) {
+      lux +=
+          (weak.contains(lamp.getKey()) ? 0.7 : 1)
+              * lamp.getValue()
+              * knowledge
+                  .snapshot()
+                  .number(
+                      new Expression.Fluent(
+                          "gain",
+                          List.of(new Term.Name(lamp.getKey()), new Term.Name(zone))))
+                  .orElse(0);
+    }
+    return lux;
+  }
+
+  @Override
+  public void callForPrices(CallForPrices call, Consumer<Tender> closed) {
+    List<Bid> bids = new ArrayList<>();
+    call.features()
+        .forEach(
+            (member, names) -> {
+              Map<String, Price> prices = new TreeMap<>();
+              for (FeatureType feature : knowledge.home().devices().get(member).features()) {
+                if (names.contains(feature.name())) {
+                  prices.put(feature.name(), feature.cost());
+                }
+              }
+              bids.add(
+                  coordinator.isPresent(member)
+                      ? new Bid(member, prices, Optional.empty())
+                      : new Bid(member, Map.of(), Optional.of("not there")));
+            });
+    clock.schedule(
+        Duration.ofMillis(2),
+        "market",
+        () ->
+            closed.accept(
+                new Tender() {
+                  @Override
+                  public List<Bid> bids() {
+                    return bids;
+                  }
+
+                  @Override
+                  public void award(Map<String, List<Step>> parts) {}
+                }));
+  }
+
+  @Override
+  public void exactPrices(
+      String member,
+      String feature,
+      List<Map<String, Argument>> sets,
+      Consumer<List<Quote>> answer) {
+    double price = feature.equals("move") ? 5 : feature.equals("pick") ? 4 : 3;
+    clock.schedule(
+        Duration.ofMillis(2),
+        member,
+        () ->
+            answer.accept(sets.stream().map(s -> (Quote) new Quote.Priced(price, price)).toList()));
+  }
+
+  @Override
+  public Performance perform(Order order, Consumer<Report> reported) {
+    Step step = order.step();
+    calls.add(step.feature().procedure() + " " + step.member());
+    clock.schedule(
+        Duration.ofMillis(500),
+        step.member(),
+        () -> {
+          beforeCall.accept(step.feature().procedure() + " " + step.member());
+          reported.accept(
+              dead.contains(step.member())
+                  ? failed(step.member() + " does not answer", List.of())
+                  : done(step));
+        });
+    return () -> {};
+  }
+
+  private Report done(Step step) {
+    String zone = name(step, "zone");
+    String object = name(step, "object");
+    switch (step.feature().procedure()) {
+      case "measureIllumination":
+        return succeeded(Map.of("lux", new Term.Number(lux(zone))));
+      case "adjustLight":
+        setLevel(step.member(), ((Term.Number) step.bindings().get("level")).value());
+        return succeeded(Map.of());
+      case "observeObject":
+        if (lux(zone) < 72) {
+          return failed(
+              "too dark",
+              List.of(
+                  new FeatureRun.Learnt(
+                      "(illuminance %s)".formatted(zone), new Term.Number(lux(zone)))));
+        }
+        return place.get(object).equals(zone)
+            ? succeeded(
+                Map.of(
+                    "found", new Term.Truth(true), "pose", new Term.Text(position(object, zone))))
+            : succeeded(Map.of("found", new Term.Truth(false)));
+      case "move":
+        place.put(step.member(), name(step, "to"));
+        return succeeded(Map.of());
+      case "pick":
+        place.put(object, step.member());
+        return succeeded(Map.of());
+      case "place":
+        place.put(object, zone);
+        return succeeded(Map.of());
+      default:
+        return failed("nobody knows how", List.of());
+    }
+  }
+
+  private static String position(String object, String zone) {
+    double x = zone.equals("zone-a") ? 1.5 : 4.5;
+    return (x + (object.equals("Bob") ? 0.4 : 0)) + " 1.5 0";
+  }
+
+  private static String name(Step step, String parameter) {
+    return step.bindings().get(parameter) instanceof Term.Name name ? name.text() : "";
+  }
+
+  private static Report succeeded(Map<String, Term> outputs) {
+    return new Report(true, outputs, Optional.empty(), List.of());
+  }
+
+  private static Report failed(String problem, List<FeatureRun.Learnt> refs) {
+    return new Report(false, Map.of(), Optional.of(problem), refs);
+  }
+}
