@@ -35,7 +35,13 @@ public final class BusLink implements RatsLink {
 
   private static final Logger LOG = LoggerFactory.getLogger(BusLink.class);
   private static final Duration COST_TIMEOUT = Duration.ofSeconds(5);
-  private static final Duration SAFE_TIMEOUT = Duration.ofSeconds(30);
+  private static final Duration ASK_ALL_TIMEOUT = Duration.ofSeconds(30);
+
+  /**
+   * Wall time after a connect when members are asked to describe themselves: a broker may lose a retained message to a subscriber that
+   * comes at the very moment of its publication (seen with Artemis).
+   */
+  private static final Duration ASK_DELAY = Duration.ofMillis(500);
 
   /** Wall time that members have to show up again after the bus was away. */
   private static final Duration RETURN_LIMIT = Duration.ofSeconds(5);
@@ -149,17 +155,7 @@ public final class BusLink implements RatsLink {
 
   @Override
   public void safe() {
-    Call call =
-        new Call(
-            nextId(),
-            Optional.empty(),
-            Optional.empty(),
-            ReservedFeature.SAFE.word(),
-            Map.of(),
-            SAFE_TIMEOUT,
-            controller,
-            Optional.empty());
-    perform(() -> calls.sendUnwatched(call));
+    perform(() -> askAll(ReservedFeature.SAFE));
   }
 
   @Override
@@ -203,13 +199,33 @@ public final class BusLink implements RatsLink {
         Publication.retained(
             topics.controllerStatus(controller), status(MemberStatus.Phase.READY)),
         failure -> failure.ifPresent(cause -> LOG.debug("{}", cause.getMessage())));
+    clock.schedule(wall(ASK_DELAY), controller, () -> askAll(ReservedFeature.DESCRIBE));
     if (wasConnected) {
       calls.resume();
-      Duration limit = Duration.ofMillis(Math.round(RETURN_LIMIT.toMillis() * clock.speed()));
       doubtEnds.ifPresent(Clock.Timer::cancel);
-      doubtEnds = Optional.of(clock.schedule(limit, controller, roster::dropDoubted));
+      doubtEnds =
+          Optional.of(clock.schedule(wall(RETURN_LIMIT), controller, roster::dropDoubted));
     }
     wasConnected = true;
+  }
+
+  private Duration wall(Duration duration) {
+    return Duration.ofMillis(Math.round(duration.toMillis() * clock.speed()));
+  }
+
+  private void askAll(ReservedFeature reserved) {
+    if (!closed.get()) {
+      calls.sendUnwatched(
+          new Call(
+              nextId(),
+              Optional.empty(),
+              Optional.empty(),
+              reserved.word(),
+              Map.of(),
+              ASK_ALL_TIMEOUT,
+              controller,
+              Optional.empty()));
+    }
   }
 
   /** Before any status is heard on the next connection, which may be before that is told to be there. */

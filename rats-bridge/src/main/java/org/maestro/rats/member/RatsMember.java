@@ -173,7 +173,6 @@ public final class RatsMember implements AutoCloseable {
     }
     announced = true;
     describe();
-    voice.status(MemberStatus.Phase.READY);
     voice.sendUnsent();
   }
 
@@ -181,6 +180,7 @@ public final class RatsMember implements AutoCloseable {
     voice.description();
     told = Optional.of(condition.snapshot());
     voice.state(told.get());
+    voice.status(MemberStatus.Phase.READY);
   }
 
   /** A will that came late, of this life or a former one, must not stay the last word. */

@@ -10,7 +10,7 @@ public enum ReservedFeature {
   SAFE("$safe"),
   /** Asks for prices, see {@link CostExchange} (M54). */
   COST("$cost"),
-  /** Publishes description and state again. */
+  /** Publishes description, state and status again. */
   DESCRIBE("$describe"),
   PING("$ping");
 

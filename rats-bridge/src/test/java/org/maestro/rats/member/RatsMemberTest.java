@@ -355,7 +355,7 @@ class RatsMemberTest {
     send(call("c1", "$describe", Map.of()));
     send(call("c2", "$ping", Map.of()));
     run(1);
-    assertThat(retained).hasSize(1);
+    assertThat(retained).containsExactly("description {\"@id\":\"rose\"}", "READY");
     assertThat(results).extracting(Result::outcome).containsOnly(Outcome.SUCCEEDED).hasSize(2);
   }
 
