@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import org.maestro.coordination.Argument;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.FeatureType;
@@ -41,16 +41,16 @@ public final class GenericAgent extends MaestroAgent {
 
   private final String member;
   private final transient RatsLink link;
-  private final transient Function<String, Device> describedBy;
+  private final transient BiFunction<String, String, Device> describedBy;
   private final transient MemberView view = new MemberView();
   private final transient Map<String, RatsLink.CallHandle> handles = new TreeMap<>();
   private transient Optional<String> lastDescription = Optional.empty();
 
   /**
-   * @param describedBy reads a member's description; throws a RuntimeException with one sentence when it is faulty
+   * @param describedBy reads a description (first argument) that a member (second) sent; throws a RuntimeException with one sentence when it is faulty
    */
   public GenericAgent(
-      AgentTime time, RatsLink link, String member, Function<String, Device> describedBy) {
+      AgentTime time, RatsLink link, String member, BiFunction<String, String, Device> describedBy) {
     super(time);
     this.member = member;
     this.link = link;
@@ -85,7 +85,7 @@ public final class GenericAgent extends MaestroAgent {
   private void described(String description) {
     lastDescription = Optional.of(description);
     try {
-      view.describedAs(describedBy.apply(description));
+      view.describedAs(describedBy.apply(description, member));
     } catch (RuntimeException e) {
       LOG.warn("The description of {} is refused: {}", member, e.getMessage());
       return;
@@ -96,7 +96,8 @@ public final class GenericAgent extends MaestroAgent {
         message(
             ACLMessage.REQUEST,
             knowledgeAgent(),
-            Words.content("inform", Words.named("description", Words.text(description)))),
+            Words.content("inform", Words.named("member", Words.name(member)),
+                Words.named("description", Words.text(description)))),
         ANSWER_WITHIN,
         reply -> {
           if (reply.getPerformative() == ACLMessage.INFORM && view.isReady()) {

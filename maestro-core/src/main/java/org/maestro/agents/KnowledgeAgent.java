@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.knowledge.Source;
@@ -21,10 +21,10 @@ public final class KnowledgeAgent extends MaestroAgent {
   public static final String NAME = "knowledge";
 
   private final transient KnowledgeBase knowledge;
-  private final transient Function<String, Device> describedBy;
+  private final transient BiFunction<String, String, Device> describedBy;
 
   public KnowledgeAgent(
-      AgentTime time, KnowledgeBase knowledge, Function<String, Device> describedBy) {
+      AgentTime time, KnowledgeBase knowledge, BiFunction<String, String, Device> describedBy) {
     super(time);
     this.knowledge = knowledge;
     this.describedBy = describedBy;
@@ -51,7 +51,9 @@ public final class KnowledgeAgent extends MaestroAgent {
 
   private void informed(ACLMessage message, Words words) {
     if (words.string("description").isPresent()) {
-      knowledge.describe(describedBy.apply(words.string("description").get()));
+      knowledge.describe(
+          describedBy.apply(
+              words.string("description").get(), words.string("member").orElse("")));
     } else if (words.find("facts").isPresent()) {
       knowledge.state(
           new Source(Source.Kind.STATED, words.string("source").orElse("unnamed")),

@@ -12,7 +12,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import org.maestro.agents.AgentTime;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.GenericAgent;
@@ -104,7 +104,7 @@ public final class JoinedContainer implements AutoCloseable {
   }
 
   /** Starts the generic agents of the members here. */
-  public void host(List<String> members, RatsLink link, Function<String, Device> describedBy) {
+  public void host(List<String> members, RatsLink link, BiFunction<String, String, Device> describedBy) {
     members.forEach(member -> accept(member, new GenericAgent(time, link, member, describedBy)));
   }
 

@@ -16,7 +16,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import org.maestro.agents.AgentTime;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
@@ -46,7 +46,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private final AgentTime time;
   private final RatsLink link;
   private final KnowledgeBase knowledge;
-  private final Function<String, Device> describedBy;
+  private final BiFunction<String, String, Device> describedBy;
   private final Path fileDirectory;
   private final int port;
   private final AgentContainer main;
@@ -61,7 +61,7 @@ public final class MaestroPlatform implements AutoCloseable {
       Planner planner,
       RatsLink link,
       Clock clock,
-      Function<String, Device> describedBy,
+      BiFunction<String, String, Device> describedBy,
       Path fileDirectory,
       int port,
       AgentContainer main) {
@@ -88,7 +88,7 @@ public final class MaestroPlatform implements AutoCloseable {
    * Boots the platform.
    *
    * @param knowledge of the home whose devices get agents; closed with the platform
-   * @param describedBy reads a member's description
+   * @param describedBy reads a description (first argument) that a member (second) sent
    * @throws PlatformStartException when the port is taken, or there is no display for the GUI
    */
   public static MaestroPlatform start(
@@ -97,7 +97,7 @@ public final class MaestroPlatform implements AutoCloseable {
       Planner planner,
       RatsLink link,
       Clock clock,
-      Function<String, Device> describedBy) {
+      BiFunction<String, String, Device> describedBy) {
     if (settings.gui() && GraphicsEnvironment.isHeadless()) {
       throw new PlatformStartException(
           "There is no display for the JADE GUI; run without --gui, or set DISPLAY.");
@@ -149,7 +149,7 @@ public final class MaestroPlatform implements AutoCloseable {
       String description = member.description().get();
       Thread starter =
           new Thread(
-              () -> place(member.id(), topic(describedBy.apply(description))), "agent-starter");
+              () -> place(member.id(), topic(describedBy.apply(description, member.id()))), "agent-starter");
       starter.setDaemon(true);
       starter.start();
     }

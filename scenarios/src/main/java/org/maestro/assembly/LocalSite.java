@@ -1,0 +1,202 @@
+package org.maestro.assembly;
+
+import java.net.URI;
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+import org.maestro.knowledge.CollectiveKnowledge;
+import org.maestro.ontology.home.DescriptionReader;
+import org.maestro.ontology.home.DescriptionWriter;
+import org.maestro.planning.OptimalPlanner;
+import org.maestro.platform.MaestroPlatform;
+import org.maestro.platform.PlatformSettings;
+import org.maestro.rats.broker.EmbeddedBroker;
+import org.maestro.rats.link.BusLink;
+import org.maestro.rats.time.Clock;
+import org.maestro.rats.time.PacedClock;
+import org.maestro.rats.time.SteppedClock;
+import org.maestro.rats.transport.InProcessBus;
+import org.maestro.rats.transport.PahoTransport;
+import org.maestro.rats.transport.Transport;
+import org.maestro.sim.SimulatedHome;
+import org.maestro.sim.World;
+
+/** A running site of this process. Closing it leaves nothing behind. For the thread that started it. */
+public final class LocalSite implements AutoCloseable {
+  private static final Duration DECISION_ON_STEPPED_CLOCK = Duration.ofMillis(20);
+  private static final Duration OPENING = Duration.ofSeconds(60);
+  private static final String CONTROLLER = "maestro";
+
+  /** Lets time pass until a condition holds, for a simulated time at most; says whether it holds. */
+  private interface Driver {
+    boolean runUntil(BooleanSupplier condition, Duration limit);
+  }
+
+  private final Deque<AutoCloseable> parts = new ArrayDeque<>();
+  private final SiteSettings settings;
+  private final Clock clock;
+  private final Driver driver;
+  private final Optional<URI> broker;
+  private Optional<SimulatedHome> simulated = Optional.empty();
+  private MaestroPlatform platform;
+
+  private LocalSite(SiteSettings settings, Clock clock, Driver driver, Optional<URI> broker) {
+    this.settings = settings;
+    this.clock = clock;
+    this.driver = driver;
+    this.broker = broker;
+  }
+
+  /** On the stepped clock, over the bus within the process: the same seed gives the same run. */
+  public static LocalSite stepped(SiteSettings settings) {
+    SteppedClock clock = new SteppedClock();
+    LocalSite site = new LocalSite(settings, clock, clock::runUntil, Optional.empty());
+    return site.opened(new InProcessBus(clock)::client, DECISION_ON_STEPPED_CLOCK);
+  }
+
+  /**
+   * On the paced clock, over MQTT.
+   *
+   * @param speed simulated seconds per second of wall time
+   */
+  public static LocalSite paced(SiteSettings settings, double speed) {
+    Optional<EmbeddedBroker> own =
+        settings.broker().isPresent() ? Optional.empty() : Optional.of(EmbeddedBroker.start());
+    URI uri = settings.broker().orElseGet(() -> own.orElseThrow().uri());
+    PacedClock clock = new PacedClock(speed);
+    LocalSite site =
+        new LocalSite(
+            settings, clock, (condition, limit) -> poll(clock, condition, limit), Optional.of(uri));
+    own.ifPresent(site.parts::addFirst);
+    site.parts.addFirst(clock);
+    return site.opened(id -> new PahoTransport(uri, settings.name() + "-" + id), Duration.ZERO);
+  }
+
+  private LocalSite opened(Function<String, Transport> transports, Duration decisionTime) {
+    try {
+      open(transports, decisionTime);
+      return this;
+    } catch (RuntimeException e) {
+      close();
+      throw e;
+    }
+  }
+
+  private void open(Function<String, Transport> transports, Duration decisionTime) {
+    simulated =
+        settings
+            .scene()
+            .map(
+                scene ->
+                    SimulatedHome.start(
+                        new SimulatedHome.Setup(
+                            settings.home(),
+                            scene,
+                            clock,
+                            settings.seed(),
+                            transports,
+                            settings.name(),
+                            new DescriptionWriter(settings.home())::write)));
+    simulated.ifPresent(parts::addFirst);
+    BusLink link =
+        BusLink.connect(CONTROLLER, settings.name(), transports.apply(CONTROLLER), clock);
+    parts.addFirst(link);
+    platform =
+        MaestroPlatform.start(
+            new PlatformSettings(
+                settings.name(),
+                settings.jadePort(),
+                settings.gui(),
+                broker.map(URI::toString),
+                settings.name(),
+                decisionTime,
+                settings.storyDirectory()),
+            new CollectiveKnowledge(settings.home(), clock),
+            new OptimalPlanner(),
+            link,
+            clock,
+            new DescriptionReader(settings.home().vocabulary())::read);
+    parts.addFirst(platform);
+    awaitMembers();
+  }
+
+  private void awaitMembers() {
+    List<String> expected =
+        simulated.stream()
+            .flatMap(home -> home.devices().stream().filter(home.world()::isAlive))
+            .toList();
+    if (!runUntil(() -> platform.presentMembers().containsAll(expected), OPENING)) {
+      throw new SiteException(
+          "Within %d simulated seconds only these devices came: %s; expected were %s."
+              .formatted(
+                  OPENING.toSeconds(),
+                  String.join(", ", platform.presentMembers()),
+                  String.join(", ", expected)));
+    }
+  }
+
+  public MaestroPlatform platform() {
+    return platform;
+  }
+
+  public Clock clock() {
+    return clock;
+  }
+
+  /** Of the bus; empty when it lives within the process. */
+  public Optional<URI> broker() {
+    return broker;
+  }
+
+  /** The simulated devices and the world they live in. */
+  public SimulatedHome simulated() {
+    return simulated.orElseThrow(
+        () -> new SiteException("The site %s runs no simulation.".formatted(settings.name())));
+  }
+
+  public World world() {
+    return simulated().world();
+  }
+
+  /**
+   * Lets time pass until the condition holds.
+   *
+   * @param limit simulated time
+   * @return whether it holds
+   */
+  public boolean runUntil(BooleanSupplier condition, Duration limit) {
+    return driver.runUntil(condition, limit);
+  }
+
+  /** Latest part first; one that cannot be closed does not keep the others open. */
+  @Override
+  public void close() {
+    SiteException failure = null;
+    while (!parts.isEmpty()) {
+      try {
+        parts.removeFirst().close();
+      } catch (Exception e) {
+        failure = new SiteException("The site could not be closed: " + e.getMessage(), e);
+      }
+    }
+    if (failure != null) {
+      throw failure;
+    }
+  }
+
+  private static boolean poll(Clock clock, BooleanSupplier condition, Duration limit) {
+    Duration end = clock.now().plus(limit);
+    while (!condition.getAsBoolean()) {
+      if (clock.now().compareTo(end) >= 0) {
+        return false;
+      }
+      LockSupport.parkNanos(1_000_000);
+    }
+    return true;
+  }
+}
