@@ -16,6 +16,7 @@ final class LandmarkCut {
   private final int[][] additions;
   private final int[][] consumers;
   private final int[][] achievers;
+  private final int[] subject;
   private final int goal;
 
   private final double[] value;
@@ -42,10 +43,17 @@ final class LandmarkCut {
     open = new int[actions.size()];
     inGoalZone = new boolean[propositions];
     inFrontZone = new boolean[propositions];
-    paid = new boolean[
-        relaxed.problem().operators().size() + relaxed.settings().thresholds().size()];
+    paid = new boolean[relaxed.payerCount()];
     queue = new PropositionQueue();
     stack = new int[propositions];
+    subject = new int[propositions];
+    Arrays.setAll(subject, i -> subject(relaxed.leaf(i)));
+  }
+
+  private static int subject(Condition leaf) {
+    return leaf instanceof Condition.Literal literal
+        ? literal.variable().index()
+        : Integer.MAX_VALUE;
   }
 
   private static int[][] inverse(int[][] lists, int size) {
@@ -99,7 +107,10 @@ final class LandmarkCut {
     return payers[action] == RelaxedProblem.FREE ? 0 : costs[payers[action]];
   }
 
-  /** The h-max value of each proposition, and for each action the precondition that it has it from. */
+  /**
+   * The h-max value of each proposition, and for each action the precondition that it has it from: among equals the
+   * one of the first variable, as alternatives that agree on what they wait for have small cuts.
+   */
   private void computeMaximumCosts(boolean[] truths, double[] costs) {
     Arrays.fill(value, Double.POSITIVE_INFINITY);
     for (int action = 0; action < open.length; action++) {
@@ -120,8 +131,13 @@ final class LandmarkCut {
         continue;
       }
       for (int action : consumers[proposition]) {
-        if (--open[action] == 0) {
+        if (supporter[action] < 0
+            || now > value[supporter[action]]
+            || now == value[supporter[action]]
+                && subject[proposition] < subject[supporter[action]]) {
           supporter[action] = proposition;
+        }
+        if (--open[action] == 0) {
           double reached = now + cost(action, costs);
           for (int added : additions[action]) {
             if (reached < value[added]) {
@@ -143,7 +159,7 @@ final class LandmarkCut {
     while (size > 0) {
       for (int action : achievers[stack[--size]]) {
         int from = supporter[action];
-        if (from >= 0 && !inGoalZone[from] && cost(action, costs) == 0) {
+        if (open[action] == 0 && !inGoalZone[from] && cost(action, costs) == 0) {
           inGoalZone[from] = true;
           stack[size++] = from;
         }
@@ -166,7 +182,7 @@ final class LandmarkCut {
     while (size > 0) {
       int proposition = stack[--size];
       for (int action : consumers[proposition]) {
-        if (supporter[action] != proposition || cost(action, costs) == Double.POSITIVE_INFINITY) {
+        if (open[action] > 0 || supporter[action] != proposition || cost(action, costs) == Double.POSITIVE_INFINITY) {
           continue;
         }
         for (int added : additions[action]) {

@@ -32,7 +32,9 @@ final class RelaxedProblem {
   private final Map<Condition, Integer> indexOfLeaf = new LinkedHashMap<>();
   private final Map<Object, List<OperatorChange>> changesOf = new LinkedHashMap<>();
   private final List<Action> actions = new ArrayList<>();
+  private final ThresholdPrices prices;
   private final double[] operatorCosts;
+  private int payers;
   private final int goal;
 
   private record OperatorChange(int operator, Change change) {}
@@ -51,25 +53,24 @@ final class RelaxedProblem {
     }
     goal = auxiliary();
     addAlternative(goal, problem.goal().condition());
-    List<Threshold> thresholds = new ArrayList<>();
-    List<Integer> reached = new ArrayList<>();
+    Map<Threshold, List<Integer>> thresholds = new LinkedHashMap<>();
     for (int proposition = 1; proposition < leaves.size(); proposition++) {
       Condition leaf = leaves.get(proposition);
       if (leaf != Constant.FALSE) {
         Threshold threshold = thresholdOfSum(leaf);
         if (threshold != null) {
-          thresholds.add(threshold);
-          reached.add(proposition);
+          thresholds.computeIfAbsent(threshold, absent -> new ArrayList<>()).add(proposition);
         }
         addAchievers(proposition, leaf, threshold != null);
       }
     }
-    addThresholds(thresholds, reached);
+    prices = new ThresholdPrices(settings.sums(), thresholds.keySet());
+    addThresholds(thresholds);
     operatorCosts =
         operators.stream()
             .mapToDouble(
                 operator ->
-                    settings.isPaidByThresholds(operator)
+                    settings.settingsOf(operator).stream().anyMatch(prices::paysFor)
                         ? 0
                         : settings.leastCost(operator, problem.initial().numbers()))
             .toArray();
@@ -163,24 +164,54 @@ final class RelaxedProblem {
     return targets.stream().distinct().toList();
   }
 
-  private void addThresholds(List<Threshold> thresholds, List<Integer> reached) {
-    Map<Threshold, List<Integer>> propositionsOf = new LinkedHashMap<>();
-    for (int i = 0; i < thresholds.size(); i++) {
-      propositionsOf
-          .computeIfAbsent(thresholds.get(i), absent -> new ArrayList<>())
-          .add(reached.get(i));
+  /**
+   * In each cluster the thresholds are reached in the order of their costs, by as many ranks: a rank costs the difference to the one before,
+   * and a gate, open or closed depending on the state, leads from it to the threshold that stands there.
+   */
+  private void addThresholds(Map<Threshold, List<Integer>> propositionsOf) {
+    int payer = problem.operators().size();
+    for (List<Threshold> cluster : prices.clusters()) {
+      int before = TRUTH;
+      for (int rank = 0; rank < cluster.size(); rank++) {
+        int here = auxiliary();
+        actions.add(new Action(payer++, new int[] {before}, new int[] {here}));
+        for (Threshold threshold : cluster) {
+          int[] reached =
+              propositionsOf.get(threshold).stream().mapToInt(Integer::intValue).toArray();
+          actions.add(new Action(payer++, new int[] {here}, reached));
+        }
+        before = here;
+      }
     }
-    settings.register(List.copyOf(propositionsOf.keySet()));
-    int before = TRUTH;
-    for (int i = 0; i < settings.thresholds().size(); i++) {
-      int[] additions =
-          propositionsOf.get(settings.thresholds().get(i)).stream()
-              .mapToInt(Integer::intValue)
-              .toArray();
-      int[] needed = {settings.isChained(i) ? before : TRUTH};
-      actions.add(new Action(problem.operators().size() + i, needed, additions));
-      before = additions[0];
+    payers = payer;
+  }
+
+  private void fillThresholdCosts(NumberVector numbers, double[] costs) {
+    int payer = operatorCosts.length;
+    for (double[] cluster : prices.costs(numbers)) {
+      boolean[] placed = new boolean[cluster.length];
+      double before = 0;
+      for (int rank = 0; rank < cluster.length; rank++) {
+        int next = cheapest(cluster, placed);
+        placed[next] = true;
+        boolean reachable = cluster[next] < Double.POSITIVE_INFINITY;
+        costs[payer++] = reachable ? cluster[next] - before : Double.POSITIVE_INFINITY;
+        before = cluster[next];
+        for (int threshold = 0; threshold < cluster.length; threshold++) {
+          costs[payer++] = threshold == next && reachable ? 0 : Double.POSITIVE_INFINITY;
+        }
+      }
     }
+  }
+
+  private static int cheapest(double[] cluster, boolean[] placed) {
+    int best = -1;
+    for (int i = 0; i < cluster.length; i++) {
+      if (!placed[i] && (best < 0 || cluster[i] < cluster[best])) {
+        best = i;
+      }
+    }
+    return best;
   }
 
   GroundProblem problem() {
@@ -208,6 +239,10 @@ final class RelaxedProblem {
     return goal;
   }
 
+  int payerCount() {
+    return payers;
+  }
+
   boolean[] truths(State state) {
     boolean[] truths = new boolean[leaves.size()];
     for (int i = 0; i < truths.length; i++) {
@@ -216,11 +251,10 @@ final class RelaxedProblem {
     return truths;
   }
 
-  /** What payers cost in the state: operators first, then thresholds; infinite when out of reach. */
+  /** What payers cost in the state: operators first, then thresholds of sums; infinite when out of reach. */
   double[] costs(State state) {
-    double[] thresholds = settings.prices(state.numbers());
-    double[] costs = Arrays.copyOf(operatorCosts, operatorCosts.length + thresholds.length);
-    System.arraycopy(thresholds, 0, costs, operatorCosts.length, thresholds.length);
+    double[] costs = Arrays.copyOf(operatorCosts, payers);
+    fillThresholdCosts(state.numbers(), costs);
     return costs;
   }
 

@@ -46,10 +46,4 @@ record Threshold(NumberVariable variable, boolean upward, double bound, boolean 
   double missing(double value) {
     return upward ? bound - value : value - bound;
   }
-
-  /** Whether this is further away than the other, of the same number and direction. */
-  boolean isBeyond(Threshold other) {
-    int compared = Double.compare(bound, other.bound);
-    return upward == compared > 0 && compared != 0 || compared == 0 && strict && !other.strict;
-  }
 }
