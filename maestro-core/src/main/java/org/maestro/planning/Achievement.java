@@ -5,7 +5,10 @@ import org.maestro.planning.Condition.Literal;
 import org.maestro.planning.Condition.Question;
 import org.maestro.sl.Effect.Assignment;
 
-/** Whether a change may make a condition true, and what else must hold for it. Errs on the side of "it may". */
+/**
+ * Whether a change may make a condition true, and what else must hold for it. Errs on the side of
+ * "it may".
+ */
 final class Achievement {
   private Achievement() {}
 

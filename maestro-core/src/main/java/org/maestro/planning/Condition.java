@@ -6,8 +6,8 @@ import java.util.function.Consumer;
 import org.maestro.sl.Formula.Relation;
 
 /**
- * A ground condition over the planning state, without negations inside. An atom holds only if known true, a comparison with an
- * unknown number fails, and with "any" holds, negated or not.
+ * A ground condition over the planning state, without negations inside. An atom holds only if known
+ * true, a comparison with an unknown number fails, and with "any" holds, negated or not.
  */
 sealed interface Condition {
 
@@ -92,8 +92,7 @@ sealed interface Condition {
     }
   }
 
-  record Compare(
-      Relation relation, NumberExpression left, NumberExpression right, boolean positive)
+  record Compare(Relation relation, NumberExpression left, NumberExpression right, boolean positive)
       implements Condition {
     @Override
     public boolean holds(State state) {
@@ -179,7 +178,9 @@ sealed interface Condition {
         return Constant.TRUE;
       }
       List<Condition> alternatives =
-          part instanceof Any any ? any.parts() : part == Constant.FALSE ? List.of() : List.of(part);
+          part instanceof Any any
+              ? any.parts()
+              : part == Constant.FALSE ? List.of() : List.of(part);
       alternatives.stream().filter(c -> !flat.contains(c)).forEach(flat::add);
     }
     return switch (flat.size()) {

@@ -17,8 +17,8 @@ import org.maestro.sl.Truth;
 import org.maestro.sl.TypedVariable;
 
 /**
- * Makes ground conditions and number expressions of formulas: quantifiers and derived predicates are expanded, what is static is
- * decided by the facts.
+ * Makes ground conditions and number expressions of formulas: quantifiers and derived predicates
+ * are expanded, what is static is decided by the facts.
  */
 final class ConditionCompiler {
   private static final int DEEPEST_DERIVATION = 50;
@@ -43,7 +43,10 @@ final class ConditionCompiler {
     this.keepingFailedComparisons = keepingFailedComparisons;
   }
 
-  /** One that keeps static comparisons that fail as {@link Condition.Fixed}, to be named in an explanation. */
+  /**
+   * One that keeps static comparisons that fail as {@link Condition.Fixed}, to be named in an
+   * explanation.
+   */
   ConditionCompiler keepingFailedComparisons() {
     return new ConditionCompiler(signature, facts, variables, true);
   }
@@ -72,8 +75,7 @@ final class ConditionCompiler {
       Formula or = new Formula.Or(List.of(new Formula.Not(imply.premise()), imply.conclusion()));
       return compiled(or, bindings, positive, depth);
     } else if (formula instanceof Formula.Exists exists) {
-      return quantified(
-          exists.variables(), exists.body(), bindings, positive, depth, !positive);
+      return quantified(exists.variables(), exists.body(), bindings, positive, depth, !positive);
     } else if (formula instanceof Formula.Forall forall) {
       return quantified(forall.variables(), forall.body(), bindings, positive, depth, positive);
     } else if (formula instanceof Formula.Comparison comparison) {
@@ -94,7 +96,9 @@ final class ConditionCompiler {
     if (definition != null) {
       if (depth > DEEPEST_DERIVATION) {
         throw new IllegalArgumentException(
-            "The derived predicate " + atom.predicate() + " is defined by itself; break the circle.");
+            "The derived predicate "
+                + atom.predicate()
+                + " is defined by itself; break the circle.");
       }
       return compiled(definition, parameterBindings(atom), positive, depth + 1);
     }
@@ -108,7 +112,10 @@ final class ConditionCompiler {
 
   private Map<String, Term> parameterBindings(Formula.Atom atom) {
     List<TypedVariable> parameters =
-        signature.declaration(atom.predicate()).map(PredicateDeclaration::parameters).orElse(List.of());
+        signature
+            .declaration(atom.predicate())
+            .map(PredicateDeclaration::parameters)
+            .orElse(List.of());
     Map<String, Term> bindings = new HashMap<>();
     for (int i = 0; i < Math.min(parameters.size(), atom.arguments().size()); i++) {
       bindings.put(parameters.get(i).name(), atom.arguments().get(i));
@@ -188,9 +195,9 @@ final class ConditionCompiler {
     }
     NumberExpression left = number(comparison.left(), bindings);
     NumberExpression right = number(comparison.right(), bindings);
-    Condition.Compare compare =
-        new Condition.Compare(comparison.relation(), left, right, positive);
-    if (left instanceof NumberExpression.Constant a && right instanceof NumberExpression.Constant b) {
+    Condition.Compare compare = new Condition.Compare(comparison.relation(), left, right, positive);
+    if (left instanceof NumberExpression.Constant a
+        && right instanceof NumberExpression.Constant b) {
       boolean holds = compare.holdsFor(a.number(), b.number());
       return holds || !keepingFailedComparisons
           ? Constant.of(holds)
@@ -222,7 +229,8 @@ final class ConditionCompiler {
     if (!signature.isDynamic(atom.predicate())) {
       return Constant.of((facts.truth(atom) == Truth.UNKNOWN) == positive);
     }
-    Variable variable = signature.definition(atom.predicate()).isPresent() ? null : variables.variable(atom);
+    Variable variable =
+        signature.definition(atom.predicate()).isPresent() ? null : variables.variable(atom);
     if (variable == null || !variable.observable()) {
       return Constant.of(!positive);
     }
@@ -255,8 +263,7 @@ final class ConditionCompiler {
     Expression.Arithmetic arithmetic = (Expression.Arithmetic) expression;
     List<NumberExpression> operands =
         arithmetic.operands().stream().map(operand -> number(operand, bindings)).toList();
-    NumberExpression operation =
-        new NumberExpression.Operation(arithmetic.operator(), operands);
+    NumberExpression operation = new NumberExpression.Operation(arithmetic.operator(), operands);
     return operands.stream().allMatch(NumberExpression::isConstant)
         ? new NumberExpression.Constant(operation.value(new NumberVector(new double[0])))
         : operation;

@@ -54,12 +54,10 @@ final class EffectCompiler {
         changes.add(new Change.Find(condition, variable, variables.value(atom, variable)));
       }
     } else if (effect instanceof Effect.SenseNumber sense) {
-      NumberVariable number =
-          variables.number(ConditionCompiler.ground(sense.fluent(), bindings));
+      NumberVariable number = variables.number(ConditionCompiler.ground(sense.fluent(), bindings));
       changes.add(new Change.Measure(condition, number));
     } else if (effect instanceof Effect.Change change) {
-      NumberVariable number =
-          variables.number(ConditionCompiler.ground(change.fluent(), bindings));
+      NumberVariable number = variables.number(ConditionCompiler.ground(change.fluent(), bindings));
       NumberExpression value = conditions.number(change.value(), bindings);
       changes.add(new Change.Adjust(condition, number, change.assignment(), value));
     }

@@ -19,8 +19,8 @@ import org.maestro.sl.FreeVariables;
 import org.maestro.sl.Term;
 
 /**
- * An offered feature, ready to be bound: which values its parameters may take, which static conditions tie them, and what its effect
- * may change.
+ * An offered feature, ready to be bound: which values its parameters may take, which static
+ * conditions tie them, and what its effect may change.
  */
 final class FeatureTemplate {
   private static final String SELF = "self";
@@ -38,10 +38,7 @@ final class FeatureTemplate {
   private final List<Target> targets = new ArrayList<>();
 
   FeatureTemplate(
-      PricedFeature feature,
-      Signature signature,
-      StaticFacts facts,
-      ConditionCompiler conditions) {
+      PricedFeature feature, Signature signature, StaticFacts facts, ConditionCompiler conditions) {
     this.feature = feature;
     this.conditions = conditions;
     Set<String> mentioned = mentioned(feature);
@@ -116,16 +113,14 @@ final class FeatureTemplate {
   }
 
   /**
-   * Hands on the bindings under which the effect may change what is named, as far as the static conditions allow.
+   * Hands on the bindings under which the effect may change what is named, as far as the static
+   * conditions allow.
    *
    * @param arguments those of the predicate or number, without the value of a functional one
    * @param symmetric whether the arguments may be swapped
    */
   void forEachInstanceChanging(
-      String name,
-      List<Term> arguments,
-      boolean symmetric,
-      Consumer<Map<String, Term>> consumer) {
+      String name, List<Term> arguments, boolean symmetric, Consumer<Map<String, Term>> consumer) {
     for (Target target : targets) {
       if (target.name().equals(name)) {
         bindAndEnumerate(target, arguments, consumer);
@@ -210,7 +205,10 @@ final class FeatureTemplate {
     bindings.remove(next);
   }
 
-  /** The open parameter that the most static conditions decide on; the first of the smallest among equals. */
+  /**
+   * The open parameter that the most static conditions decide on; the first of the smallest among
+   * equals.
+   */
   private String mostTied(Set<String> open) {
     String best = "";
     long bestTies = -1;
@@ -218,7 +216,8 @@ final class FeatureTemplate {
       long ties =
           conjuncts.stream()
               .filter(c -> c.variables().contains(name))
-              .filter(c -> c.variables().stream().noneMatch(v -> open.contains(v) && !v.equals(name)))
+              .filter(
+                  c -> c.variables().stream().noneMatch(v -> open.contains(v) && !v.equals(name)))
               .count();
       if (ties > bestTies
           || ties == bestTies && domains.get(name).size() < domains.get(best).size()) {

@@ -16,7 +16,10 @@ import org.maestro.sl.FreeVariables;
 import org.maestro.sl.Term;
 import org.maestro.sl.TypedVariable;
 
-/** A goal with one alternative for each possible binding of its free variables, in the order of the individuals. */
+/**
+ * A goal with one alternative for each possible binding of its free variables, in the order of the
+ * individuals.
+ */
 record GroundGoal(List<Alternative> alternatives) {
 
   record Alternative(Map<String, Term> binding, Condition condition) {}
@@ -25,7 +28,8 @@ record GroundGoal(List<Alternative> alternatives) {
       Formula goal, Signature signature, StaticFacts facts, ConditionCompiler conditions) {
     List<Alternative> alternatives = new ArrayList<>();
     Set<String> free = FreeVariables.of(goal);
-    choose(goal, signature, facts, conditions, List.copyOf(free), new LinkedHashMap<>(), alternatives);
+    choose(
+        goal, signature, facts, conditions, List.copyOf(free), new LinkedHashMap<>(), alternatives);
     return new GroundGoal(List.copyOf(alternatives));
   }
 

@@ -18,7 +18,9 @@ record GroundProblem(
     List<NumberVariable> numbers,
     State initial) {
 
-  /** The part of the operators that matters for the goal, with all that does not matter left out. */
+  /**
+   * The part of the operators that matters for the goal, with all that does not matter left out.
+   */
   static GroundProblem reduced(Relevance relevance, GroundGoal goal) {
     List<Operator> operators = new ArrayList<>();
     for (Operator operator : relevance.operators()) {
@@ -56,11 +58,7 @@ record GroundProblem(
     double[] values = numbers.stream().mapToDouble(NumberVariable::initial).toArray();
     State initial = new State(codes, new NumberVector(values));
     return new GroundProblem(
-        List.copyOf(operators),
-        goal,
-        List.copyOf(variables),
-        List.copyOf(numbers),
-        initial);
+        List.copyOf(operators), goal, List.copyOf(variables), List.copyOf(numbers), initial);
   }
 
   /** The same goal with some of the operators, reduced again. */

@@ -11,7 +11,10 @@ import java.util.Set;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Term;
 
-/** Grounds a task backwards from its goal: a feature instance is made only when it changes something that matters. */
+/**
+ * Grounds a task backwards from its goal: a feature instance is made only when it changes something
+ * that matters.
+ */
 final class Grounder {
   private record Instance(int template, Map<String, Term> bindings) {}
 
@@ -36,8 +39,7 @@ final class Grounder {
     ConditionCompiler conditions = new ConditionCompiler(signature, facts, variables);
     ConditionCompiler preconditions =
         forExplanation ? conditions.keepingFailedComparisons() : conditions;
-    this.factory =
-        new OperatorFactory(signature, facts, variables, conditions, preconditions);
+    this.factory = new OperatorFactory(signature, facts, variables, conditions, preconditions);
     this.templates =
         task.features().stream()
             .map(feature -> new FeatureTemplate(feature, signature, facts, preconditions))
@@ -45,7 +47,10 @@ final class Grounder {
     this.goal = GroundGoal.of(task.goal(), signature, facts, conditions);
   }
 
-  /** One that makes barred and, by a static comparison, impossible instances too, with a condition that says what is wrong. */
+  /**
+   * One that makes barred and, by a static comparison, impossible instances too, with a condition
+   * that says what is wrong.
+   */
   static Grounder forExplanation(PlanningTask task) {
     return new Grounder(task, true);
   }
@@ -61,7 +66,9 @@ final class Grounder {
     return GroundProblem.reduced(relevance, goal);
   }
 
-  /** The operators of a given feature instance; empty when it is barred, not offered or impossible. */
+  /**
+   * The operators of a given feature instance; empty when it is barred, not offered or impossible.
+   */
   List<Operator> instances(StepKey key) {
     for (int i = 0; i < templates.size(); i++) {
       PricedFeature feature = templates.get(i).feature();
@@ -129,7 +136,6 @@ final class Grounder {
     Condition reason =
         new Condition.Fixed(
             StepSentence.of(operator), "success", "failed twice with the same facts");
-    return operator.withPrecondition(
-        Condition.all(List.of(operator.precondition(), reason)));
+    return operator.withPrecondition(Condition.all(List.of(operator.precondition(), reason)));
   }
 }

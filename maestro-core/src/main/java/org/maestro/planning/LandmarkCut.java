@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The landmark-cut lower bound of the cost from a state to the goal (Helmert and Domshlak 2009), over {@link RelaxedProblem}. Actions of
- * one operator share its cost. Not thread-safe.
+ * The landmark-cut lower bound of the cost from a state to the goal (Helmert and Domshlak 2009),
+ * over {@link RelaxedProblem}. Actions of one operator share its cost. Not thread-safe.
  */
 final class LandmarkCut {
   private static final double NOTHING = 1e-9;
@@ -33,7 +33,8 @@ final class LandmarkCut {
     List<RelaxedProblem.Action> actions = relaxed.actions();
     int propositions = relaxed.propositionCount();
     payers = actions.stream().mapToInt(RelaxedProblem.Action::payer).toArray();
-    preconditions = actions.stream().map(RelaxedProblem.Action::preconditions).toArray(int[][]::new);
+    preconditions =
+        actions.stream().map(RelaxedProblem.Action::preconditions).toArray(int[][]::new);
     additions = actions.stream().map(RelaxedProblem.Action::additions).toArray(int[][]::new);
     consumers = inverse(preconditions, propositions);
     achievers = inverse(additions, propositions);
@@ -108,8 +109,9 @@ final class LandmarkCut {
   }
 
   /**
-   * The h-max value of each proposition, and for each action the precondition that it has it from: among equals the
-   * one of the first variable, as alternatives that agree on what they wait for have small cuts.
+   * The h-max value of each proposition, and for each action the precondition that it has it from:
+   * among equals the one of the first variable, as alternatives that agree on what they wait for
+   * have small cuts.
    */
   private void computeMaximumCosts(boolean[] truths, double[] costs) {
     Arrays.fill(value, Double.POSITIVE_INFINITY);
@@ -182,7 +184,9 @@ final class LandmarkCut {
     while (size > 0) {
       int proposition = stack[--size];
       for (int action : consumers[proposition]) {
-        if (open[action] > 0 || supporter[action] != proposition || cost(action, costs) == Double.POSITIVE_INFINITY) {
+        if (open[action] > 0
+            || supporter[action] != proposition
+            || cost(action, costs) == Double.POSITIVE_INFINITY) {
           continue;
         }
         for (int added : additions[action]) {

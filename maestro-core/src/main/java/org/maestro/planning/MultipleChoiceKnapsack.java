@@ -5,8 +5,9 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * The least cost to gain a needed amount when each group gives at most one of its options. Exact by branch and bound over the fractional
- * bound; after {@link #MOST_NODES} nodes only the fractional bound at the root, which is never above the exact answer.
+ * The least cost to gain a needed amount when each group gives at most one of its options. Exact by
+ * branch and bound over the fractional bound; after {@link #MOST_NODES} nodes only the fractional
+ * bound at the root, which is never above the exact answer.
  */
 final class MultipleChoiceKnapsack {
   private static final int MOST_NODES = 3000;
@@ -70,8 +71,7 @@ final class MultipleChoiceKnapsack {
       if (next == null) {
         return;
       }
-      segments.add(
-          new Segment(group, next.gain() - gain, Math.max(0, next.cost() - cost)));
+      segments.add(new Segment(group, next.gain() - gain, Math.max(0, next.cost() - cost)));
       gain = next.gain();
       cost = Math.max(cost, next.cost());
     }

@@ -7,7 +7,10 @@ import org.maestro.sl.Expression.Operator;
 /** A ground numeric expression over the numbers of a state. */
 sealed interface NumberExpression {
 
-  /** A number, {@link Quantity#UNKNOWN} when a part is unknown, {@link Quantity#ANY} when a part is "any". */
+  /**
+   * A number, {@link Quantity#UNKNOWN} when a part is unknown, {@link Quantity#ANY} when a part is
+   * "any".
+   */
   double value(NumberVector numbers);
 
   void forEachVariable(Consumer<NumberVariable> visitor);

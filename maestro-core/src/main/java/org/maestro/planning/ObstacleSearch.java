@@ -9,9 +9,10 @@ import org.maestro.planning.PlanningResult.Explanation;
 import org.maestro.planning.PlanningResult.Obstacle;
 
 /**
- * Finds what stands in the way of a goal that not even the relaxation reaches: conditions that nobody can bring about, but with which
- * the goal would be in reach, none of them superfluous. Where several sets would do, numbers are preferred to what has been
- * seen not to be, and that to what no agent ever changes.
+ * Finds what stands in the way of a goal that not even the relaxation reaches: conditions that
+ * nobody can bring about, but with which the goal would be in reach, none of them superfluous.
+ * Where several sets would do, numbers are preferred to what has been seen not to be, and that to
+ * what no agent ever changes.
  */
 final class ObstacleSearch {
   /** Any assumption weighs more than any number of steps. */
@@ -95,8 +96,7 @@ final class ObstacleSearch {
 
   /** Such a comparison is never reached by measuring. */
   private boolean isOfKnownNumber(Condition leaf) {
-    Threshold threshold =
-        leaf instanceof Condition.Compare compare ? Threshold.of(compare) : null;
+    Threshold threshold = leaf instanceof Condition.Compare compare ? Threshold.of(compare) : null;
     return threshold != null && !Quantity.isUnknown(initial.number(threshold.variable()));
   }
 
@@ -127,8 +127,7 @@ final class ObstacleSearch {
       RelaxedProblem.Action action = relaxed.actions().get(supporter[proposition]);
       List<Operator> operators = relaxed.problem().operators();
       boolean isStep = action.payer() >= 0 && action.payer() < operators.size();
-      String consumer =
-          isStep ? StepSentence.of(operators.get(action.payer())) : neededBy;
+      String consumer = isStep ? StepSentence.of(operators.get(action.payer())) : neededBy;
       for (int needed : action.preconditions()) {
         collect(needed, consumer, assumed, seen);
       }

@@ -59,15 +59,11 @@ final class ObstacleText {
   }
 
   private static Obstacle ofComparison(
-      Condition.Compare compare,
-      NumberVector numbers,
-      SettingAnalysis settings,
-      String neededBy) {
+      Condition.Compare compare, NumberVector numbers, SettingAnalysis settings, String neededBy) {
     Formula formula =
         new Formula.Comparison(
             compare.relation(), expression(compare.left()), expression(compare.right()));
-    String condition =
-        SlPrinter.print(compare.positive() ? formula : new Formula.Not(formula));
+    String condition = SlPrinter.print(compare.positive() ? formula : new Formula.Not(formula));
     Threshold threshold = Threshold.of(compare);
     if (threshold == null) {
       return new Obstacle(condition, "true", NOBODY, neededBy);
@@ -95,7 +91,6 @@ final class ObstacleText {
           operation.operands().stream().map(ObstacleText::expression).toList();
       return new Expression.Arithmetic(operation.operator(), operands);
     }
-    return new Expression.OfTerm(
-        new Term.Number(((NumberExpression.Constant) number).number()));
+    return new Expression.OfTerm(new Term.Number(((NumberExpression.Constant) number).number()));
   }
 }

@@ -17,9 +17,10 @@ import org.maestro.sl.TypedVariable;
 /**
  * Makes ground operators of features and bindings, with their prices.
  *
- * <p>Looking for a thing elsewhere than where it is expected first ({@code likelyWhen}) costs {@link #UNLIKELY_PLACE_SURCHARGE}, as
- * long as one of the expected places is not excluded. Such a feature instance becomes two operators: one for where the place of the
- * thing is unknown, with the surcharge, and one for where it is known.
+ * <p>Looking for a thing elsewhere than where it is expected first ({@code likelyWhen}) costs
+ * {@link #UNLIKELY_PLACE_SURCHARGE}, as long as one of the expected places is not excluded. Such a
+ * feature instance becomes two operators: one for where the place of the thing is unknown, with the
+ * surcharge, and one for where it is known.
  */
 final class OperatorFactory {
   /** In cost units: about what a search that fails costs. */
@@ -46,7 +47,10 @@ final class OperatorFactory {
     this.effects = new EffectCompiler(conditions, variables);
   }
 
-  /** The operators of a feature instance: none when it can never be done, two when a surcharge depends on what is known. */
+  /**
+   * The operators of a feature instance: none when it can never be done, two when a surcharge
+   * depends on what is known.
+   */
   List<Operator> operators(PricedFeature feature, Map<String, Term> parameters) {
     Map<String, Term> bindings = new HashMap<>(parameters);
     bindings.put("self", new Term.Name(feature.member()));

@@ -9,8 +9,8 @@ import org.maestro.planning.PlanningResult.Obstacle;
 import org.maestro.sl.SlPrinter;
 
 /**
- * Finds cheapest plans and proves it: backward grounding, A* with landmark cuts, knapsack bounds for sums of settings. Stateless and
- * thread-safe.
+ * Finds cheapest plans and proves it: backward grounding, A* with landmark cuts, knapsack bounds
+ * for sums of settings. Stateless and thread-safe.
  */
 public final class OptimalPlanner implements Planner {
   /** About 100 MB for homes of some ten devices. */
@@ -25,7 +25,8 @@ public final class OptimalPlanner implements Planner {
   /**
    * A planner with a bound.
    *
-   * @param mostStates states kept at once, from 1; beyond it {@link PlanningResult.GaveUp} is the answer
+   * @param mostStates states kept at once, from 1; beyond it {@link PlanningResult.GaveUp} is the
+   *     answer
    * @throws IllegalArgumentException when the bound is below 1
    */
   public OptimalPlanner(int mostStates) {
@@ -50,7 +51,8 @@ public final class OptimalPlanner implements Planner {
       return new PlanningResult.Found(PlanBuilder.plan(problem, found.operators()));
     } else if (outcome instanceof OptimalSearch.Outcome.Exhausted exhausted) {
       return new PlanningResult.Impossible(
-          goalItself(task, "none of the " + exhausted.states() + " situations in reach fulfils it"));
+          goalItself(
+              task, "none of the " + exhausted.states() + " situations in reach fulfils it"));
     }
     return new PlanningResult.GaveUp(
         "No plan and no proof that there is none within "
@@ -76,7 +78,8 @@ public final class OptimalPlanner implements Planner {
     for (Step step : steps) {
       choices.add(grounder.instances(step.key()));
     }
-    List<Operator> all = new ArrayList<>(new LinkedHashSet<>(choices.stream().flatMap(List::stream).toList()));
+    List<Operator> all =
+        new ArrayList<>(new LinkedHashSet<>(choices.stream().flatMap(List::stream).toList()));
     return Execution.plan(all, grounder.goal(), choices);
   }
 }

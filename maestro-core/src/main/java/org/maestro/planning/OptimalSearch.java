@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.PriorityQueue;
 
 /**
- * A* over the states of a ground problem. Ties: the smaller estimate, then fewer steps, then the state found first, so that names play
- * no part.
+ * A* over the states of a ground problem. Ties: the smaller estimate, then fewer steps, then the
+ * state found first, so that names play no part.
  */
 final class OptimalSearch {
   /** Sums of costs that differ by less are equal. */
@@ -39,7 +39,8 @@ final class OptimalSearch {
     }
   }
 
-  private record Entry(long total, double estimate, int depth, long sequence, double cost, Node node)
+  private record Entry(
+      long total, double estimate, int depth, long sequence, double cost, Node node)
       implements Comparable<Entry> {
     @Override
     public int compareTo(Entry other) {

@@ -8,9 +8,11 @@ public interface Planner {
   PlanningResult plan(PlanningTask task);
 
   /**
-   * Whether these steps, in their order, still lead from the task's facts to its goal, and at what cost.
+   * Whether these steps, in their order, still lead from the task's facts to its goal, and at what
+   * cost.
    *
-   * @return a plan with the steps' present prices, or empty when a precondition fails or the goal is missed
+   * @return a plan with the steps' present prices, or empty when a precondition fails or the goal
+   *     is missed
    */
   java.util.Optional<Plan> revalidate(PlanningTask task, List<Step> steps);
 }

@@ -22,7 +22,8 @@ public sealed interface PlanningResult {
    *
    * @param condition ground, in MAESTRO-SL: {@code (>= (illuminance zone-b) 72)}
    * @param needed what is needed, for people: {@code >= 72}
-   * @param possible the best that can be reached or what is known: {@code 42}, {@code known false}, {@code no agent can change it}
+   * @param possible the best that can be reached or what is known: {@code 42}, {@code known false},
+   *     {@code no agent can change it}
    * @param neededBy the feature instance or goal that needs it, for people
    */
   record Obstacle(String condition, String needed, String possible, String neededBy) {}

@@ -10,7 +10,8 @@ import org.maestro.sl.Term;
  * A feature that a member offers, at its price.
  *
  * @param price the member's own statement
- * @param exact prices that the member has given for parameter sets (inputs and binds by name); they replace the price
+ * @param exact prices that the member has given for parameter sets (inputs and binds by name); they
+ *     replace the price
  */
 public record PricedFeature(
     String member, FeatureType type, Price price, Map<Map<String, Term>, ExactPrice> exact) {

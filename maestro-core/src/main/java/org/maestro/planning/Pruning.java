@@ -9,8 +9,9 @@ import java.util.Set;
 import org.maestro.sl.Effect.Assignment;
 
 /**
- * Makes a ground problem smaller without losing its cheapest plan: drops operators and changes that can never come about, and operators
- * for which another one does the same at no higher price under no stronger condition.
+ * Makes a ground problem smaller without losing its cheapest plan: drops operators and changes that
+ * can never come about, and operators for which another one does the same at no higher price under
+ * no stronger condition.
  */
 final class Pruning {
   private Pruning() {}
@@ -39,8 +40,7 @@ final class Pruning {
     Set<NumberVariable> assigned = new LinkedHashSet<>();
     for (Operator operator : problem.operators()) {
       for (Change change : operator.changes()) {
-        if (change instanceof Change.Adjust adjust
-            && adjust.assignment() == Assignment.ASSIGN) {
+        if (change instanceof Change.Adjust adjust && adjust.assignment() == Assignment.ASSIGN) {
           assigned.add(adjust.variable());
         }
       }

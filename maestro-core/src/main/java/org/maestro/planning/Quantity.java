@@ -1,8 +1,9 @@
 package org.maestro.planning;
 
 /**
- * The two numbers that are none: unknown, and "any" (to be measured by an earlier step; every comparison with it holds). Known
- * numbers are kept to a millionth, so that sums do not depend on the order of their parts.
+ * The two numbers that are none: unknown, and "any" (to be measured by an earlier step; every
+ * comparison with it holds). Known numbers are kept to a millionth, so that sums do not depend on
+ * the order of their parts.
  */
 final class Quantity {
   static final double UNKNOWN = Double.NaN;
@@ -22,7 +23,9 @@ final class Quantity {
   }
 
   static double rounded(double value) {
-    return Math.abs(value) < Long.MAX_VALUE / GRAIN ? Math.rint(value * GRAIN) / GRAIN + 0.0 : value;
+    return Math.abs(value) < Long.MAX_VALUE / GRAIN
+        ? Math.rint(value * GRAIN) / GRAIN + 0.0
+        : value;
   }
 
   static boolean atLeast(double left, double right) {

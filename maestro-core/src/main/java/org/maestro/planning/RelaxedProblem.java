@@ -10,9 +10,10 @@ import java.util.Set;
 import org.maestro.planning.Condition.Constant;
 
 /**
- * The delete relaxation of a ground problem, built backwards from its goal: propositions, once true, stay true. Each change of an operator
- * is an action of its own, but all actions of an operator are paid for once. Disjunctions become propositions with free actions.
- * Thresholds of sums are reached by actions whose price {@link SettingAnalysis} computes for each state.
+ * The delete relaxation of a ground problem, built backwards from its goal: propositions, once
+ * true, stay true. Each change of an operator is an action of its own, but all actions of an
+ * operator are paid for once. Disjunctions become propositions with free actions. Thresholds of
+ * sums are reached by actions whose price {@link SettingAnalysis} computes for each state.
  */
 final class RelaxedProblem {
   /** The payer of an action that costs nothing. */
@@ -122,8 +123,7 @@ final class RelaxedProblem {
   }
 
   private Threshold thresholdOfSum(Condition leaf) {
-    Threshold threshold =
-        leaf instanceof Condition.Compare compare ? Threshold.of(compare) : null;
+    Threshold threshold = leaf instanceof Condition.Compare compare ? Threshold.of(compare) : null;
     return threshold != null && settings.sum(threshold.variable()) != null ? threshold : null;
   }
 
@@ -142,8 +142,7 @@ final class RelaxedProblem {
     if (requirement == Constant.FALSE) {
       return;
     }
-    Condition needed =
-        Condition.all(List.of(candidate.change().condition(), requirement));
+    Condition needed = Condition.all(List.of(candidate.change().condition(), requirement));
     Operator operator = problem.operators().get(candidate.operator());
     int[] conditions = propositions(Condition.all(List.of(operator.precondition(), needed)));
     if (conditions != null) {
@@ -165,8 +164,9 @@ final class RelaxedProblem {
   }
 
   /**
-   * In each cluster the thresholds are reached in the order of their costs, by as many ranks: a rank costs the difference to the one before,
-   * and a gate, open or closed depending on the state, leads from it to the threshold that stands there.
+   * In each cluster the thresholds are reached in the order of their costs, by as many ranks: a
+   * rank costs the difference to the one before, and a gate, open or closed depending on the state,
+   * leads from it to the threshold that stands there.
    */
   private void addThresholds(Map<Threshold, List<Integer>> propositionsOf) {
     int payer = problem.operators().size();
@@ -251,7 +251,10 @@ final class RelaxedProblem {
     return truths;
   }
 
-  /** What payers cost in the state: operators first, then thresholds of sums; infinite when out of reach. */
+  /**
+   * What payers cost in the state: operators first, then thresholds of sums; infinite when out of
+   * reach.
+   */
   double[] costs(State state) {
     double[] costs = Arrays.copyOf(operatorCosts, payers);
     fillThresholdCosts(state.numbers(), costs);

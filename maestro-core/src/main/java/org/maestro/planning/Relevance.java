@@ -12,9 +12,10 @@ import java.util.Set;
 import java.util.function.Function;
 
 /**
- * Backward relevance. A variable matters when a needed condition on it does not hold from the start, or a relevant operator touches it;
- * an operator is relevant when it changes a variable that matters; what its precondition, its price and those changes read is needed
- * in turn. Leaving all others out loses no cheapest plan.
+ * Backward relevance. A variable matters when a needed condition on it does not hold from the
+ * start, or a relevant operator touches it; an operator is relevant when it changes a variable that
+ * matters; what its precondition, its price and those changes read is needed in turn. Leaving all
+ * others out loses no cheapest plan.
  */
 final class Relevance {
   private final Function<Object, Collection<Operator>> operatorsChanging;
@@ -27,7 +28,8 @@ final class Relevance {
   /**
    * Starts with nothing needed.
    *
-   * @param operatorsChanging gives all operators that change a {@link Variable} or {@link NumberVariable}
+   * @param operatorsChanging gives all operators that change a {@link Variable} or {@link
+   *     NumberVariable}
    */
   Relevance(Function<Object, Collection<Operator>> operatorsChanging) {
     this.operatorsChanging = operatorsChanging;
@@ -84,8 +86,7 @@ final class Relevance {
       return Condition.Constant.of(literal.holdsFor(literal.variable().initialCode()));
     } else if (condition instanceof Condition.NumberKnown known
         && !relevant.contains(known.variable())) {
-      return Condition.Constant.of(
-          Quantity.isUnknown(known.variable().initial()) != known.known());
+      return Condition.Constant.of(Quantity.isUnknown(known.variable().initial()) != known.known());
     }
     return condition;
   }

@@ -9,7 +9,8 @@ import org.maestro.sl.Effect.Assignment;
  * A number that features only set to constants, and that is known: such as a dimmer's level.
  *
  * @param values all that it can have
- * @param distance the least cost to get from one value (first index) to another, over other values if that is cheaper
+ * @param distance the least cost to get from one value (first index) to another, over other values
+ *     if that is cheaper
  */
 record Setting(NumberVariable variable, double[] values, double[][] distance) {
 
@@ -34,7 +35,10 @@ record Setting(NumberVariable variable, double[] values, double[][] distance) {
     return new Setting(variable, sorted, distances(variable, sorted, operators, initial));
   }
 
-  /** The constant, or null when the operator does anything else to the variable, or its price reads other variables. */
+  /**
+   * The constant, or null when the operator does anything else to the variable, or its price reads
+   * other variables.
+   */
   private static Double constantSetBy(Operator operator, NumberVariable variable) {
     Double set = null;
     for (Change change : operator.changes()) {

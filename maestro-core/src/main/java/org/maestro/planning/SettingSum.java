@@ -7,8 +7,8 @@ import java.util.Map;
 import org.maestro.sl.Effect.Assignment;
 
 /**
- * A number that moves only together with settings, in proportion to each: the light of a zone, the sum of its lamps. In every state
- * its distance from the sum of factor times setting is the same.
+ * A number that moves only together with settings, in proportion to each: the light of a zone, the
+ * sum of its lamps. In every state its distance from the sum of factor times setting is the same.
  */
 record SettingSum(NumberVariable variable, List<Part> parts) {
 
@@ -74,8 +74,7 @@ record SettingSum(NumberVariable variable, List<Part> parts) {
     double sign = move.assignment() == Assignment.INCREASE ? 1 : -1;
     double factor = Double.NaN;
     for (double value : setting.values()) {
-      double moved =
-          sign * move.value().value(initial.with(setting.variable().index(), value));
+      double moved = sign * move.value().value(initial.with(setting.variable().index(), value));
       if (value == target) {
         if (!(Math.abs(moved) <= 1e-9)) {
           return Double.NaN;

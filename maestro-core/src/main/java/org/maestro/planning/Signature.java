@@ -13,8 +13,8 @@ import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 
 /**
- * Which predicates and numbers the offered features may change. All others are static: the facts decide them once. A derived predicate
- * is dynamic when its definition is.
+ * Which predicates and numbers the offered features may change. All others are static: the facts
+ * decide them once. A derived predicate is dynamic when its definition is.
  */
 final class Signature {
   private final Vocabulary vocabulary;

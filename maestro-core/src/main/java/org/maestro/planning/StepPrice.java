@@ -6,8 +6,7 @@ package org.maestro.planning;
  * @param surcharge added for looking where the thing is not expected first; see {@link Grounder}
  * @param exact the member itself has given or stated the price
  */
-record StepPrice(
-    NumberExpression cost, NumberExpression seconds, double surcharge, boolean exact) {
+record StepPrice(NumberExpression cost, NumberExpression seconds, double surcharge, boolean exact) {
 
   /** In cost units; NaN or infinite when it cannot be said, and then the step may not be taken. */
   double cost(NumberVector numbers) {

@@ -2,7 +2,10 @@ package org.maestro.planning;
 
 import java.util.List;
 
-/** Applies operators to states. What is on the right of a change is read before the step; what is added wins over what is removed. */
+/**
+ * Applies operators to states. What is on the right of a change is read before the step; what is
+ * added wins over what is removed.
+ */
 final class Successors {
   private Successors() {}
 
@@ -45,7 +48,10 @@ final class Successors {
     return after.equals(state) ? state : after;
   }
 
-  /** Null when no number changes. What is unknown before the step is "any" after it if measured, whatever else is done to it. */
+  /**
+   * Null when no number changes. What is unknown before the step is "any" after it if measured,
+   * whatever else is done to it.
+   */
   private static double[] numbersAfter(List<Change> changes, State state) {
     double[] numbers = null;
     for (int i = 0; i < changes.size(); i++) {

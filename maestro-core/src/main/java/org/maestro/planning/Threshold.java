@@ -14,7 +14,8 @@ record Threshold(NumberVariable variable, boolean upward, double bound, boolean 
     if (compare.relation() == Relation.EQUAL) {
       return null;
     }
-    boolean upward = compare.relation() == Relation.AT_LEAST || compare.relation() == Relation.GREATER;
+    boolean upward =
+        compare.relation() == Relation.AT_LEAST || compare.relation() == Relation.GREATER;
     boolean strict = compare.relation() == Relation.LESS || compare.relation() == Relation.GREATER;
     if (!compare.positive()) {
       upward = !upward;

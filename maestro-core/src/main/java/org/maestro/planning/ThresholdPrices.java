@@ -12,8 +12,9 @@ import org.maestro.planning.MultipleChoiceKnapsack.Option;
 /**
  * Lower bounds of the cost to bring sums over (or under) their thresholds.
  *
- * <p>Sums that share much of their settings form a cluster, in which only the dearest of the thresholds that a plan reaches is counted.
- * Bounds of different clusters add up: each setting is paid for in one cluster only, and is free in the others.
+ * <p>Sums that share much of their settings form a cluster, in which only the dearest of the
+ * thresholds that a plan reaches is counted. Bounds of different clusters add up: each setting is
+ * paid for in one cluster only, and is free in the others.
  */
 final class ThresholdPrices {
   /** From this part of a setting's largest factor on, a sum belongs to its cluster. */
@@ -40,8 +41,7 @@ final class ThresholdPrices {
       }
     }
     for (Set<NumberVariable> members : new LinkedHashSet<>(clusterOf.values())) {
-      clusters.add(
-          thresholds.stream().filter(t -> members.contains(t.variable())).toList());
+      clusters.add(thresholds.stream().filter(t -> members.contains(t.variable())).toList());
     }
   }
 
@@ -76,7 +76,10 @@ final class ThresholdPrices {
         .sum();
   }
 
-  /** For each cluster and each of its thresholds the bound; 0 when met, infinite when out of reach by settings. */
+  /**
+   * For each cluster and each of its thresholds the bound; 0 when met, infinite when out of reach
+   * by settings.
+   */
   double[][] costs(NumberVector numbers) {
     double[][] known = costs.get(numbers);
     if (known == null) {
@@ -99,7 +102,10 @@ final class ThresholdPrices {
     return result;
   }
 
-  /** Each setting is paid for by the cluster that it moves most, of those where something is missing. */
+  /**
+   * Each setting is paid for by the cluster that it moves most, of those where something is
+   * missing.
+   */
   private Map<Setting, Integer> payers(NumberVector numbers) {
     Map<Setting, Integer> payers = new LinkedHashMap<>();
     Map<Setting, Double> largest = new LinkedHashMap<>();

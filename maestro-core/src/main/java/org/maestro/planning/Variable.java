@@ -10,10 +10,12 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * A state variable: the value of a functional predicate for given arguments, or a single atom (then there is one value, "it holds").
+ * A state variable: the value of a functional predicate for given arguments, or a single atom (then
+ * there is one value, "it holds").
  *
- * <p>Its state is a code. A code from 0 is the index of the known value. A negative code says that no value is known, and stands
- * for the set of excluded values; a closed-world variable has only the code {@link #NONE}.
+ * <p>Its state is a code. A code from 0 is the index of the known value. A negative code says that
+ * no value is known, and stands for the set of excluded values; a closed-world variable has only
+ * the code {@link #NONE}.
  */
 final class Variable {
   static final int NONE = -1;

@@ -35,14 +35,14 @@ final class Variables {
   Variable variable(Formula.Atom atom) {
     Optional<PredicateDeclaration> declaration = signature.declaration(atom.predicate());
     boolean functional = isFunctional(atom);
-    List<Term> arguments = functional ? withoutLast(atom.arguments()) : canonical(atom, declaration);
+    List<Term> arguments =
+        functional ? withoutLast(atom.arguments()) : canonical(atom, declaration);
     Key key = new Key(atom.predicate(), arguments);
     Variable known = variables.get(key);
     if (known == null) {
       boolean observable = declaration.map(PredicateDeclaration::observable).orElse(false);
       List<Term> possible = functional ? facts.individuals(lastClass(declaration)) : List.of();
-      known =
-          new Variable(atom.predicate(), arguments, functional, observable, facts, possible);
+      known = new Variable(atom.predicate(), arguments, functional, observable, facts, possible);
       variables.put(key, known);
     }
     return known;
@@ -57,7 +57,10 @@ final class Variables {
 
   private boolean isFunctional(Formula.Atom atom) {
     return atom.arguments().size() > 1
-        && signature.declaration(atom.predicate()).map(PredicateDeclaration::functional).orElse(false);
+        && signature
+            .declaration(atom.predicate())
+            .map(PredicateDeclaration::functional)
+            .orElse(false);
   }
 
   private List<Term> canonical(Formula.Atom atom, Optional<PredicateDeclaration> declaration) {

@@ -4,7 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
-/** A larger hall: three zones, three cameras, six lamps with four levels that all shine into every zone. */
+/**
+ * A larger hall: three zones, three cameras, six lamps with four levels that all shine into every
+ * zone.
+ */
 class ArenaPlanningTest {
   private final OptimalPlanner planner = new OptimalPlanner();
 

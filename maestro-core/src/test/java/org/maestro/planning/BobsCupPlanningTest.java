@@ -58,7 +58,8 @@ class BobsCupPlanningTest {
   @Test
   void theRobotCarriesTheCupToTheOtherRoom() {
     SmallWorld world =
-        BobsHome.dark().facts("(= (illuminance zone-b) 82)", "(not (in Bob zone-b))")
+        BobsHome.dark()
+            .facts("(= (illuminance zone-b) 82)", "(not (in Bob zone-b))")
             .facts("(= (level lamp-b1) 1)", "(= (level lamp-b2) 1)");
     assertThat(plan(world, GOAL).cost()).isEqualTo(17);
     assertThat(plan(world.facts("(= (illuminance zone-a) 92)"), GOAL).cost()).isEqualTo(16);
@@ -66,8 +67,7 @@ class BobsCupPlanningTest {
 
   @Test
   void aCameraSeesTheCupOnlyWhenItIsCarriedThere() {
-    SmallWorld world =
-        BobsHome.dark().facts("(= (illuminance zone-a) 92)", "(in Cup zone-b)");
+    SmallWorld world = BobsHome.dark().facts("(= (illuminance zone-a) 92)", "(in Cup zone-b)");
     Plan plan = plan(world, "(canSee cam-a Cup)");
     assertThat(plan.cost()).isEqualTo(14);
     assertThat(texts(plan))

@@ -1,12 +1,16 @@
 package org.maestro.planning;
 
-/** Two rooms, two cameras, five lamps, two sensors and a robot, with round numbers: the home of the design's worked example. */
+/**
+ * Two rooms, two cameras, five lamps, two sensors and a robot, with round numbers: the home of the
+ * design's worked example.
+ */
 final class BobsHome {
   private BobsHome() {}
 
   static SmallWorld words() {
     return new SmallWorld()
-        .declare("in", "observable functional", null, "(usuallyIn ?x ?p)", "?x - Thing", "?p - Place")
+        .declare(
+            "in", "observable functional", null, "(usuallyIn ?x ?p)", "?x - Thing", "?p - Place")
         .word("nextTo", "observable symmetric", "?a - Thing", "?b - Thing")
         .word("canSee", "observable", "?a - Device", "?x - Thing")
         .derived("handFree", "(not (exists (?x - Item) (in ?x ?r)))", "?r - Device")

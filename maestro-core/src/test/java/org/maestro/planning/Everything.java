@@ -36,8 +36,7 @@ final class Everything {
     if (open.isEmpty()) {
       operators.addAll(
           grounder.instances(
-              new StepKey(
-                  feature.member(), feature.type().name(), new LinkedHashMap<>(bindings))));
+              new StepKey(feature.member(), feature.type().name(), new LinkedHashMap<>(bindings))));
       return;
     }
     Parameter next = open.get(0);

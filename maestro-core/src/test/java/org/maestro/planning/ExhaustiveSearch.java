@@ -5,16 +5,21 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.PriorityQueue;
 
-/** Uniform-cost search over all ground operators, without relevance, pruning or heuristic: slow and simple. */
+/**
+ * Uniform-cost search over all ground operators, without relevance, pruning or heuristic: slow and
+ * simple.
+ */
 final class ExhaustiveSearch {
   private record Entry(double cost, State state) {}
 
   private ExhaustiveSearch() {}
 
-  /** The cost of the cheapest plan, empty when there is none, NaN when there are too many states to say. */
+  /**
+   * The cost of the cheapest plan, empty when there is none, NaN when there are too many states to
+   * say.
+   */
   static OptionalDouble cheapest(GroundProblem problem, int mostStates) {
-    PriorityQueue<Entry> queue =
-        new PriorityQueue<>((a, b) -> Double.compare(a.cost(), b.cost()));
+    PriorityQueue<Entry> queue = new PriorityQueue<>((a, b) -> Double.compare(a.cost(), b.cost()));
     Map<State, Double> best = new HashMap<>();
     queue.add(new Entry(0, problem.initial()));
     best.put(problem.initial(), 0.0);
@@ -32,8 +37,7 @@ final class ExhaustiveSearch {
       for (Operator operator : problem.operators()) {
         if (Successors.isApplicable(operator, entry.state())) {
           State after = Successors.after(operator, entry.state());
-          double cost =
-              entry.cost() + operator.price().cost(entry.state().numbers());
+          double cost = entry.cost() + operator.price().cost(entry.state().numbers());
           if (cost < best.getOrDefault(after, Double.POSITIVE_INFINITY) - 1e-9) {
             best.put(after, cost);
             queue.add(new Entry(cost, after));

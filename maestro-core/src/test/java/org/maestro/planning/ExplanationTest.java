@@ -53,8 +53,7 @@ class ExplanationTest {
     SmallWorld world = BobsHome.dark().facts("(= (mass Cup) 0.75)");
     assertThat(obstacles(world.task(GOAL)))
         .containsExactly(
-            new Obstacle(
-                "(<= (mass Cup) (payload rose))", "<= 0.5", "0.75", "rose does pick"));
+            new Obstacle("(<= (mass Cup) (payload rose))", "<= 0.5", "0.75", "rose does pick"));
   }
 
   @Test
@@ -62,8 +61,7 @@ class ExplanationTest {
     SmallWorld world = BobsHome.dark().withdraw("rose");
     assertThat(obstacles(world.task(GOAL)))
         .containsExactly(
-            new Obstacle(
-                "(nextTo Cup Bob)", "true", "no agent can change it", "the goal"));
+            new Obstacle("(nextTo Cup Bob)", "true", "no agent can change it", "the goal"));
     assertThat(obstacles(BobsHome.dark().task("(adjoins zone-a zone-b)")))
         .containsExactly(
             new Obstacle("(adjoins zone-a zone-b)", "true", "no agent can change it", "the goal"));

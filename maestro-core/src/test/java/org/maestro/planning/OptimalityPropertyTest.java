@@ -119,8 +119,16 @@ class OptimalityPropertyTest {
     }
     for (String fact :
         List.of(
-            "(p a)", "(p b)", "(seen a)", "(not (seen b))", "(at a b)", "(not (at b a))",
-            "(mode a a)", "(linked a b)", "(= (n a) 1)", "(= (n b) 2)")) {
+            "(p a)",
+            "(p b)",
+            "(seen a)",
+            "(not (seen b))",
+            "(at a b)",
+            "(not (at b a))",
+            "(mode a a)",
+            "(linked a b)",
+            "(= (n a) 1)",
+            "(= (n b) 2)")) {
       maybe(random, world, fact);
     }
     return world;
@@ -165,10 +173,23 @@ class OptimalityPropertyTest {
     String text =
         pick(
             random,
-            "(p X)", "(not (p Y))", "(seen X)", "(unknown (seen X))", "(at X Y)",
-            "(not (at X Y))", "(unknown (at X Y))", "(mode X Y)", "(linked X Y)", "(calm X)",
-            "(not (calm Y))", "(>= (n X) 1)", "(< (n X) (n Y))", "(not (= (n X) 2))",
-            "(unknown (n X))", "(or (p X) (seen Y))", "(imply (p X) (at X Y))");
+            "(p X)",
+            "(not (p Y))",
+            "(seen X)",
+            "(unknown (seen X))",
+            "(at X Y)",
+            "(not (at X Y))",
+            "(unknown (at X Y))",
+            "(mode X Y)",
+            "(linked X Y)",
+            "(calm X)",
+            "(not (calm Y))",
+            "(>= (n X) 1)",
+            "(< (n X) (n Y))",
+            "(not (= (n X) 2))",
+            "(unknown (n X))",
+            "(or (p X) (seen Y))",
+            "(imply (p X) (at X Y))");
     return text.replace("X", x).replace("Y", y);
   }
 
@@ -177,8 +198,7 @@ class OptimalityPropertyTest {
     StringBuilder text = new StringBuilder("(and");
     for (int i = 0; i < size; i++) {
       boolean swapped = random.nextBoolean();
-      text.append(' ')
-          .append(condition(random, terms[swapped ? 1 : 0], terms[swapped ? 0 : 1]));
+      text.append(' ').append(condition(random, terms[swapped ? 1 : 0], terms[swapped ? 0 : 1]));
     }
     return text.append(')').toString();
   }
@@ -188,8 +208,7 @@ class OptimalityPropertyTest {
   }
 
   private void check(PlanningTask task, GroundProblem problem) {
-    OptionalDouble expected =
-        ExhaustiveSearch.cheapest(problem, 20_000);
+    OptionalDouble expected = ExhaustiveSearch.cheapest(problem, 20_000);
     if (expected.isPresent() && Double.isNaN(expected.getAsDouble())) {
       return;
     }
@@ -202,14 +221,14 @@ class OptimalityPropertyTest {
     Plan plan = ((PlanningResult.Found) result).plan();
     assertThat(plan.cost()).isCloseTo(expected.getAsDouble(), within(1e-6));
     assertThat(planner.revalidate(task, plan.steps()))
-        .hasValueSatisfying(
-            again -> assertThat(again.cost()).isCloseTo(plan.cost(), within(1e-6)));
+        .hasValueSatisfying(again -> assertThat(again.cost()).isCloseTo(plan.cost(), within(1e-6)));
     assertThat(planner.revalidate(task, latestFirst(plan.steps())))
-        .hasValueSatisfying(
-            again -> assertThat(again.cost()).isCloseTo(plan.cost(), within(1e-6)));
+        .hasValueSatisfying(again -> assertThat(again.cost()).isCloseTo(plan.cost(), within(1e-6)));
   }
 
-  /** Another order that respects what must wait for what: always the last step that may be taken. */
+  /**
+   * Another order that respects what must wait for what: always the last step that may be taken.
+   */
   private static List<Step> latestFirst(List<Step> steps) {
     List<Step> open = new ArrayList<>(steps);
     List<Step> ordered = new ArrayList<>();

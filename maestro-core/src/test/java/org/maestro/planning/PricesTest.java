@@ -22,8 +22,7 @@ class PricesTest {
   }
 
   private static SmallWorld bright() {
-    return BobsHome.dark()
-        .facts("(= (illuminance zone-a) 100)", "(= (illuminance zone-b) 100)");
+    return BobsHome.dark().facts("(= (illuminance zone-a) 100)", "(= (illuminance zone-b) 100)");
   }
 
   @Test
@@ -63,9 +62,7 @@ class PricesTest {
   @Test
   void priceExpressionsAreReadInTheStateBeforeTheStep() {
     SmallWorld world =
-        BobsHome.words()
-            .individuals("Zone Place", "zone-b")
-            .facts("(= (illuminance zone-b) 0)");
+        BobsHome.words().individuals("Zone Place", "zone-b").facts("(= (illuminance zone-b) 0)");
     String price = "(+ 0.3 (* 2 (max 0 (- ?level (level ?self)))))";
     BobsHome.lamp(world, "lamp-1", 0.5, price, "(= (gain lamp-1 zone-b) 40)");
     assertThat(plan(world.task("(>= (illuminance zone-b) 20)")).cost()).isEqualTo(1.3);

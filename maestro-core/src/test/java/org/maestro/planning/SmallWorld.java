@@ -39,7 +39,9 @@ final class SmallWorld implements Facts {
     for (String name : names) {
       everybody.add(new Term.Name(name));
       for (String className : classNames.split(" ")) {
-        members.computeIfAbsent(className, absent -> new LinkedHashSet<>()).add(new Term.Name(name));
+        members
+            .computeIfAbsent(className, absent -> new LinkedHashSet<>())
+            .add(new Term.Name(name));
       }
     }
     return this;
@@ -56,8 +58,7 @@ final class SmallWorld implements Facts {
 
   SmallWorld declare(
       String name, String flags, String derivedWhen, String likelyWhen, String... arguments) {
-    List<TypedVariable> parameters =
-        List.of(arguments).stream().map(SlParser::variable).toList();
+    List<TypedVariable> parameters = List.of(arguments).stream().map(SlParser::variable).toList();
     predicates.put(
         name,
         new PredicateDeclaration(
@@ -79,7 +80,9 @@ final class SmallWorld implements Facts {
     return this;
   }
 
-  /** Parameters: {@code zone:Zone target:Thing|Zone level=0,0.5,1}; after {@code ;} come the binds. */
+  /**
+   * Parameters: {@code zone:Zone target:Thing|Zone level=0,0.5,1}; after {@code ;} come the binds.
+   */
   SmallWorld feature(String name, String parameters, String precondition, String effect) {
     String[] parts = (parameters + " ; ").split(";");
     types.put(
@@ -196,7 +199,8 @@ final class SmallWorld implements Facts {
     boolean other =
         word != null
             && word.functional()
-            && truths.entrySet().stream().anyMatch(e -> e.getValue() && sameVariable(e.getKey(), atom));
+            && truths.entrySet().stream()
+                .anyMatch(e -> e.getValue() && sameVariable(e.getKey(), atom));
     return word != null && word.observable() && !other ? Truth.UNKNOWN : Truth.FALSE;
   }
 
@@ -213,6 +217,10 @@ final class SmallWorld implements Facts {
 
   PlanningTask task(String goal) {
     return new PlanningTask(
-        new Vocabulary(Map.of(), predicates, types), this, List.copyOf(offers), SlParser.formula(goal), Set.of());
+        new Vocabulary(Map.of(), predicates, types),
+        this,
+        List.copyOf(offers),
+        SlParser.formula(goal),
+        Set.of());
   }
 }
