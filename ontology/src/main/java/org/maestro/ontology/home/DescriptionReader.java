@@ -13,6 +13,7 @@ import org.maestro.ontology.validation.SourceReader;
 import org.maestro.ontology.vocabulary.FeatureReader;
 import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.ontology.vocabulary.VocabularyCheck;
 
 /**
  * Reads the description that a member sends of itself. A feature that the vocabulary knows needs
@@ -41,8 +42,10 @@ public final class DescriptionReader {
     new SourceReader(graph, member, BASE + "#").readJsonLd(jsonLd);
     refuseFaults(graph);
     Node node = memberNode(graph, member);
-    refuseStrangers(graph, node);
+    refuseStrangers(graph, node, member);
     refuseFaults(graph);
+    HomeLoader.readMetaVocabulary(graph);
+    HomeLoader.shapes().check(graph);
     Individual individual = new IndividualReader(graph, vocabulary).read(node);
     if (!individual.classes().contains("Device")) {
       graph.fault(
@@ -52,7 +55,9 @@ public final class DescriptionReader {
               + Maestro.NAMESPACE
               + "Device, or a class that the vocabulary has under it");
     }
-    Device device = new DeviceReader(graph, vocabulary).read(node, individual);
+    VocabularyCheck words = new VocabularyCheck(graph, vocabulary, name -> true);
+    Device device = new DeviceReader(graph, vocabulary, words).read(node, individual);
+    new HomeCheck(graph, vocabulary).checkDescription(node);
     refuseFaults(graph);
     return device;
   }
@@ -78,7 +83,7 @@ public final class DescriptionReader {
   /**
    * A description speaks of its member, of the features that only it offers, and of nothing else.
    */
-  private void refuseStrangers(SourceGraph graph, Node member) {
+  private void refuseStrangers(SourceGraph graph, Node member, String source) {
     Set<Node> own = new LinkedHashSet<>(Set.of(member));
     for (Node offered : graph.objects(member, Maestro.term("offers"))) {
       own.add(offered);
@@ -86,7 +91,7 @@ public final class DescriptionReader {
           .filter(type -> FeatureReader.isFeature(graph, type))
           .forEach(own::add);
     }
-    for (Node subject : graph.subjects()) {
+    for (Node subject : graph.subjectsOf(source)) {
       boolean redefines =
           subject.isURI() && vocabulary.features().containsKey(Literals.name(subject));
       if (subject.isURI() && (redefines || !own.contains(subject))) {

@@ -16,6 +16,7 @@ import org.maestro.ontology.vocabulary.FeatureReader;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.ontology.vocabulary.VocabularyCheck;
 
 /** Reads a device with what its classes, from the general to the special, and it itself say. */
 final class DeviceReader {
@@ -27,14 +28,14 @@ final class DeviceReader {
   private final Literals literals;
   private final FeatureReader features;
 
-  DeviceReader(SourceGraph graph, Vocabulary vocabulary) {
+  private final VocabularyCheck check;
+
+  DeviceReader(SourceGraph graph, Vocabulary vocabulary, VocabularyCheck check) {
     this.graph = graph;
     this.vocabulary = vocabulary;
+    this.check = check;
     this.literals = new Literals(graph);
-    this.features =
-        new FeatureReader(
-            graph,
-            name -> vocabulary.predicate(name).map(declared -> declared.fluent()).orElse(false));
+    this.features = new FeatureReader(graph, vocabulary::isFluent);
   }
 
   Device read(Node node, Individual individual) {
@@ -47,6 +48,7 @@ final class DeviceReader {
       container = literals.text(layer, "container").or(orElse(container));
       driver = literals.text(layer, "driver").or(orElse(driver));
       reports = features.namedFacts(layer, "reports", reports);
+      check.checkFacts(layer, "reports", List.of("self"));
       for (Node offered : graph.objects(layer, OFFERS)) {
         offer(layer, offered, offers);
       }
@@ -100,6 +102,7 @@ final class DeviceReader {
     FeatureType base =
         before != null ? before.type : known != null ? known : features.read(typeNode.get());
     FeatureType type = offered.equals(typeNode.get()) ? base : features.read(offered, base);
+    check.check(offered, type);
     double order =
         literals
             .number(offered, "order")

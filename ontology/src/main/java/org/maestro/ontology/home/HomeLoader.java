@@ -10,9 +10,11 @@ import java.util.List;
 import java.util.Optional;
 import org.maestro.ontology.validation.Fault;
 import org.maestro.ontology.validation.Inference;
+import org.maestro.ontology.validation.ShapeCheck;
 import org.maestro.ontology.validation.SourceGraph;
 import org.maestro.ontology.validation.SourceReader;
 import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.ontology.vocabulary.VocabularyCheck;
 import org.maestro.ontology.vocabulary.VocabularyReader;
 
 /**
@@ -24,6 +26,7 @@ public final class HomeLoader {
 
   private static final String META_RESOURCE = "maestro.ttl";
   private static final String DOMAIN_RESOURCE = "domain.ttl";
+  private static final String SHAPES_RESOURCE = "shapes.ttl";
   private static final String VOCABULARY_BASE = "https://w3id.org/maestro";
   private static final String HOMES_BASE = "https://w3id.org/maestro/home/";
 
@@ -88,6 +91,7 @@ public final class HomeLoader {
     new SourceReader(graph, baseName, base).readTurtle(text);
     refuseFaults(graph);
     new Inference(graph).run();
+    shapes().check(graph);
     Vocabulary vocabulary = new VocabularyReader(graph).read();
     Home home = new HomeReader(graph, vocabulary, baseName).read();
     refuseFaults(graph);
@@ -100,13 +104,15 @@ public final class HomeLoader {
     readVocabulary(graph);
     refuseFaults(graph);
     new Inference(graph).run();
+    shapes().check(graph);
     Vocabulary vocabulary = new VocabularyReader(graph).read();
+    new VocabularyCheck(graph, vocabulary, name -> false).check();
     refuseFaults(graph);
     return vocabulary;
   }
 
   private void readVocabulary(SourceGraph graph) {
-    new SourceReader(graph, META_RESOURCE, VOCABULARY_BASE).readTurtle(resource(META_RESOURCE));
+    readMetaVocabulary(graph);
     if (domainTexts.isEmpty()) {
       new SourceReader(graph, DOMAIN_RESOURCE, VOCABULARY_BASE + "/domain")
           .readTurtle(resource(DOMAIN_RESOURCE));
@@ -117,6 +123,14 @@ public final class HomeLoader {
       new SourceReader(graph, "vocabulary " + number++, VOCABULARY_BASE + "/domain")
           .readTurtle(text);
     }
+  }
+
+  static void readMetaVocabulary(SourceGraph graph) {
+    new SourceReader(graph, META_RESOURCE, VOCABULARY_BASE).readTurtle(resource(META_RESOURCE));
+  }
+
+  static ShapeCheck shapes() {
+    return new ShapeCheck(resource(SHAPES_RESOURCE));
   }
 
   private static void refuseFaults(SourceGraph graph) {

@@ -12,6 +12,7 @@ import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceGraph;
 import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.ontology.vocabulary.VocabularyCheck;
 
 /** Reads the home of a graph: its things and its devices. */
 final class HomeReader {
@@ -34,7 +35,7 @@ final class HomeReader {
     Map<String, Individual> individuals = new TreeMap<>();
     Map<String, Node> nodes = new TreeMap<>();
     IndividualReader reader = new IndividualReader(graph, vocabulary);
-    Set<Node> homes = Set.copyOf(graph.subjects(RDF.type.asNode(), Maestro.term(HOME)));
+    List<Node> homes = graph.subjects(RDF.type.asNode(), Maestro.term(HOME));
     for (Node subject : graph.subjectsOf(source)) {
       if (subject.isURI() && !homes.contains(subject) && !isDeclared(subject)) {
         Individual individual = reader.read(subject);
@@ -43,27 +44,45 @@ final class HomeReader {
       }
     }
     roomsAsZones(individuals);
-    DeviceReader devices = new DeviceReader(graph, vocabulary);
-    Map<String, Device> byId = new TreeMap<>();
-    nodes.forEach(
-        (name, node) -> {
-          Individual individual = individuals.get(name);
-          if (individual.classes().contains("Device")) {
-            byId.put(name, devices.read(node, individual));
-          }
-        });
-    Node home = homeNode(homes);
-    return new Home(
-        home.isURI() ? home.getURI() : "",
-        new Literals(graph).label(home),
-        vocabulary,
-        individuals,
-        byId);
+    VocabularyCheck words = new VocabularyCheck(graph, vocabulary, individuals::containsKey);
+    words.check();
+    Node homeNode = homeNode(homes);
+    Home home =
+        new Home(
+            homeNode.isURI() ? homeNode.getURI() : "",
+            new Literals(graph).label(homeNode),
+            vocabulary,
+            individuals,
+            devices(individuals, nodes, words));
+    check(home, nodes);
+    return home;
   }
 
-  private Node homeNode(Set<Node> homes) {
+  private Map<String, Device> devices(
+      Map<String, Individual> individuals, Map<String, Node> nodes, VocabularyCheck words) {
+    DeviceReader reader = new DeviceReader(graph, vocabulary, words);
+    Map<String, Device> devices = new TreeMap<>();
+    nodes.forEach(
+        (name, node) -> {
+          if (individuals.get(name).classes().contains("Device")) {
+            devices.put(name, reader.read(node, individuals.get(name)));
+          }
+        });
+    return devices;
+  }
+
+  /** Thing by thing, and the map as a whole if nothing was wrong before. */
+  private void check(Home home, Map<String, Node> nodes) {
+    HomeCheck check = new HomeCheck(graph, vocabulary);
+    nodes.forEach((name, node) -> check.checkThing(node, home.devices().containsKey(name)));
+    if (graph.faults().isEmpty()) {
+      check.checkMap(home, nodes);
+    }
+  }
+
+  private Node homeNode(List<Node> homes) {
     if (homes.size() == 1) {
-      return homes.iterator().next();
+      return homes.get(0);
     }
     Fault fault =
         new Fault(
@@ -79,18 +98,7 @@ final class HomeReader {
 
   /** Whether the file declares a word with it, rather than describe a thing. */
   private boolean isDeclared(Node subject) {
-    String name = Literals.name(subject);
-    return isIri(
-            vocabulary.classes().get(name) == null ? "" : vocabulary.classes().get(name).iri(),
-            subject)
-        || isIri(vocabulary.predicate(name).map(declared -> declared.iri()).orElse(""), subject)
-        || isIri(
-            vocabulary.features().containsKey(name) ? vocabulary.features().get(name).iri() : "",
-            subject);
-  }
-
-  private static boolean isIri(String iri, Node node) {
-    return iri.equals(node.getURI());
+    return vocabulary.iri(Literals.name(subject)).filter(subject.getURI()::equals).isPresent();
   }
 
   private void checkName(Node subject, String name, Map<String, Node> nodes) {
@@ -98,9 +106,7 @@ final class HomeReader {
     if (other != null) {
       graph.fault(subject, "has the local name of " + other.getURI(), "give it another name");
     }
-    if (vocabulary.classes().containsKey(name)
-        || vocabulary.predicates().containsKey(name)
-        || vocabulary.features().containsKey(name)) {
+    if (vocabulary.iri(name).isPresent()) {
       graph.fault(subject, "has the name of a word of the vocabulary", "give it another name");
     }
   }

@@ -1,6 +1,7 @@
 package org.maestro.ontology.validation;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -122,8 +123,11 @@ public final class SourceGraph {
     return members;
   }
 
+  /** What is wrong so far, by source and line. */
   public List<Fault> faults() {
-    return List.copyOf(faults);
+    return faults.stream()
+        .sorted(Comparator.comparing(Fault::source).thenComparing(Fault::line))
+        .toList();
   }
 
   public void fault(Fault fault) {

@@ -20,6 +20,19 @@ public record Vocabulary(
     return Optional.ofNullable(predicates.get(name));
   }
 
+  /** The IRI of the class, predicate or feature type of this name. */
+  public Optional<String> iri(String name) {
+    return Optional.ofNullable(classes.get(name))
+        .map(ClassDeclaration::iri)
+        .or(() -> predicate(name).map(PredicateDeclaration::iri))
+        .or(() -> Optional.ofNullable(features.get(name)).map(FeatureType::iri));
+  }
+
+  /** Whether the name is a numeric fluent's; the parser wants to know. */
+  public boolean isFluent(String name) {
+    return predicates.containsKey(name) && predicates.get(name).fluent();
+  }
+
   /**
    * Whether the class is the ancestor or under it; a name without declaration is a class of its
    * own.

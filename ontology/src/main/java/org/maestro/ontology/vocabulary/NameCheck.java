@@ -1,0 +1,225 @@
+package org.maestro.ontology.vocabulary;
+
+import java.util.ArrayDeque;
+import java.util.Collection;
+import java.util.Deque;
+import java.util.List;
+import java.util.function.BiConsumer;
+import java.util.function.Predicate;
+import org.maestro.sl.Effect;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Fact;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Term;
+import org.maestro.sl.TypedVariable;
+
+/**
+ * Checks that formulas, effects and expressions use declared predicates, fluents, classes,
+ * variables and individuals, as declared. Each problem is told with its cure.
+ */
+public final class NameCheck {
+
+  private final Vocabulary vocabulary;
+  private final Predicate<String> individuals;
+  private final Deque<String> variables;
+  private final BiConsumer<String, String> problems;
+
+  /**
+   * @param individuals which names may stand for individuals
+   * @param variables those that may be used freely
+   * @param problems takes a problem and its cure
+   */
+  public NameCheck(
+      Vocabulary vocabulary,
+      Predicate<String> individuals,
+      Collection<String> variables,
+      BiConsumer<String, String> problems) {
+    this.vocabulary = vocabulary;
+    this.individuals = individuals;
+    this.variables = new ArrayDeque<>(variables);
+    this.problems = problems;
+  }
+
+  public void check(Formula formula) {
+    if (formula instanceof Formula.Atom atom) {
+      atom(atom);
+    } else if (formula instanceof Formula.And and) {
+      and.operands().forEach(this::check);
+    } else if (formula instanceof Formula.Or or) {
+      or.operands().forEach(this::check);
+    } else if (formula instanceof Formula.Not not) {
+      check(not.operand());
+    } else if (formula instanceof Formula.Imply imply) {
+      check(imply.premise());
+      check(imply.conclusion());
+    } else if (formula instanceof Formula.Exists exists) {
+      under(exists.variables(), () -> check(exists.body()));
+    } else if (formula instanceof Formula.Forall forall) {
+      under(forall.variables(), () -> check(forall.body()));
+    } else if (formula instanceof Formula.Comparison comparison) {
+      check(comparison.left());
+      check(comparison.right());
+    } else if (formula instanceof Formula.UnknownAtom unknown) {
+      atom(unknown.atom());
+    } else if (formula instanceof Formula.UnknownNumber unknown) {
+      check(unknown.fluent());
+    } else if (formula instanceof Formula.Keep keep) {
+      check(keep.body());
+    }
+  }
+
+  public void check(Effect effect) {
+    if (effect instanceof Effect.Add add) {
+      set(add.atom().predicate());
+      atom(add.atom());
+    } else if (effect instanceof Effect.Delete delete) {
+      set(delete.atom().predicate());
+      atom(delete.atom());
+    } else if (effect instanceof Effect.All all) {
+      all.effects().forEach(this::check);
+    } else if (effect instanceof Effect.When when) {
+      check(when.condition());
+      check(when.effect());
+    } else if (effect instanceof Effect.Forall forall) {
+      under(forall.variables(), () -> check(forall.effect()));
+    } else if (effect instanceof Effect.Change change) {
+      set(change.fluent().name());
+      check(change.fluent());
+      check(change.value());
+    } else if (effect instanceof Effect.SenseAtom sense) {
+      atom(sense.atom());
+    } else if (effect instanceof Effect.SenseNumber sense) {
+      check(sense.fluent());
+    }
+  }
+
+  public void check(Expression expression) {
+    if (expression instanceof Expression.OfTerm ofTerm) {
+      term(ofTerm.term());
+    } else if (expression instanceof Expression.Fluent fluent) {
+      fluent(fluent.name(), fluent.arguments());
+    } else if (expression instanceof Expression.Arithmetic arithmetic) {
+      arithmetic.operands().forEach(this::check);
+    }
+  }
+
+  public void check(Fact fact) {
+    if (fact instanceof Fact.Holds holds) {
+      either(holds.atom());
+    } else if (fact instanceof Fact.Excluded excluded) {
+      atom(excluded.atom());
+    } else if (fact instanceof Fact.Unknown unknown) {
+      either(unknown.atom());
+    } else if (fact instanceof Fact.Equation equation) {
+      check(equation.fluent());
+      term(equation.value());
+    }
+  }
+
+  private void either(Formula.Atom atom) {
+    if (vocabulary.isFluent(atom.predicate())) {
+      fluent(atom.predicate(), atom.arguments());
+    } else {
+      atom(atom);
+    }
+  }
+
+  private void atom(Formula.Atom atom) {
+    String name = atom.predicate();
+    PredicateDeclaration declared = vocabulary.predicates().get(name);
+    if (declared != null && declared.fluent()) {
+      problems.accept(
+          "uses the number " + name + " as if it were true or false",
+          "compare it: (>= (" + name + " ...) 1)");
+    } else if (declared != null) {
+      arguments(declared, atom.arguments());
+    } else if (!vocabulary.classes().containsKey(name) || atom.arguments().size() != 1) {
+      unknownPredicate(name, atom.arguments());
+    }
+    atom.arguments().forEach(this::term);
+  }
+
+  private void unknownPredicate(String name, List<Term> arguments) {
+    if (vocabulary.classes().containsKey(name)) {
+      problems.accept(
+          "gives the class " + name + " " + arguments.size() + " arguments",
+          "write (" + name + " ?x)");
+    } else {
+      problems.accept(
+          "uses the unknown predicate " + name,
+          Nearest.cure(
+              name, vocabulary.predicates().keySet(), "declare it as a maestro:Predicate"));
+    }
+  }
+
+  private void fluent(String name, List<Term> arguments) {
+    PredicateDeclaration declared = vocabulary.predicates().get(name);
+    if (declared == null) {
+      problems.accept(
+          "uses the unknown fluent " + name,
+          Nearest.cure(name, vocabulary.predicates().keySet(), "declare it as a maestro:Fluent"));
+    } else if (!declared.fluent()) {
+      problems.accept(
+          "uses " + name + " as a number, which is true or false",
+          "declare it as a maestro:Fluent");
+    } else {
+      arguments(declared, arguments);
+    }
+    arguments.forEach(this::term);
+  }
+
+  private void arguments(PredicateDeclaration declared, List<Term> arguments) {
+    if (declared.parameters().size() != arguments.size()) {
+      String right =
+          declared.parameters().stream()
+              .map(p -> " " + SlPrinter.print(p))
+              .reduce("", String::concat);
+      problems.accept(
+          "gives " + declared.name() + " " + arguments.size() + " arguments",
+          "write (" + declared.name() + right + ")");
+    }
+  }
+
+  /** Effects set only what is neither derived nor computed. */
+  private void set(String name) {
+    PredicateDeclaration declared = vocabulary.predicates().get(name);
+    if (declared != null
+        && (declared.derivedWhen().isPresent() || declared.computedBy().isPresent())) {
+      problems.accept("sets " + name + ", which follows from other facts", "set those facts");
+    }
+  }
+
+  private void term(Term term) {
+    if (term instanceof Term.Variable variable && !variables.contains(variable.name())) {
+      problems.accept(
+          "uses ?" + variable.name() + ", which nothing binds",
+          Nearest.cure(
+              "?" + variable.name(),
+              variables.stream().map(v -> "?" + v).toList(),
+              "use a parameter, or quantify over it"));
+    } else if (term instanceof Term.Name name && !individuals.test(name.text())) {
+      problems.accept(
+          "names " + name.text() + ", which is not described",
+          "describe it in the home, or write ?" + name.text() + " for a parameter");
+    }
+  }
+
+  private void under(List<TypedVariable> quantified, Runnable inside) {
+    for (TypedVariable variable : quantified) {
+      variable
+          .className()
+          .filter(name -> !vocabulary.classes().containsKey(name))
+          .ifPresent(this::unknownClass);
+      variables.push(variable.name());
+    }
+    inside.run();
+    quantified.forEach(variable -> variables.pop());
+  }
+
+  private void unknownClass(String name) {
+    problems.accept(
+        "uses the unknown class " + name,
+        Nearest.cure(name, vocabulary.classes().keySet(), "declare it as an owl:Class"));
+  }
+}

@@ -1,0 +1,46 @@
+package org.maestro.ontology.vocabulary;
+
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.Optional;
+
+/** Finds the name that somebody may have meant. */
+public final class Nearest {
+
+  private static final int FEW_EDITS = 2;
+
+  private Nearest() {}
+
+  /**
+   * What to write in place of an unknown name: the nearest known one, or what kind of name is
+   * wanted.
+   */
+  public static String cure(String name, Collection<String> known, String wanted) {
+    Optional<String> nearest =
+        known.stream()
+            .min(
+                Comparator.comparingInt((String other) -> edits(name, other))
+                    .thenComparing(Comparator.naturalOrder()))
+            .filter(other -> edits(name, other) <= Math.min(FEW_EDITS, name.length() / 2));
+    return nearest.map(other -> "write " + other + ", if that is meant").orElse(wanted);
+  }
+
+  /** How many letters must be changed, put in or left out; case does not count. */
+  private static int edits(String a, String b) {
+    int[] before = new int[b.length() + 1];
+    for (int j = 0; j <= b.length(); j++) {
+      before[j] = j;
+    }
+    for (int i = 1; i <= a.length(); i++) {
+      int[] row = new int[b.length() + 1];
+      row[0] = i;
+      for (int j = 1; j <= b.length(); j++) {
+        boolean same =
+            Character.toLowerCase(a.charAt(i - 1)) == Character.toLowerCase(b.charAt(j - 1));
+        row[j] = Math.min(Math.min(row[j - 1], before[j]) + 1, before[j - 1] + (same ? 0 : 1));
+      }
+      before = row;
+    }
+    return before[b.length()];
+  }
+}

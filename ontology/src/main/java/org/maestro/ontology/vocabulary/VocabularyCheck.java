@@ -1,0 +1,176 @@
+package org.maestro.ontology.vocabulary;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+import org.apache.jena.graph.Node;
+import org.maestro.ontology.validation.Maestro;
+import org.maestro.ontology.validation.SourceGraph;
+import org.maestro.sl.Fact;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.SlSyntaxException;
+import org.maestro.sl.TypedVariable;
+
+/**
+ * Checks that what was read speaks in declared words; every problem becomes a fault of the graph.
+ */
+public final class VocabularyCheck {
+
+  private static final String SELF = "self";
+
+  private final SourceGraph graph;
+  private final Vocabulary vocabulary;
+  private final Predicate<String> individuals;
+
+  /**
+   * @param individuals which names formulas may use for individuals
+   */
+  public VocabularyCheck(SourceGraph graph, Vocabulary vocabulary, Predicate<String> individuals) {
+    this.graph = graph;
+    this.vocabulary = vocabulary;
+    this.individuals = individuals;
+  }
+
+  /** Checks all predicates and feature types of the graph. */
+  public void check() {
+    for (Node subject : graph.subjects()) {
+      PredicateDeclaration predicate = vocabulary.predicates().get(Literals.name(subject));
+      FeatureType feature = vocabulary.features().get(Literals.name(subject));
+      if (predicate != null && predicate.iri().equals(iri(subject))) {
+        check(subject, predicate);
+      } else if (feature != null && feature.iri().equals(iri(subject))) {
+        check(subject, feature);
+      }
+    }
+  }
+
+  private static String iri(Node node) {
+    return node.isURI() ? node.getURI() : "";
+  }
+
+  private void check(Node node, PredicateDeclaration predicate) {
+    List<String> variables = predicate.parameters().stream().map(TypedVariable::name).toList();
+    predicate.derivedWhen().ifPresent(f -> check(node, "derivedWhen", variables, c -> c.check(f)));
+    predicate
+        .observedWhen()
+        .ifPresent(f -> check(node, "observedWhen", variables, c -> c.check(f)));
+    predicate.likelyWhen().ifPresent(f -> check(node, "likelyWhen", variables, c -> c.check(f)));
+    predicate
+        .computedBy()
+        .filter(function -> !graph.isA(Maestro.term(function), Maestro.term("GeometryFunction")))
+        .ifPresent(
+            function ->
+                fault(
+                    node,
+                    "computedBy",
+                    "is no geometry function",
+                    Nearest.cure(
+                        function,
+                        List.of("distance", "inside", "viewShare", "luxAt", "shortestPath"),
+                        "write one of distance, inside, viewShare, luxAt, shortestPath")));
+    for (TypedVariable parameter : predicate.parameters()) {
+      parameter
+          .className()
+          .filter(name -> !name.equals("Pose") && !vocabulary.classes().containsKey(name))
+          .ifPresent(
+              name ->
+                  fault(
+                      node,
+                      "arguments",
+                      "use the unknown class " + name,
+                      Nearest.cure(
+                          name, vocabulary.classes().keySet(), "declare it as an owl:Class")));
+    }
+  }
+
+  /**
+   * Checks what a node says of a feature.
+   *
+   * @param feature with what the node leaves to its type
+   */
+  public void check(Node node, FeatureType feature) {
+    List<String> given = new ArrayList<>(List.of(SELF));
+    Stream.concat(feature.inputs().stream(), feature.binds().stream())
+        .forEach(parameter -> given.add(parameter.name()));
+    List<String> results = new ArrayList<>(given);
+    feature.outputs().forEach(output -> results.add(output.name()));
+    Formula precondition = feature.precondition();
+    check(node, "precondition", given, names -> names.check(precondition));
+    check(node, "effect", given, names -> names.check(feature.effect()));
+    feature.learns().ifPresent(e -> check(node, "learns", results, names -> names.check(e)));
+    if (feature.cost() instanceof Price.Stated stated) {
+      check(node, "cost", given, names -> names.check(stated.cost()));
+    } else if (feature.cost() instanceof Price.Asked asked) {
+      check(node, "costAtLeast", given, names -> names.check(asked.atLeast()));
+    }
+    check(node, "seconds", given, names -> names.check(feature.seconds()));
+    checkFacts(node, "refersTo", given);
+    for (String property : List.of("input", "binds", "output")) {
+      graph.objects(node, Maestro.term(property)).forEach(this::checkTypes);
+    }
+  }
+
+  /**
+   * Checks the facts of {@code maestro:refersTo}; a report may use its own name as a variable too.
+   */
+  public void checkFacts(Node node, String property, Collection<String> variables) {
+    for (Node entry : graph.objects(node, Maestro.term(property))) {
+      Optional<Node> text = graph.object(entry, Maestro.term("fact"));
+      List<String> known = new ArrayList<>(variables);
+      graph.object(entry, Maestro.term("name")).map(Literals::name).ifPresent(known::add);
+      text.flatMap(VocabularyCheck::fact)
+          .ifPresent(fact -> check(entry, "fact", known, names -> names.check(fact)));
+    }
+  }
+
+  /** The fact; one that cannot be read was noted when it was. */
+  private static Optional<Fact> fact(Node text) {
+    try {
+      return Optional.of(SlParser.fact(Literals.name(text)));
+    } catch (SlSyntaxException alreadyNoted) {
+      return Optional.empty();
+    }
+  }
+
+  /** Types are classes or datatypes. */
+  private void checkTypes(Node parameter) {
+    Node property = Maestro.term("type");
+    for (Node value : graph.objects(parameter, property)) {
+      for (Node type : graph.list(value)) {
+        String name = Literals.name(type);
+        boolean datatype =
+            type.equals(Maestro.term("Pose"))
+                || iri(type).startsWith("http://www.w3.org/2001/XMLSchema#");
+        if (!datatype && !vocabulary.classes().containsKey(name)) {
+          graph.fault(
+              parameter,
+              property,
+              Optional.of(value),
+              "names the unknown class " + name,
+              Nearest.cure(name, vocabulary.classes().keySet(), "declare it as an owl:Class"));
+        }
+      }
+    }
+  }
+
+  private void check(
+      Node node, String property, Collection<String> variables, Consumer<NameCheck> check) {
+    if (graph.object(node, Maestro.term(property)).isPresent()) {
+      check.accept(
+          new NameCheck(
+              vocabulary,
+              individuals,
+              variables,
+              (problem, cure) -> fault(node, property, problem, cure)));
+    }
+  }
+
+  private void fault(Node node, String property, String problem, String cure) {
+    graph.fault(node, Maestro.term(property), Optional.empty(), problem, cure);
+  }
+}
