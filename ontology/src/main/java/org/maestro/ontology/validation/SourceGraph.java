@@ -30,15 +30,6 @@ public final class SourceGraph {
   private final Map<String, String> prefixes = new LinkedHashMap<>();
   private final Set<Fault> faults = new LinkedHashSet<>();
 
-  /** A copy to which more texts can be added without changing this one. */
-  public SourceGraph copy() {
-    SourceGraph copy = new SourceGraph();
-    origins.forEach(copy::add);
-    copy.prefixes.putAll(prefixes);
-    copy.faults.addAll(faults);
-    return copy;
-  }
-
   void add(Triple triple, Origin origin) {
     if (origins.putIfAbsent(triple, origin) == null) {
       bySubject
@@ -166,11 +157,6 @@ public final class SourceGraph {
             : "";
     String prefix = prefixes.get(namespace);
     return prefix == null ? local : prefix + ":" + local;
-  }
-
-  /** The file in which something is first spoken of; "" when nowhere. */
-  public String source(Node subject) {
-    return firstOrigin(subject).source();
   }
 
   private Origin origin(Node subject, Node property, Optional<Node> value) {
