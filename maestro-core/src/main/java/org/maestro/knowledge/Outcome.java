@@ -99,10 +99,18 @@ record Outcome(List<String> facts, List<News> news, List<News> gone) {
               .filter(old -> old.source().kind() == held.source().kind())
               .filter(old -> isFresh(variable, old))
               .isPresent();
-      if (!same) {
+      if (!same && !rulesOutWhatNobodyBelieved(held, has, before)) {
         boolean says = has && !held.value().equals(new Term.Truth(false));
         (says ? facts : exclusions).add(came.fact());
       }
+    }
+
+    /** Effects rule out a lot in one sweep; only what was believed before is worth telling. */
+    private boolean rulesOutWhatNobodyBelieved(Held held, boolean has, Optional<Held> before) {
+      return has
+          && held.source().kind() == Source.Kind.EXPECTED
+          && held.value().equals(new Term.Truth(false))
+          && before.filter(old -> old.value().equals(new Term.Truth(true))).isEmpty();
     }
 
     private void left(StateVariable variable, Held held, boolean has) {

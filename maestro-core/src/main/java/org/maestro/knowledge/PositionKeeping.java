@@ -9,6 +9,7 @@ import java.util.function.Function;
 import org.maestro.ontology.home.Pose;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
+import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 import org.slf4j.Logger;
@@ -44,7 +45,10 @@ final class PositionKeeping {
           draft.write(fact, source, false);
           moved.add(holds.atom().arguments().get(0));
         } else {
-          LOG.warn("{} told {}, which is no position; it is ignored.", source.agent(), fact);
+          LOG.warn(
+              "{} told {}, which is no position; it is ignored.",
+              source.agent(),
+              SlPrinter.print(fact));
         }
       } else {
         rest.add(fact);
@@ -55,7 +59,7 @@ final class PositionKeeping {
         draft.write(fact, source, true);
       }
     }
-    rest.forEach(fact -> dropContradicted(fact, moved));
+    rest.forEach(fact -> dropContradicted(fact, moved, source));
     for (Fact fact : rest) {
       if (fact instanceof Fact.Unknown unknown) {
         forget(draft.variable(unknown.atom()));
@@ -80,7 +84,7 @@ final class PositionKeeping {
             });
   }
 
-  private void dropContradicted(Fact fact, Set<Term> moved) {
+  private void dropContradicted(Fact fact, Set<Term> moved, Source source) {
     boolean holds = fact instanceof Fact.Holds;
     Optional<Formula.Atom> said =
         holds
@@ -90,8 +94,23 @@ final class PositionKeeping {
                 : Optional.empty();
     said.filter(atom -> !atom.arguments().isEmpty())
         .filter(atom -> !moved.contains(atom.arguments().get(0)))
+        .filter(atom -> !isOwnWordAgainstExpectation(atom.arguments().get(0), source))
         .filter(atom -> contradicts(atom, holds))
         .ifPresent(atom -> dropPosition(atom.arguments().get(0)));
+  }
+
+  /**
+   * What tells its own position tells the next one too; an expectation need not take the last one
+   * away.
+   */
+  private boolean isOwnWordAgainstExpectation(Term thing, Source source) {
+    return source.kind() == Source.Kind.EXPECTED
+        && thing instanceof Term.Name name
+        && draft
+            .cell(new StateVariable(Declarations.POSITION, List.of(thing)))
+            .flatMap(Cell::value)
+            .filter(held -> held.source().equals(new Source(Source.Kind.STATED, name.text())))
+            .isPresent();
   }
 
   private boolean contradicts(Formula.Atom atom, boolean holds) {

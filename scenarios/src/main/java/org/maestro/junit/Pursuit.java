@@ -1,0 +1,83 @@
+package org.maestro.junit;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicReference;
+import org.maestro.coordination.StoryEntry;
+import org.maestro.platform.GoalReport;
+import org.maestro.sl.Formula;
+
+/** A goal under way, during which a test may change the world. For the test's thread. */
+public final class Pursuit {
+
+  private final Production production;
+  private final String goal;
+  private final Duration patience;
+  private final AtomicReference<String> id = new AtomicReference<>("");
+  private final AtomicReference<GoalReport> report = new AtomicReference<>();
+  private final List<StoryEntry> stories = new CopyOnWriteArrayList<>();
+
+  private Pursuit(Production production, String goal, Duration patience) {
+    this.production = production;
+    this.goal = goal;
+    this.patience = patience;
+  }
+
+  static Pursuit begin(Production production, String text, Formula goal, Duration patience) {
+    Pursuit pursuit = new Pursuit(production, text, patience);
+    production.platform().onStory(pursuit.stories::add);
+    production.platform().pursue(goal, pursuit.id::set, pursuit.report::set);
+    return pursuit;
+  }
+
+  static Pursuit refused(Production production, String text, String reason) {
+    Pursuit pursuit = new Pursuit(production, text, Duration.ZERO);
+    pursuit.report.set(GoalReport.refused(reason));
+    return pursuit;
+  }
+
+  /**
+   * Lets time pass until the goal's story tells this; fails the test when the goal ends, or
+   * patience does, before.
+   */
+  public Pursuit awaitTelling(String part) {
+    boolean told =
+        production.runUntil(() -> tells(part) || report.get() != null, patience) && tells(part);
+    if (!told) {
+      throw new StageException(
+          "The story of " + goal + " never told \"" + part + "\"; it was:\n" + outcomeSoFar());
+    }
+    return this;
+  }
+
+  /** Lets time pass until the goal has ended; fails the test when it does not. */
+  public GoalOutcome await() {
+    if (!production.runUntil(() -> report.get() != null, patience)) {
+      throw new StageException(
+          "The goal "
+              + goal
+              + " did not end within "
+              + patience
+              + "; its story is:\n"
+              + outcomeSoFar());
+    }
+    return outcome(report.get());
+  }
+
+  private boolean tells(String part) {
+    return own().stream().anyMatch(entry -> entry.text().contains(part));
+  }
+
+  private String outcomeSoFar() {
+    return outcome(GoalReport.refused("not ended")).storyText();
+  }
+
+  private GoalOutcome outcome(GoalReport ended) {
+    return new GoalOutcome(goal, ended, own());
+  }
+
+  private List<StoryEntry> own() {
+    return stories.stream().filter(entry -> entry.goalId().equals(id.get())).toList();
+  }
+}

@@ -1,0 +1,51 @@
+package org.maestro.junit;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.UUID;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+
+/** What a test class asked for, read from the class path. */
+record Site(Class<?> testClass, MaestroTest wanted) {
+
+  /** The site's name on the bus: another for each stage, so that all share a broker. */
+  String uniqueName() {
+    return testClass.getSimpleName().toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "-")
+        + "-"
+        + UUID.randomUUID().toString().substring(0, 8);
+  }
+
+  Home home() {
+    return new HomeLoader().load(text(homeResource()), homeResource());
+  }
+
+  String homeResource() {
+    return resource("/homes/", wanted.home());
+  }
+
+  String sceneResource() {
+    return resource("/scenes/", wanted.scene());
+  }
+
+  String text(String resource) {
+    try (InputStream stream = testClass.getResourceAsStream(resource)) {
+      if (stream == null) {
+        throw new StageException(
+            testClass.getSimpleName()
+                + " asks for "
+                + resource
+                + ", which is not on its class path; name a shipped home or scene, or a .ttl resource.");
+      }
+      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new StageException(resource + " cannot be read: " + e.getMessage(), e);
+    }
+  }
+
+  private static String resource(String folder, String name) {
+    return name.endsWith(".ttl") ? name : folder + name + ".ttl";
+  }
+}
