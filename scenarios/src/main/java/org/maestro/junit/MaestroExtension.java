@@ -1,10 +1,12 @@
 package org.maestro.junit;
 
 import java.time.Duration;
+import java.util.Optional;
 import org.junit.jupiter.api.extension.ExtensionContext;
 import org.junit.jupiter.api.extension.ExtensionContext.Namespace;
 import org.junit.jupiter.api.extension.ParameterContext;
 import org.junit.jupiter.api.extension.ParameterResolver;
+import org.maestro.assembly.LocalSite;
 import org.slf4j.bridge.SLF4JBridgeHandler;
 
 /** Gives the tests of a {@link MaestroTest} class their stages, and takes these down afterwards. */
@@ -30,12 +32,12 @@ public final class MaestroExtension implements ParameterResolver {
     bridgeLogs();
     Class<?> testClass = context.getRequiredTestClass();
     MaestroTest wanted = testClass.getAnnotation(MaestroTest.class);
-    Site site = new Site(testClass, wanted);
-    Production production =
+    SiteWanted site = new SiteWanted(testClass, wanted);
+    LocalSite running =
         wanted.clock() == ClockKind.STEPPED
-            ? LocalProduction.stepped(site)
-            : LocalProduction.paced(site, broker(context), wanted.speed());
-    return new Stage(production, Duration.ofSeconds(wanted.patience()));
+            ? LocalSite.stepped(site.settings(Optional.empty()))
+            : LocalSite.paced(site.settings(Optional.of(broker(context).uri())), wanted.speed());
+    return new Stage(running, Duration.ofSeconds(wanted.patience()));
   }
 
   /** JADE logs to java.util.logging, and much; one log decides what is shown. */

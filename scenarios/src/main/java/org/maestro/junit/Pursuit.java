@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
+import org.maestro.assembly.LocalSite;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.platform.GoalReport;
 import org.maestro.sl.Formula;
@@ -11,28 +12,28 @@ import org.maestro.sl.Formula;
 /** A goal under way, during which a test may change the world. For the test's thread. */
 public final class Pursuit {
 
-  private final Production production;
+  private final LocalSite site;
   private final String goal;
   private final Duration patience;
   private final AtomicReference<String> id = new AtomicReference<>("");
   private final AtomicReference<GoalReport> report = new AtomicReference<>();
   private final List<StoryEntry> stories = new CopyOnWriteArrayList<>();
 
-  private Pursuit(Production production, String goal, Duration patience) {
-    this.production = production;
+  private Pursuit(LocalSite site, String goal, Duration patience) {
+    this.site = site;
     this.goal = goal;
     this.patience = patience;
   }
 
-  static Pursuit begin(Production production, String text, Formula goal, Duration patience) {
-    Pursuit pursuit = new Pursuit(production, text, patience);
-    production.platform().onStory(pursuit.stories::add);
-    production.platform().pursue(goal, pursuit.id::set, pursuit.report::set);
+  static Pursuit begin(LocalSite site, String text, Formula goal, Duration patience) {
+    Pursuit pursuit = new Pursuit(site, text, patience);
+    site.platform().onStory(pursuit.stories::add);
+    site.platform().pursue(goal, pursuit.id::set, pursuit.report::set);
     return pursuit;
   }
 
-  static Pursuit refused(Production production, String text, String reason) {
-    Pursuit pursuit = new Pursuit(production, text, Duration.ZERO);
+  static Pursuit refused(LocalSite site, String text, String reason) {
+    Pursuit pursuit = new Pursuit(site, text, Duration.ZERO);
     pursuit.report.set(GoalReport.refused(reason));
     return pursuit;
   }
@@ -43,7 +44,7 @@ public final class Pursuit {
    */
   public Pursuit awaitTelling(String part) {
     boolean told =
-        production.runUntil(() -> tells(part) || report.get() != null, patience) && tells(part);
+        site.runUntil(() -> tells(part) || report.get() != null, patience) && tells(part);
     if (!told) {
       throw new StageException(
           "The story of " + goal + " never told \"" + part + "\"; it was:\n" + outcomeSoFar());
@@ -53,7 +54,7 @@ public final class Pursuit {
 
   /** Lets time pass until the goal has ended; fails the test when it does not. */
   public GoalOutcome await() {
-    if (!production.runUntil(() -> report.get() != null, patience)) {
+    if (!site.runUntil(() -> report.get() != null, patience)) {
       throw new StageException(
           "The goal "
               + goal

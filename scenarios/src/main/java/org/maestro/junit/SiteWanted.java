@@ -34,14 +34,7 @@ record SiteWanted(Class<?> testClass, MaestroTest wanted) {
             new ByteArrayInputStream(text(sceneResource).getBytes(StandardCharsets.UTF_8)),
             home);
     return new SiteSettings(
-        uniqueName(),
-        home,
-        Optional.of(scene),
-        wanted.seed(),
-        broker,
-        0,
-        false,
-        Optional.empty());
+        uniqueName(), home, Optional.of(scene), wanted.seed(), broker, 0, false, Optional.empty());
   }
 
   private String text(String resource) {

@@ -2,6 +2,7 @@ package org.maestro.junit;
 
 import java.time.Duration;
 import java.util.function.BooleanSupplier;
+import org.maestro.assembly.LocalSite;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.platform.MaestroPlatform;
@@ -17,11 +18,11 @@ import org.maestro.sl.SlSyntaxException;
  */
 public final class Stage implements AutoCloseable {
 
-  private final Production production;
+  private final LocalSite site;
   private final Duration patience;
 
-  Stage(Production production, Duration patience) {
-    this.production = production;
+  Stage(LocalSite site, Duration patience) {
+    this.site = site;
     this.patience = patience;
   }
 
@@ -33,38 +34,38 @@ public final class Stage implements AutoCloseable {
   /** States a goal, and leaves it under way. */
   public Pursuit begin(String goal) {
     try {
-      return Pursuit.begin(production, goal, parsed(goal), patience);
+      return Pursuit.begin(site, goal, parsed(goal), patience);
     } catch (SlSyntaxException e) {
-      return Pursuit.refused(production, goal, e.getMessage());
+      return Pursuit.refused(site, goal, e.getMessage());
     }
   }
 
   /** What the platform knows. */
   public KnowledgeBase knowledge() {
-    return production.platform().knowledge();
+    return site.platform().knowledge();
   }
 
   /** The truth behind it: ask it, and change it. */
   public World world() {
-    return production.world();
+    return site.world();
   }
 
   public MaestroPlatform platform() {
-    return production.platform();
+    return site.platform();
   }
 
   public Clock clock() {
-    return production.clock();
+    return site.clock();
   }
 
   /** Lets simulated time pass. */
   public void run(Duration time) {
-    production.runUntil(() -> false, time);
+    site.runUntil(() -> false, time);
   }
 
   /** Lets time pass until the condition holds; fails the test when it does not in time. */
   public void await(String what, BooleanSupplier condition) {
-    if (!production.runUntil(condition, patience)) {
+    if (!site.runUntil(condition, patience)) {
       throw new StageException("It did not happen within " + patience + ": " + what + ".");
     }
   }
@@ -74,17 +75,17 @@ public final class Stage implements AutoCloseable {
    * holds.
    */
   public void kill(String device) {
-    production.kill(device);
+    site.world().die(device);
   }
 
   /** The device is switched on again, and joins anew. */
   public void revive(String device) {
-    production.revive(device);
+    site.world().revive(device);
   }
 
   @Override
   public void close() {
-    production.close();
+    site.close();
   }
 
   private Formula parsed(String goal) {
