@@ -2,6 +2,8 @@ package org.maestro.device;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.maestro.hal.Completion;
 import org.maestro.hal.GripperArm;
 import org.maestro.hal.Position;
@@ -41,10 +43,22 @@ abstract class ArmTask extends DeviceProcedure {
     return reach;
   }
 
-  final ActionSequence.Action drive(Point2 stand, String doing) {
+  /**
+   * @param plan where to go, asked again when something came in the way
+   * @param chosen told the spot that will be reached
+   */
+  final ActionSequence.Action approach(
+      Supplier<Optional<Reach.Approach>> plan, Consumer<Point2> chosen, String doing) {
     return new ActionSequence.Action(
         "approach",
-        completion -> robot.driveToNearest(List.of(stand), completion),
+        completion ->
+            robot.drive(
+                () -> {
+                  Optional<Reach.Approach> approach = plan.get();
+                  approach.ifPresent(found -> chosen.accept(found.spot()));
+                  return approach.map(Reach.Approach::route);
+                },
+                completion),
         reason -> unreachable(doing + ": " + reason + "."));
   }
 

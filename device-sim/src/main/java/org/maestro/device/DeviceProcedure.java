@@ -3,6 +3,7 @@ package org.maestro.device;
 import java.util.Map;
 import java.util.Optional;
 import org.maestro.hal.Completion;
+import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.rats.member.Execution;
 import org.maestro.rats.member.Procedure;
 import org.maestro.rats.protocol.CostAnswer;
@@ -32,6 +33,20 @@ abstract class DeviceProcedure implements Procedure {
       return cost(new CallParameters(parameters));
     } catch (InvalidCallException e) {
       return impossible(e.getMessage());
+    }
+  }
+
+  /**
+   * A value set: the first of a continuous feature establishes it, that of any other is its result.
+   */
+  static void report(
+      FeatureType feature, Execution execution, Map<String, Object> values, boolean first) {
+    if (!feature.continuous()) {
+      execution.succeed(values);
+    } else if (first) {
+      execution.established(values);
+    } else {
+      execution.observed(values);
     }
   }
 

@@ -38,7 +38,7 @@ final class MeasureIllumination extends DeviceProcedure {
         new IlluminationSensor.Listener() {
           @Override
           public void measured(double lux) {
-            report(execution, Map.of("lux", lux), first);
+            report(context.feature(), execution, Map.of("lux", lux), first);
             Streams.next(context, begun, period, () -> measure(execution, false));
           }
 
@@ -47,16 +47,6 @@ final class MeasureIllumination extends DeviceProcedure {
             execution.fail(FeatureContext.broken(reason));
           }
         });
-  }
-
-  private void report(Execution execution, Map<String, Object> values, boolean first) {
-    if (!context.feature().continuous()) {
-      execution.succeed(values);
-    } else if (first) {
-      execution.established(values);
-    } else {
-      execution.observed(values);
-    }
   }
 
   @Override

@@ -35,8 +35,8 @@ final class MoveTask extends DeviceProcedure {
           robot.base().stop();
           safe.run();
         });
-    robot.driveToNearest(
-        goals,
+    robot.drive(
+        () -> robot.routeToNearest(goals),
         new Completion() {
           @Override
           public void done() {

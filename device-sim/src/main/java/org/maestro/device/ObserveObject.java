@@ -73,9 +73,9 @@ final class ObserveObject extends DeviceProcedure {
       Map<String, Object> values = new LinkedHashMap<>();
       values.put("found", true);
       values.put("pose", List.of(position.x(), position.y(), position.z()));
-      report(execution, values, first);
+      report(context.feature(), execution, values, first);
     } else if (verdict.unfit().isEmpty()) {
-      report(execution, new LinkedHashMap<>(Map.of("found", false)), first);
+      report(context.feature(), execution, new LinkedHashMap<>(Map.of("found", false)), first);
     } else if (first) {
       execution.fail(refusal(parameters, verdict.unfit()));
     }
@@ -96,14 +96,6 @@ final class ObserveObject extends DeviceProcedure {
     boolean dark = unfit.stream().anyMatch(light -> light.lux() < camera.minimumLux());
     return FeatureContext.unmet(
         String.join("; ", lights), dark ? "raise the light" : "lower the light", references);
-  }
-
-  private static void report(Execution execution, Map<String, Object> values, boolean first) {
-    if (first) {
-      execution.established(values);
-    } else {
-      execution.observed(values);
-    }
   }
 
   @Override

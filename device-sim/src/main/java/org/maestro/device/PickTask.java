@@ -2,7 +2,6 @@ package org.maestro.device;
 
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.maestro.hal.Position;
 import org.maestro.rats.member.Execution;
 import org.maestro.rats.protocol.CostAnswer;
@@ -32,17 +31,15 @@ final class PickTask extends ArmTask {
               context().reference("hand", parameters, Map.of(), "true", false).stream().toList()));
       return;
     }
-    Optional<Reach.Approach> approach = reach().to(place.floor());
-    if (approach.isEmpty()) {
-      execution.fail(unreachable("There is no free way to " + object.name() + "."));
-      return;
-    }
     exitSafely(execution);
     new ActionSequence(
             context().device(),
             execution,
             List.of(
-                drive(approach.get().stand(), "Cannot drive to " + object.name()),
+                approach(
+                    () -> reach().to(place.floor()),
+                    spot -> {},
+                    "Cannot drive to " + object.name()),
                 new ActionSequence.Action("open hand", arm()::open),
                 new ActionSequence.Action(
                     "reach out", completion -> arm().extend(place, completion)),

@@ -3,6 +3,7 @@ package org.maestro.device;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import org.maestro.hal.Area;
 import org.maestro.hal.Position;
 import org.maestro.rats.member.Execution;
@@ -31,25 +32,22 @@ final class PlaceTask extends ArmTask {
                   .toList()));
       return;
     }
-    Optional<Reach.Approach> approach =
-        approach(target)
-            .orElseThrow(
-                () ->
-                    new InvalidCallException(
-                        "The pointer target comes without position and is no area of the map."));
-    if (approach.isEmpty()) {
-      execution.fail(unreachable("There is no free spot at " + target.name() + "."));
-      return;
+    if (approach(target).isEmpty()) {
+      throw new InvalidCallException(
+          "The pointer target comes without position and is no area of the map.");
     }
     exitSafely(execution);
-    Position spot = Position.onFloor(approach.get().spot());
+    AtomicReference<Position> spot = new AtomicReference<>();
     new ActionSequence(
             context().device(),
             execution,
             List.of(
-                drive(approach.get().stand(), "Cannot drive to " + target.name()),
+                approach(
+                    () -> approach(target).orElseThrow(),
+                    point -> spot.set(Position.onFloor(point)),
+                    "Cannot place at " + target.name()),
                 new ActionSequence.Action(
-                    "reach out", completion -> arm().extend(spot, completion)),
+                    "reach out", completion -> arm().extend(spot.get(), completion)),
                 new ActionSequence.Action("let go", arm()::release),
                 new ActionSequence.Action("fold", arm()::fold)),
             () -> execution.succeed(Map.of()))

@@ -36,8 +36,8 @@ final class Reach {
     this.reach = reach;
   }
 
-  /** Where to stand, and which spot to reach from there. */
-  record Approach(Route route, Point2 stand, Point2 spot) {}
+  /** The way to a stand, and the spot to reach from there. */
+  record Approach(Route route, Point2 spot) {}
 
   /** The nearest stand from which the spot is reached. */
   Optional<Approach> to(Point2 spot) {
@@ -87,8 +87,7 @@ final class Reach {
         .routeToNearest(List.copyOf(spotOfStand.keySet()))
         .map(
             route -> {
-              Point2 stand = route.end(position);
-              return new Approach(route, stand, spotOfStand.get(stand));
+              return new Approach(route, spotOfStand.get(route.end(position)));
             });
   }
 

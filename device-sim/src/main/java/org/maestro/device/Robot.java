@@ -3,6 +3,7 @@ package org.maestro.device;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.maestro.hal.Area;
 import org.maestro.hal.Completion;
 import org.maestro.hal.MobileBase;
@@ -82,13 +83,15 @@ final class Robot {
         && edges.stream().allMatch(edge -> edge.distance(point) >= base.radius());
   }
 
-  /** Drives to the nearest of the goals; when something came in the way, along another way. */
-  void driveToNearest(List<Point2> goals, Completion completion) {
-    drive(goals, completion, ATTEMPTS);
+  /**
+   * Drives along what is planned; when something came in the way, along what is then planned anew.
+   */
+  void drive(Supplier<Optional<Route>> plan, Completion completion) {
+    drive(plan, completion, ATTEMPTS);
   }
 
-  private void drive(List<Point2> goals, Completion completion, int attempts) {
-    Optional<Route> route = routeToNearest(goals);
+  private void drive(Supplier<Optional<Route>> plan, Completion completion, int attempts) {
+    Optional<Route> route = plan.get();
     if (route.isEmpty()) {
       completion.failed("there is no free way");
       return;
@@ -104,7 +107,7 @@ final class Robot {
           @Override
           public void failed(String reason) {
             if (attempts > 1) {
-              drive(goals, completion, attempts - 1);
+              drive(plan, completion, attempts - 1);
             } else {
               completion.failed(reason);
             }

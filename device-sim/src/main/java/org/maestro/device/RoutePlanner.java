@@ -27,7 +27,6 @@ public final class RoutePlanner {
   private final List<Segment> walls;
   private final List<Obstacle> obstacles;
   private final double radius;
-  private final List<Point2> corners;
 
   /**
    * @param radius of the body; metres
@@ -36,13 +35,6 @@ public final class RoutePlanner {
     this.walls = List.copyOf(walls);
     this.obstacles = List.copyOf(obstacles);
     this.radius = radius;
-    Set<Point2> ends = new LinkedHashSet<>();
-    walls.forEach(wall -> Collections.addAll(ends, wall.from(), wall.to()));
-    List<Point2> around = new ArrayList<>();
-    ends.forEach(end -> addPolygon(around, end, radius));
-    obstacles.forEach(
-        obstacle -> addPolygon(around, obstacle.middle(), obstacle.radius() + radius));
-    this.corners = around.stream().filter(this::isFree).toList();
   }
 
   /** Whether the body may stand there. */
@@ -95,13 +87,24 @@ public final class RoutePlanner {
       return Optional.empty();
     }
     List<Point2> free = List.copyOf(nodes.subList(1, firstCorner));
-    nodes.addAll(corners);
+    nodes.addAll(corners());
     double[] rest = new double[nodes.size()];
     for (int i = 0; i < rest.length; i++) {
       Point2 node = nodes.get(i);
       rest[i] = free.stream().mapToDouble(node::distance).min().orElseThrow();
     }
     return search(nodes, firstCorner, rest);
+  }
+
+  private List<Point2> corners() {
+    Set<Point2> ends = new LinkedHashSet<>();
+    walls.forEach(wall -> Collections.addAll(ends, wall.from(), wall.to()));
+    List<Point2> around = new ArrayList<>();
+    ends.forEach(end -> addPolygon(around, end, radius));
+    obstacles.forEach(
+        obstacle -> addPolygon(around, obstacle.middle(), obstacle.radius() + radius));
+    around.removeIf(corner -> !isFree(corner));
+    return around;
   }
 
   private Optional<Route> search(List<Point2> nodes, int firstCorner, double[] rest) {
@@ -113,6 +116,7 @@ public final class RoutePlanner {
     PriorityQueue<Entry> open =
         new PriorityQueue<>(
             Comparator.comparingDouble(Entry::estimate).thenComparingInt(Entry::node));
+    double best = Double.POSITIVE_INFINITY;
     length[0] = 0;
     open.add(new Entry(0, rest[0]));
     while (!open.isEmpty()) {
@@ -128,9 +132,13 @@ public final class RoutePlanner {
         double reached = length[node] + nodes.get(node).distance(nodes.get(next));
         if (!closed[next]
             && reached < length[next] - TOLERANCE
+            && reached + rest[next] < best - TOLERANCE
             && isFreeWay(nodes.get(node), nodes.get(next))) {
           length[next] = reached;
           before[next] = node;
+          if (next < firstCorner) {
+            best = reached;
+          }
           open.add(new Entry(next, reached + rest[next]));
         }
       }

@@ -2,6 +2,7 @@ package org.maestro.sim;
 
 import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -34,7 +35,7 @@ public final class World {
   private final Clock clock;
   private final FloorMap map;
   private final Map<String, Body> bodies = new TreeMap<>();
-  private final Map<String, LampLight> lamps = new TreeMap<>();
+  private final Map<String, LampLight> lamps = new LinkedHashMap<>();
   private final Map<String, Double> ambient = new TreeMap<>();
   private final Set<String> openDoors = new TreeSet<>();
   private final Map<String, Drive> drives = new TreeMap<>();

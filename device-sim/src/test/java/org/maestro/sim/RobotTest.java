@@ -1,0 +1,159 @@
+package org.maestro.sim;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.maestro.hal.Position;
+import org.maestro.rats.protocol.ErrorCode;
+import org.maestro.rats.protocol.Outcome;
+import org.maestro.rats.protocol.Result;
+
+class RobotTest {
+
+  private final Homes homes = Homes.bob("bob-lit");
+
+  @AfterEach
+  void close() {
+    homes.close();
+  }
+
+  private Result call(String feature, Map<String, Object> parameters) {
+    return homes.call("rose", feature, parameters).result().orElseThrow();
+  }
+
+  private Result moveToA() {
+    return call("move", Map.of("to", Homes.ref("zone-a"), "from", Homes.ref("zone-b")));
+  }
+
+  @Test
+  void drivesAtTheSpeedOfItsDataSheet() {
+    Duration begun = homes.clock.now();
+    assertThat(moveToA().outcome()).isEqualTo(Outcome.SUCCEEDED);
+    List<PathPoint> path = homes.world().path("rose");
+    double length = 0;
+    for (int i = 1; i < path.size(); i++) {
+      length += path.get(i).point().distance(path.get(i - 1).point());
+    }
+    double seconds = homes.clock.now().minus(begun).toNanos() / 1e9;
+    assertThat(seconds).isBetween(length / 0.8, length / 0.8 + 0.05);
+    assertThat(homes.world().zone("rose")).contains("zone-a");
+  }
+
+  @Test
+  void isWhereItHasComeToWhileItDrives() {
+    homes.link.call(
+        "rose",
+        "move",
+        Map.of("to", Homes.ref("zone-a")),
+        Duration.ofSeconds(30),
+        Optional.empty(),
+        result -> {});
+    Position start = homes.world().position("rose").orElseThrow();
+    homes.clock.run(Duration.ofMillis(1000));
+    assertThat(homes.world().position("rose").orElseThrow().distance(start)).isBetween(0.7, 0.8);
+  }
+
+  @Test
+  void saysThatAClosedDoorBarsTheWay() {
+    homes.world().setDoor("door-ab", false);
+    Result result = moveToA();
+    assertThat(result.outcome()).isEqualTo(Outcome.FAILED);
+    assertThat(result.error().orElseThrow().code()).isEqualTo(ErrorCode.PRECONDITION_NOT_MET);
+    assertThat(result.error().orElseThrow().refs().get(0).fact())
+        .isEqualTo("(passable zone-b zone-a)");
+  }
+
+  @Test
+  void standsStillBeforeADoorThatCloses() {
+    homes
+        .world()
+        .when(
+            "rose",
+            WorldEvent.Kind.DRIVE,
+            () ->
+                homes.clock.schedule(
+                    Duration.ofMillis(500), "test", () -> homes.world().setDoor("door-ab", false)));
+    assertThat(moveToA().outcome()).isEqualTo(Outcome.FAILED);
+    assertThat(homes.world().zone("rose")).contains("zone-b");
+  }
+
+  @Test
+  void drivesAroundAPersonThatStepsInItsWay() {
+    List<WorldEvent.Kind> events = new ArrayList<>();
+    homes.world().listen(event -> events.add(event.kind()));
+    homes
+        .world()
+        .when(
+            "rose",
+            WorldEvent.Kind.DRIVE,
+            () ->
+                homes.clock.schedule(
+                    Duration.ofMillis(600),
+                    "test",
+                    () -> homes.world().moveByHand("Bob", new Position(3.75, 1.7, 0))));
+    Result result = call("pick", Map.of("object", atAfterMove("Cup", new Position(3.6, 2.6, 0))));
+    assertThat(events).contains(WorldEvent.Kind.BLOCKED);
+    assertThat(result.outcome()).as(result.toString()).isEqualTo(Outcome.SUCCEEDED);
+  }
+
+  private Map<String, Object> atAfterMove(String thing, Position place) {
+    homes.world().moveByHand(thing, place);
+    return homes.at(thing);
+  }
+
+  @Test
+  void doesNotGraspWhatIsNotThereOrTooHeavy() {
+    Map<String, Object> there = homes.at("Cup");
+    homes.world().moveByHand("Cup", new Position(5.5, 0.5, 0));
+    Result missed = call("pick", Map.of("object", there));
+    assertThat(missed.error().orElseThrow().message()).contains("not where it was seen");
+    homes.world().put(new Body("Cup", new Position(5.5, 0.5, 0), 0.04, 3, false, Optional.empty()));
+    Result heavy = call("pick", Map.of("object", homes.at("Cup")));
+    assertThat(heavy.error().orElseThrow().message()).contains("heavier than 0.5 kg");
+  }
+
+  @Test
+  void placesWithinAnArea() {
+    assertThat(call("pick", Map.of("object", homes.at("Cup"))).outcome())
+        .isEqualTo(Outcome.SUCCEEDED);
+    assertThat(
+            call("place", Map.of("object", Homes.ref("Cup"), "target", Homes.ref("zone-b")))
+                .outcome())
+        .isEqualTo(Outcome.SUCCEEDED);
+    assertThat(homes.world().zone("Cup")).contains("zone-b");
+    assertThat(homes.world().holder("Cup")).isEmpty();
+  }
+
+  @Test
+  void refusesToPlaceWhatItDoesNotHoldAndToPickTwice() {
+    Result placed = call("place", Map.of("object", Homes.ref("Cup"), "target", homes.at("Bob")));
+    assertThat(placed.error().orElseThrow().refs().get(0).fact()).isEqualTo("(in Cup rose)");
+    call("pick", Map.of("object", homes.at("Cup")));
+    Result picked = call("pick", Map.of("object", homes.at("Cup")));
+    assertThat(picked.error().orElseThrow().refs().get(0).fact()).isEqualTo("(handFree rose)");
+  }
+
+  @Test
+  void answersFaultyParametersWithoutBreaking() {
+    assertThat(call("pick", Map.of("object", 3)).error().orElseThrow().code())
+        .isEqualTo(ErrorCode.INVALID_PARAMETERS);
+    assertThat(call("pick", Map.of("object", Homes.ref("Cup"))).error().orElseThrow().message())
+        .contains("without position");
+    assertThat(call("move", Map.of("to", Homes.ref("attic"))).error().orElseThrow().message())
+        .contains("attic is not on the map");
+  }
+
+  @Test
+  void failsWhileItIsBroken() {
+    homes.world().breakDown("rose", "The wheels are stuck.");
+    assertThat(moveToA().outcome()).isEqualTo(Outcome.FAILED);
+    homes.world().repair("rose");
+    assertThat(moveToA().outcome()).isEqualTo(Outcome.SUCCEEDED);
+  }
+}

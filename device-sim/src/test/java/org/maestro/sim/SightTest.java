@@ -1,0 +1,123 @@
+package org.maestro.sim;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.maestro.hal.Camera;
+import org.maestro.hal.Position;
+import org.maestro.hal.Target;
+import org.maestro.ontology.home.Pose;
+
+class SightTest {
+
+  private static SimulatedCamera camera(Homes homes, long seed) {
+    return new SimulatedCamera(
+        new Actuator("cam-b", homes.world(), homes.clock, new Random(seed)),
+        PhysicalParameters.standard().camera(),
+        Pose.parse("4.5 1.5 2.8"),
+        75);
+  }
+
+  private static Camera.Look look(Homes homes, SimulatedCamera camera, int frames) {
+    List<Camera.Look> looks = new ArrayList<>();
+    camera.look(
+        new Target("Cup", Map.of()),
+        frames,
+        new Camera.Listener() {
+          @Override
+          public void looked(Camera.Look look) {
+            looks.add(look);
+          }
+
+          @Override
+          public void failed(String reason) {
+            throw new AssertionError(reason);
+          }
+        });
+    homes.clock.runUntil(() -> !looks.isEmpty(), java.time.Duration.ofSeconds(100));
+    return looks.get(0);
+  }
+
+  @Test
+  void endsAtTheEdgeOfTheConeAndAtWalls() {
+    try (Homes homes = Homes.bob("bob-lit")) {
+      SimulatedCamera camera = camera(homes, 1);
+      // 2.8 m tan 37.5 degrees: 2.1485 m, beyond the walls but for the corners
+      assertThat(camera.sees(new Position(4.5, 2.99, 0))).isTrue();
+      assertThat(camera.sees(new Position(5.99, 0.01, 0))).isTrue();
+      assertThat(camera.sees(new Position(5.99, 0.01, 0.2))).isFalse();
+      assertThat(camera.sees(new Position(2.5, 1.0, 0))).isFalse();
+      assertThat(camera.sees(new Position(2.7, 2.4, 0))).isTrue();
+      homes.world().setDoor("door-ab", false);
+      assertThat(camera.sees(new Position(2.7, 2.4, 0))).isFalse();
+    }
+  }
+
+  @Test
+  void isBlindInTheDark() {
+    try (Homes homes = Homes.bob("bob-dark")) {
+      Camera.Look look = look(homes, camera(homes, 1), 1000);
+      assertThat(look.detections()).isZero();
+      assertThat(look.position()).isEmpty();
+      assertThat(look.areas()).hasSize(1);
+      assertThat(look.areas().get(0).area()).isEqualTo("zone-b");
+      assertThat(look.areas().get(0).referenceLux()).isCloseTo(17, within(0.5));
+    }
+  }
+
+  @Test
+  void seesNothingHiddenOrHeld() {
+    try (Homes homes = Homes.bob("bob-lit")) {
+      SimulatedCamera camera = camera(homes, 1);
+      assertThat(look(homes, camera, 15).detections()).isGreaterThan(12);
+      homes.world().hide("Cup", true);
+      assertThat(look(homes, camera, 15).detections()).isZero();
+      homes.world().hide("Cup", false);
+      homes.world().put(homes.world().body("Cup").heldBy("rose"));
+      assertThat(look(homes, camera, 15).detections()).isZero();
+    }
+  }
+
+  @Test
+  void isCertainFromItsThresholdOn() {
+    PhysicalParameters.CameraData data = PhysicalParameters.standard().camera();
+    assertThat(data.detectability(data.minimumLux())).isGreaterThan(0.98);
+    assertThat(data.detectability(62.5)).isLessThan(0.001);
+    assertThat(data.detectability(19)).isLessThan(1e-20);
+    assertThat(data.detectability(data.maximumLux())).isGreaterThan(0.99);
+    assertThat(data.detectability(2 * data.maximumLux())).isLessThan(1e-6);
+  }
+
+  @Test
+  void neverMissesInTenThousandLooksWhereItSaysNotFound() {
+    Homes homes = Homes.bob("bob-dark");
+    try (homes) {
+      Random places = new Random(5);
+      homes.world().setAmbient("zone-b", 72.5);
+      SimulatedCamera camera = camera(homes, 3);
+      double worst = 0;
+      for (int trial = 0; trial < 10_000; trial++) {
+        homes
+            .world()
+            .moveByHand(
+                "Cup",
+                new Position(
+                    3.05 + 2.9 * places.nextDouble(), 0.05 + 2.9 * places.nextDouble(), 0));
+        Camera.Look look = look(homes, camera, 15);
+        assertThat(look.detections()).isGreaterThanOrEqualTo(3);
+        worst =
+            Math.max(
+                worst,
+                look.position()
+                    .orElseThrow()
+                    .distance(homes.world().position("Cup").orElseThrow()));
+      }
+      assertThat(worst).isBetween(0.05, 0.2);
+    }
+  }
+}
