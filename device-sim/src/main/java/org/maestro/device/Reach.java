@@ -15,7 +15,7 @@ import org.maestro.ontology.home.Point2;
 final class Reach {
 
   /** A spot beside a thing is this far from its middle, if the thing is not too thick; metres. */
-  private static final double USUAL_DISTANCE = 0.35;
+  private static final double USUAL_DISTANCE = 0.4;
 
   /** Farther is no longer beside it, given that positions are known to some centimetres; metres. */
   private static final double GREATEST_DISTANCE = 0.5;

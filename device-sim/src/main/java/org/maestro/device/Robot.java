@@ -37,12 +37,9 @@ final class Robot {
     return surroundings;
   }
 
-  RoutePlanner routes() {
-    return new RoutePlanner(surroundings.walls(), surroundings.obstacles(), base.radius());
-  }
-
   Optional<Route> routeToNearest(List<Point2> goals) {
-    return routes().shortest(base.position(), goals);
+    return new RoutePlanner(surroundings.walls(), surroundings.obstacles(), base.radius())
+        .shortest(base.position(), goals);
   }
 
   double seconds(Route route) {

@@ -57,6 +57,16 @@ final class FloorMap {
     return areas;
   }
 
+  /**
+   * @throws SimulationException when there is no such area
+   */
+  Area area(String name) {
+    return areas.stream()
+        .filter(area -> area.name().equals(name))
+        .findFirst()
+        .orElseThrow(() -> new SimulationException("There is no zone " + name + " in this home."));
+  }
+
   Map<String, Segment> doors() {
     return doors;
   }

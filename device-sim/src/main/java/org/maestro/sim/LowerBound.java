@@ -1,18 +1,23 @@
 package org.maestro.sim;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
+import java.util.Optional;
+import org.maestro.device.Route;
 import org.maestro.device.RoutePlanner;
+import org.maestro.hal.Position;
 import org.maestro.ontology.home.Point2;
 
 /**
- * The least time that physics allows: straight to the things, at full speed, one grip and one
- * placing, nothing to be looked for.
+ * The least time in which a robot could bring a thing next to another: shortest ways at full speed,
+ * one grip and one placing, everything being known. Ways are found as robots find theirs, so that
+ * none is shorter.
  */
 final class LowerBound {
 
   private static final double NANOS = 1e9;
+  private static final int STANDS = 48;
 
   private final World world;
   private final PhysicalParameters parameters;
@@ -29,35 +34,55 @@ final class LowerBound {
     if (world.isNextTo(thing, target)) {
       return Duration.ZERO;
     }
-    double reach = parameters.arm().reach() + parameters.arm().graspTolerance();
-    double toThing = Math.max(0, way(robot, thing, Set.of(robot, thing, target)) - reach);
-    double toTarget =
-        Math.max(
-            0, way(thing, target, Set.of(robot, thing, target)) - 2 * reach - World.NEXT_TO_METRES);
+    double reach = parameters.arm().reach() + SimulatedArm.SLACK_METRES;
+    RoutePlanner routes =
+        new RoutePlanner(world.walls(), world.obstacles(robot), parameters.base().radius());
+    Point2 start = place(robot);
+    Point2 end = place(target);
+    double least = Double.POSITIVE_INFINITY;
+    for (Point2 stand : stands(place(thing), reach, start)) {
+      Optional<Route> first = routes.shortest(start, List.of(stand));
+      Optional<Route> second =
+          routes.shortest(stand, stands(end, reach + World.NEXT_TO_METRES, stand));
+      if (first.isPresent() && second.isPresent()) {
+        least = Math.min(least, first.get().length() + second.get().length());
+      }
+    }
+    if (Double.isInfinite(least)) {
+      throw new SimulationException(
+          "There is no way for " + robot + " to " + thing + " and on to " + target + ".");
+    }
+    PhysicalParameters.ArmData arm = parameters.arm();
     double seconds =
-        (toThing + toTarget) / parameters.base().speed()
-            + parameters.arm().extendSeconds()
-            + parameters.arm().graspSeconds()
-            + parameters.arm().foldSeconds()
-            + parameters.arm().extendSeconds()
-            + parameters.arm().releaseSeconds();
+        least / parameters.base().speed()
+            + arm.pickSeconds()
+            + arm.extendSeconds()
+            + arm.releaseSeconds();
     return Duration.ofNanos(Math.round(seconds * NANOS));
   }
 
-  /** The way of a point among walls only: no body can take a shorter one. */
-  private double way(String from, String to, Set<String> without) {
-    RoutePlanner point = new RoutePlanner(world.walls(), world.obstaclesWithout(without), 0.01);
-    return point
-        .shortest(place(from), List.of(place(to)))
-        .orElseThrow(
-            () -> new SimulationException("There is no way from " + from + " to " + to + "."))
-        .length();
+  /**
+   * Where one could stand to reach a place: on the circle around it, or where one is if that is
+   * near enough.
+   */
+  private static List<Point2> stands(Point2 middle, double distance, Point2 present) {
+    if (present.distance(middle) <= distance) {
+      return List.of(present);
+    }
+    List<Point2> stands = new ArrayList<>();
+    for (int i = 0; i < STANDS; i++) {
+      double angle = 2 * Math.PI * i / STANDS;
+      stands.add(
+          new Point2(
+              middle.x() + distance * Math.cos(angle), middle.y() + distance * Math.sin(angle)));
+    }
+    return stands;
   }
 
   private Point2 place(String name) {
     return world
         .position(name)
-        .orElseThrow(() -> new SimulationException(name + " is nowhere in this world."))
-        .floor();
+        .map(Position::floor)
+        .orElseThrow(() -> new SimulationException(name + " is nowhere in this world."));
   }
 }

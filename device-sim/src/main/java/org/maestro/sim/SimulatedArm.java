@@ -10,7 +10,7 @@ import org.maestro.hal.Target;
 final class SimulatedArm implements GripperArm {
 
   /** The base stands where it was sent; the arm evens out so much of distance. */
-  private static final double SLACK_METRES = 0.06;
+  static final double SLACK_METRES = 0.06;
 
   private final Actuator actuator;
   private final PhysicalParameters.ArmData data;

@@ -1,13 +1,8 @@
 package org.maestro.sim;
 
-import java.util.ArrayList;
-import java.util.EnumMap;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.maestro.hal.Area;
@@ -34,43 +29,18 @@ public final class World {
 
   private final Clock clock;
   private final FloorMap map;
-  private final Map<String, Body> bodies = new TreeMap<>();
-  private final Map<String, LampLight> lamps = new LinkedHashMap<>();
-  private final Map<String, Double> ambient = new TreeMap<>();
+  private final Whereabouts whereabouts;
+  private final LightField light = new LightField();
+  private final Faults faults = new Faults();
   private final Set<String> openDoors = new TreeSet<>();
-  private final Map<String, Drive> drives = new TreeMap<>();
-  private final Map<String, List<PathPoint>> paths = new TreeMap<>();
-  private final Set<String> dead = new TreeSet<>();
-  private final Map<String, String> broken = new TreeMap<>();
-  private final Map<String, Map<WorldEvent.Kind, List<Runnable>>> triggers = new TreeMap<>();
   private final List<WorldEvent.Listener> listeners = new CopyOnWriteArrayList<>();
   private FloorPlan plan;
-  private long lightVersion;
 
   World(Home home, Scene scene, Clock clock) {
     this.clock = clock;
     this.map = new FloorMap(home);
-    for (String name : home.individuals().keySet()) {
-      Scene.Entry entry = scene.of(name);
-      entry
-          .position()
-          .ifPresent(
-              position ->
-                  bodies.put(
-                      name,
-                      new Body(
-                          name,
-                          position,
-                          entry.radius().orElse(Body.USUAL_RADIUS),
-                          entry.mass().orElse(Body.USUAL_MASS),
-                          entry.hidden(),
-                          Optional.empty())));
-      entry.ambientLux().ifPresent(lux -> ambient.put(name, lux));
-      entry.diesWhen().ifPresent(kind -> when(name, kind, () -> die(name)));
-      if (entry.dead()) {
-        dead.add(name);
-      }
-    }
+    this.whereabouts = new Whereabouts(clock);
+    home.individuals().keySet().forEach(name -> begin(name, scene.of(name)));
     for (String door : map.doors().keySet()) {
       if (scene.of(door).open().orElse(true)) {
         openDoors.add(door);
@@ -79,20 +49,31 @@ public final class World {
     this.plan = map.plan(openDoors);
   }
 
+  private void begin(String name, Scene.Entry entry) {
+    entry
+        .position()
+        .ifPresent(
+            place ->
+                whereabouts.put(
+                    new Body(
+                        name,
+                        place,
+                        entry.radius().orElse(Body.USUAL_RADIUS),
+                        entry.mass().orElse(Body.USUAL_MASS),
+                        entry.hidden(),
+                        Optional.empty())));
+    entry.ambientLux().ifPresent(lux -> light.setAmbient(name, lux));
+    entry.diesWhen().ifPresent(kind -> faults.when(name, kind, () -> die(name)));
+    if (entry.dead()) {
+      faults.die(name);
+    }
+  }
+
   // What is where
 
   /** Where a thing is, a held one where its holder is; empty when it is nowhere in this world. */
   public synchronized Optional<Position> position(String name) {
-    Body body = bodies.get(name);
-    if (body == null) {
-      return Optional.empty();
-    }
-    if (body.holder().isPresent()) {
-      return position(body.holder().get());
-    }
-    Drive drive = drives.get(name);
-    return Optional.of(
-        drive == null ? body.position() : Position.onFloor(drive.positionAt(clock.now())));
+    return whereabouts.position(name);
   }
 
   /** Horizontal distance; metres, infinite when one of them is nowhere. */
@@ -113,15 +94,12 @@ public final class World {
 
   /** Who holds it. */
   public synchronized Optional<String> holder(String thing) {
-    return Optional.ofNullable(bodies.get(thing)).flatMap(Body::holder);
+    return whereabouts.find(thing).flatMap(Body::holder);
   }
 
   /** What it holds. */
   public synchronized Optional<String> held(String robot) {
-    return bodies.values().stream()
-        .filter(body -> body.holder().equals(Optional.of(robot)))
-        .map(Body::name)
-        .findFirst();
+    return whereabouts.held(robot);
   }
 
   /** The zone (of a home without zones: the room) in which it is. */
@@ -131,31 +109,19 @@ public final class World {
 
   /** Where a robot went, corner by corner, up to now. */
   public synchronized List<PathPoint> path(String robot) {
-    List<PathPoint> path = new ArrayList<>(paths.getOrDefault(robot, List.of()));
-    Drive drive = drives.get(robot);
-    if (drive != null) {
-      path.addAll(drive.pathUntil(clock.now()));
-    }
-    return List.copyOf(path);
+    return whereabouts.path(robot);
   }
 
   /** Names of all that is in the world, robots too. */
   public synchronized Set<String> bodies() {
-    return new TreeSet<>(bodies.keySet());
+    return whereabouts.names();
   }
 
   // Light
 
   /** Light on a horizontal surface; lux. */
   public synchronized double lux(Position point) {
-    double lux =
-        map.areaAt(point.floor()).map(area -> ambient.getOrDefault(area.name(), 0.0)).orElse(0.0);
-    for (Map.Entry<String, LampLight> lamp : lamps.entrySet()) {
-      if (!dead.contains(lamp.getKey())) {
-        lux += lamp.getValue().lux(point, plan);
-      }
-    }
-    return lux;
+    return light.lux(point, map.areaAt(point.floor()), plan, faults::isAlive);
   }
 
   /**
@@ -164,19 +130,19 @@ public final class World {
    * @throws SimulationException when there is no such zone
    */
   public double lux(String zone) {
-    return lux(Position.onFloor(area(zone).reference()));
+    return lux(Position.onFloor(map.area(zone).reference()));
   }
 
   /** 0 when the lamp has no power. */
   public synchronized double lampLevel(String lamp) {
-    return dead.contains(lamp) ? 0 : lamp(lamp).level();
+    return isAlive(lamp) ? light.lamp(lamp).level() : 0;
   }
 
-  public void setAmbient(String zone, double lux) {
-    synchronized (this) {
-      ambient.put(area(zone).name(), lux);
-      lightVersion++;
-    }
+  /**
+   * @throws SimulationException when there is no such zone
+   */
+  public synchronized void setAmbient(String zone, double lux) {
+    light.setAmbient(map.area(zone).name(), lux);
   }
 
   /**
@@ -185,8 +151,7 @@ public final class World {
    * @param strength 1 is all
    */
   public synchronized void weaken(String lamp, double strength) {
-    lamps.put(lamp, lamp(lamp).weakened(strength));
-    lightVersion++;
+    light.put(lamp, light.lamp(lamp).weakened(strength));
   }
 
   // Changes by hand
@@ -194,16 +159,20 @@ public final class World {
   /** Puts a thing or person somewhere, out of whatever hand it is in. */
   public void moveByHand(String thing, Position place) {
     synchronized (this) {
-      bodies.put(thing, body(thing).at(place));
+      whereabouts.stop(thing);
+      whereabouts.put(whereabouts.body(thing).at(place));
     }
     tell(WorldEvent.Kind.MOVED, thing, Optional.empty());
   }
 
   /** Puts a thing into a cupboard where it stands, or takes it out. */
   public synchronized void hide(String thing, boolean hidden) {
-    bodies.put(thing, body(thing).hidden(hidden));
+    whereabouts.put(whereabouts.body(thing).hidden(hidden));
   }
 
+  /**
+   * @throws SimulationException when there is no such door
+   */
   public void setDoor(String door, boolean open) {
     synchronized (this) {
       if (!map.doors().containsKey(door)) {
@@ -216,7 +185,7 @@ public final class World {
         openDoors.remove(door);
       }
       plan = map.plan(openDoors);
-      lightVersion++;
+      light.changed();
     }
     tell(open ? WorldEvent.Kind.OPENED : WorldEvent.Kind.CLOSED, door, Optional.empty());
   }
@@ -234,13 +203,13 @@ public final class World {
   public void die(String device) {
     Optional<String> dropped;
     synchronized (this) {
-      if (!dead.add(device)) {
+      if (!faults.die(device)) {
         return;
       }
-      stop(device);
+      whereabouts.stop(device);
       dropped = held(device);
-      dropped.ifPresent(thing -> bodies.put(thing, body(thing).at(besideRobot(device))));
-      lightVersion++;
+      dropped.ifPresent(thing -> whereabouts.put(whereabouts.body(thing).at(besideRobot(device))));
+      light.changed();
     }
     dropped.ifPresent(thing -> tell(WorldEvent.Kind.DROPPED, device, Optional.of(thing)));
     tell(WorldEvent.Kind.DIED, device, Optional.empty());
@@ -249,32 +218,27 @@ public final class World {
   /** The device has power again; a lamp then is off. */
   public void revive(String device) {
     synchronized (this) {
-      if (!dead.remove(device)) {
+      if (!faults.revive(device)) {
         return;
       }
-      if (lamps.containsKey(device)) {
-        lamps.put(device, lamp(device).at(0));
+      if (light.hasLamp(device)) {
+        light.put(device, light.lamp(device).at(0));
       }
-      lightVersion++;
     }
     tell(WorldEvent.Kind.REVIVED, device, Optional.empty());
   }
 
   public synchronized boolean isAlive(String device) {
-    return !dead.contains(device);
+    return faults.isAlive(device);
   }
 
   /** From now on every command to the device fails, until {@link #repair}. */
   public synchronized void breakDown(String device, String reason) {
-    broken.put(device, reason);
+    faults.breakDown(device, reason);
   }
 
   public synchronized void repair(String device) {
-    broken.remove(device);
-  }
-
-  synchronized Optional<String> defect(String device) {
-    return Optional.ofNullable(broken.get(device));
+    faults.repair(device);
   }
 
   /**
@@ -282,10 +246,7 @@ public final class World {
    * #die} has no effect.
    */
   public synchronized void when(String device, WorldEvent.Kind kind, Runnable action) {
-    triggers
-        .computeIfAbsent(device, name -> new EnumMap<>(WorldEvent.Kind.class))
-        .computeIfAbsent(kind, any -> new ArrayList<>())
-        .add(action);
+    faults.when(device, kind, action);
   }
 
   /** Tells the listener of everything from now on. */
@@ -293,40 +254,32 @@ public final class World {
     listeners.add(listener);
   }
 
-  // What drivers do
+  // What drivers need
 
   void tell(WorldEvent.Kind kind, String subject, Optional<String> thing) {
     List<Runnable> due;
     synchronized (this) {
-      Map<WorldEvent.Kind, List<Runnable>> ofSubject = triggers.getOrDefault(subject, Map.of());
-      due = ofSubject.containsKey(kind) ? ofSubject.remove(kind) : List.of();
+      due = faults.triggered(subject, kind);
     }
     WorldEvent event = new WorldEvent(clock.now(), kind, subject, thing);
     listeners.forEach(listener -> listener.happened(event));
     due.forEach(Runnable::run);
   }
 
+  synchronized Optional<String> defect(String device) {
+    return faults.defect(device);
+  }
+
   synchronized void addLamp(String name, LampLight lamp) {
-    lamps.put(name, lamp);
-    lightVersion++;
+    light.put(name, lamp);
   }
 
   synchronized void setLevel(String lamp, double level) {
-    lamps.put(lamp, lamp(lamp).at(level));
-    lightVersion++;
+    light.put(lamp, light.lamp(lamp).at(level));
   }
 
-  synchronized LampLight lamp(String name) {
-    LampLight lamp = lamps.get(name);
-    if (lamp == null) {
-      throw new SimulationException("There is no lamp " + name + "; there are " + lamps.keySet());
-    }
-    return lamp;
-  }
-
-  /** Grows with every change of light, so that what was computed from it can be kept meanwhile. */
   synchronized long lightVersion() {
-    return lightVersion;
+    return light.version();
   }
 
   synchronized FloorPlan plan() {
@@ -343,57 +296,37 @@ public final class World {
 
   /** What stands in the robot's way: not itself, not what it holds. */
   synchronized List<Obstacle> obstacles(String robot) {
-    return obstaclesWithout(Set.of(robot));
-  }
-
-  synchronized List<Obstacle> obstaclesWithout(Set<String> names) {
-    List<Obstacle> obstacles = new ArrayList<>();
-    for (Body body : bodies.values()) {
-      if (body.isObstacle() && !names.contains(body.name())) {
-        Point2 place = position(body.name()).orElseThrow().floor();
-        obstacles.add(new Obstacle(place, body.radius()));
-      }
-    }
-    return obstacles;
+    return whereabouts.obstaclesWithout(Set.of(robot));
   }
 
   synchronized Body body(String name) {
-    Body body = bodies.get(name);
-    if (body == null) {
-      throw new SimulationException(
-          name + " is nowhere in this world; there are " + bodies.keySet());
-    }
-    return body;
+    return whereabouts.body(name);
   }
 
   synchronized Optional<Body> findBody(String name) {
-    return Optional.ofNullable(bodies.get(name));
+    return whereabouts.find(name);
   }
 
   synchronized void put(Body body) {
-    bodies.put(body.name(), body);
+    whereabouts.put(body);
   }
 
   synchronized Optional<Drive> drive(String robot) {
-    return Optional.ofNullable(drives.get(robot));
+    return whereabouts.drive(robot);
   }
 
   synchronized void start(String robot, Drive drive) {
-    drives.put(robot, drive);
+    whereabouts.start(robot, drive);
   }
 
-  /** Ends a drive where the robot is now. */
   synchronized void stop(String robot) {
-    Drive drive = drives.get(robot);
-    if (drive != null) {
-      paths.computeIfAbsent(robot, name -> new ArrayList<>()).addAll(drive.pathUntil(clock.now()));
-      Position place = Position.onFloor(drive.positionAt(clock.now()));
-      drives.remove(robot);
-      bodies.put(robot, body(robot).at(place));
-    }
+    whereabouts.stop(robot);
   }
 
-  /** Where something lands that a robot lets go of: before it, where no wall is between. */
+  /**
+   * Where something lands that a robot lets go of: beside it, where it is free and no wall is
+   * between.
+   */
   private Position besideRobot(String robot) {
     Point2 middle = position(robot).orElseThrow().floor();
     double distance = body(robot).radius() + DROP_METRES;
@@ -411,12 +344,5 @@ public final class World {
       }
     }
     return Position.onFloor(middle);
-  }
-
-  private Area area(String zone) {
-    return map.areas().stream()
-        .filter(area -> area.name().equals(zone))
-        .findFirst()
-        .orElseThrow(() -> new SimulationException("There is no zone " + zone + " in this home."));
   }
 }

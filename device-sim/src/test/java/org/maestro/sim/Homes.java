@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.UnaryOperator;
+import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.rats.link.BusLink;
@@ -43,7 +44,7 @@ public final class Homes implements AutoCloseable {
                 seed,
                 bus::client,
                 "test",
-                device -> "{}"));
+                new DescriptionWriter(home)::write));
     link = BusLink.connect("cca", "test", bus.client("cca"), clock);
     clock.run(Duration.ofMillis(100));
   }

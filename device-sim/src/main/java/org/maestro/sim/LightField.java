@@ -1,0 +1,66 @@
+package org.maestro.sim;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Predicate;
+import org.maestro.hal.Area;
+import org.maestro.hal.Position;
+import org.maestro.ontology.home.FloorPlan;
+
+/**
+ * All light of the world: lamps in the order in which they came, and the rest light of areas.
+ * Guarded by the world's lock.
+ */
+final class LightField {
+
+  private final Map<String, LampLight> lamps = new LinkedHashMap<>();
+  private final Map<String, Double> ambient = new TreeMap<>();
+  private long version;
+
+  double lux(Position point, Optional<Area> area, FloorPlan plan, Predicate<String> isAlive) {
+    double lux = area.map(place -> ambient.getOrDefault(place.name(), 0.0)).orElse(0.0);
+    for (Map.Entry<String, LampLight> lamp : lamps.entrySet()) {
+      if (isAlive.test(lamp.getKey())) {
+        lux += lamp.getValue().lux(point, plan);
+      }
+    }
+    return lux;
+  }
+
+  boolean hasLamp(String name) {
+    return lamps.containsKey(name);
+  }
+
+  /**
+   * @throws SimulationException when there is no such lamp
+   */
+  LampLight lamp(String name) {
+    LampLight lamp = lamps.get(name);
+    if (lamp == null) {
+      throw new SimulationException("There is no lamp " + name + "; there are " + lamps.keySet());
+    }
+    return lamp;
+  }
+
+  void put(String name, LampLight lamp) {
+    lamps.put(name, lamp);
+    changed();
+  }
+
+  void setAmbient(String area, double lux) {
+    ambient.put(area, lux);
+    changed();
+  }
+
+  /** To be told when power or walls changed. */
+  void changed() {
+    version++;
+  }
+
+  /** Grows with every change of light, so that what was computed from it can be kept meanwhile. */
+  long version() {
+    return version;
+  }
+}

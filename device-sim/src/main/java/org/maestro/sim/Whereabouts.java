@@ -1,0 +1,110 @@
+package org.maestro.sim;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.maestro.hal.Position;
+import org.maestro.hal.Surroundings.Obstacle;
+import org.maestro.ontology.home.Point2;
+import org.maestro.rats.time.Clock;
+
+/** Where all bodies are, who holds what, and who drives. Guarded by the world's lock. */
+final class Whereabouts {
+
+  private final Clock clock;
+  private final Map<String, Body> bodies = new TreeMap<>();
+  private final Map<String, Drive> drives = new TreeMap<>();
+  private final Map<String, List<PathPoint>> paths = new TreeMap<>();
+
+  Whereabouts(Clock clock) {
+    this.clock = clock;
+  }
+
+  Set<String> names() {
+    return new TreeSet<>(bodies.keySet());
+  }
+
+  Optional<Body> find(String name) {
+    return Optional.ofNullable(bodies.get(name));
+  }
+
+  /**
+   * @throws SimulationException when it is nowhere
+   */
+  Body body(String name) {
+    return find(name)
+        .orElseThrow(
+            () ->
+                new SimulationException(
+                    name + " is nowhere in this world; there are " + bodies.keySet()));
+  }
+
+  void put(Body body) {
+    bodies.put(body.name(), body);
+  }
+
+  Optional<Position> position(String name) {
+    Body body = bodies.get(name);
+    if (body == null) {
+      return Optional.empty();
+    }
+    if (body.holder().isPresent()) {
+      return position(body.holder().get());
+    }
+    return Optional.of(
+        drive(name)
+            .map(drive -> Position.onFloor(drive.positionAt(clock.now())))
+            .orElse(body.position()));
+  }
+
+  Optional<String> held(String robot) {
+    return bodies.values().stream()
+        .filter(body -> body.holder().equals(Optional.of(robot)))
+        .map(Body::name)
+        .findFirst();
+  }
+
+  /** What stands on the floor, but for these. */
+  List<Obstacle> obstaclesWithout(Set<String> names) {
+    List<Obstacle> obstacles = new ArrayList<>();
+    for (Body body : bodies.values()) {
+      if (body.isObstacle() && !names.contains(body.name())) {
+        Point2 place = position(body.name()).orElseThrow().floor();
+        obstacles.add(new Obstacle(place, body.radius()));
+      }
+    }
+    return obstacles;
+  }
+
+  Optional<Drive> drive(String robot) {
+    return Optional.ofNullable(drives.get(robot));
+  }
+
+  void start(String robot, Drive drive) {
+    drives.put(robot, drive);
+  }
+
+  /** Ends a drive where the robot is now. */
+  void stop(String robot) {
+    drive(robot)
+        .ifPresent(
+            drive -> {
+              paths
+                  .computeIfAbsent(robot, name -> new ArrayList<>())
+                  .addAll(drive.pathUntil(clock.now()));
+              Position place = Position.onFloor(drive.positionAt(clock.now()));
+              drives.remove(robot);
+              put(body(robot).at(place));
+            });
+  }
+
+  List<PathPoint> path(String robot) {
+    List<PathPoint> path = new ArrayList<>(paths.getOrDefault(robot, List.of()));
+    drive(robot).ifPresent(drive -> path.addAll(drive.pathUntil(clock.now())));
+    return List.copyOf(path);
+  }
+}
