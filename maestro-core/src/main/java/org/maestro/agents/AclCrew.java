@@ -35,8 +35,7 @@ final class AclCrew implements Crew {
       agent.tell(() -> reported.accept(failed(member + " has no agent", List.of())));
       return () -> {};
     }
-    ACLMessage request =
-        agent.message(ACLMessage.REQUEST, receiver.get(), Orders.order(order));
+    ACLMessage request = agent.message(ACLMessage.REQUEST, receiver.get(), Orders.order(order));
     String conversation =
         agent
             .conversations()

@@ -6,10 +6,10 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import java.util.Optional;
 import org.maestro.coordination.Argument;
 import org.maestro.coordination.Bid;
 import org.maestro.coordination.CallForPrices;
@@ -60,8 +60,7 @@ final class AclMarket implements Market {
     sets.forEach(set -> arguments.add(Orders.parameters("set", set)));
     ACLMessage question =
         agent.message(ACLMessage.REQUEST, receiver.get(), new Content("cost", arguments));
-    agent.ask(
-        question, QUOTE_WITHIN, reply -> answered(reply, sets.size(), answer));
+    agent.ask(question, QUOTE_WITHIN, reply -> answered(reply, sets.size(), answer));
   }
 
   private static void answered(ACLMessage reply, int sets, Consumer<List<Quote>> answer) {

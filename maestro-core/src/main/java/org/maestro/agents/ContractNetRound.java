@@ -23,8 +23,9 @@ import org.maestro.sl.SlParser;
 import org.maestro.sl.SlSyntaxException;
 
 /**
- * One FIPA contract-net round of the CCA (M76): a call for proposals to all candidates, early close when all have answered, and
- * accept or reject once the plan is made. The round stays open while others plan; its behaviour blocks without holding the agent.
+ * One FIPA contract-net round of the CCA (M76): a call for proposals to all candidates, early close
+ * when all have answered, and accept or reject once the plan is made. The round stays open while
+ * others plan; its behaviour blocks without holding the agent.
  */
 final class ContractNetRound extends ContractNetInitiator {
   private static final long serialVersionUID = 1L;
@@ -68,16 +69,14 @@ final class ContractNetRound extends ContractNetInitiator {
     return Words.content(
         "cost",
         Words.named("goal", Words.name(call.goalId()), Words.formula(call.goal())),
-        Words.named(
-            "features", call.features().get(member).stream().map(Words::name).toList()));
+        Words.named("features", call.features().get(member).stream().map(Words::name).toList()));
   }
 
   private List<Bid> bids(List<ACLMessage> answers) {
     Map<String, Bid> bids = new TreeMap<>();
     agents.forEach(
         (member, agent) ->
-            bids.put(
-                member, new Bid(member, Map.of(), Optional.of("did not answer in time"))));
+            bids.put(member, new Bid(member, Map.of(), Optional.of("did not answer in time"))));
     for (ACLMessage answer : answers) {
       agents.forEach(
           (member, agent) -> {
@@ -106,8 +105,7 @@ final class ContractNetRound extends ContractNetInitiator {
         String feature = words.string("feature").orElse("");
         words
             .string("stated")
-            .ifPresent(
-                text -> prices.put(feature, new Price.Stated(SlParser.expression(text))));
+            .ifPresent(text -> prices.put(feature, new Price.Stated(SlParser.expression(text))));
         words
             .string("at-least")
             .ifPresent(text -> prices.put(feature, new Price.Asked(SlParser.expression(text))));
@@ -171,8 +169,7 @@ final class ContractNetRound extends ContractNetInitiator {
       if (part.isEmpty()) {
         decision.setPerformative(ACLMessage.REJECT_PROPOSAL);
         decision.setContent(
-            Words.print(
-                Words.content("inform", Words.named("goal", Words.name(call.goalId())))));
+            Words.print(Words.content("inform", Words.named("goal", Words.name(call.goalId())))));
       } else {
         decision.setPerformative(ACLMessage.ACCEPT_PROPOSAL);
         decision.setReplyByDate(new Date(System.currentTimeMillis() + RESULT_WITHIN_MILLIS));

@@ -10,8 +10,8 @@ import java.util.function.Consumer;
 import org.maestro.rats.time.Clock;
 
 /**
- * The requests an agent has made and waits for. Each gets its replies, and an end: a final reply, or a FAILURE of our own
- * when the time is up. Agent thread only.
+ * The requests an agent has made and waits for. Each gets its replies, and an end: a final reply,
+ * or a FAILURE of our own when the time is up. Agent thread only.
  */
 final class Conversations extends CyclicBehaviour {
   private static final long serialVersionUID = 1L;
@@ -33,7 +33,8 @@ final class Conversations extends CyclicBehaviour {
   String ask(ACLMessage request, Duration timeout, Consumer<ACLMessage> listener) {
     String id = begin(request);
     Clock.Timer timer =
-        clock.schedule(timeout, agent.getLocalName(), () -> agent.tell(() -> timedOut(id, timeout)));
+        clock.schedule(
+            timeout, agent.getLocalName(), () -> agent.tell(() -> timedOut(id, timeout)));
     open.put(id, new Open(listener, false, timer));
     agent.send(request);
     return id;

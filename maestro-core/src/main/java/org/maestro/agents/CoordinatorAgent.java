@@ -35,8 +35,9 @@ import org.maestro.sl.SlParser;
 import org.maestro.sl.Substitution;
 
 /**
- * The Central Coordination Agent (M76): takes goals by FIPA request, and is the coordinator's voice and ear. It answers
- * {@code initCNP}, {@code cancel}, {@code explain}, {@code subscribe} and {@code query-ref} about goals.
+ * The Central Coordination Agent (M76): takes goals by FIPA request, and is the coordinator's voice
+ * and ear. It answers {@code initCNP}, {@code cancel}, {@code explain}, {@code subscribe} and
+ * {@code query-ref} about goals.
  */
 public final class CoordinatorAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
@@ -62,7 +63,11 @@ public final class CoordinatorAgent extends MaestroAgent {
    * @param decisionTime simulated time that a decision takes; zero on a paced clock
    */
   public CoordinatorAgent(
-      AgentTime time, KnowledgeBase knowledge, Planner planner, Story archive, Duration decisionTime) {
+      AgentTime time,
+      KnowledgeBase knowledge,
+      Planner planner,
+      Story archive,
+      Duration decisionTime) {
     super(time);
     this.knowledge = knowledge;
     this.archive = archive;
@@ -133,9 +138,7 @@ public final class CoordinatorAgent extends MaestroAgent {
           coordinator.submit(
               new GoalRequest(goal, requester), outcome -> answer(message, goal, outcome));
       reply(
-          message,
-          ACLMessage.AGREE,
-          Words.content("initCNP", Words.named("goal", Words.name(id))));
+          message, ACLMessage.AGREE, Words.content("initCNP", Words.named("goal", Words.name(id))));
     } catch (InvalidGoalException e) {
       refuse(message, ACLMessage.REFUSE, e.getMessage());
     }

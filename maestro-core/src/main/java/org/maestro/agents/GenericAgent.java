@@ -30,9 +30,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The abstraction of a RATS member in the control layer (M24, M69): one class for all kinds of devices, configured by what the member
- * describes. It answers calls for prices, prices parameter sets, performs features over the bus and says what the member says
- * of itself. Its name is the member's id.
+ * The abstraction of a RATS member in the control layer (M24, M69): one class for all kinds of
+ * devices, configured by what the member describes. It answers calls for prices, prices parameter
+ * sets, performs features over the bus and says what the member says of itself. Its name is the
+ * member's id.
  */
 public final class GenericAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
@@ -47,10 +48,14 @@ public final class GenericAgent extends MaestroAgent {
   private transient Optional<String> lastDescription = Optional.empty();
 
   /**
-   * @param describedBy reads a description (first argument) that a member (second) sent; throws a RuntimeException with one sentence when it is faulty
+   * @param describedBy reads a description (first argument) that a member (second) sent; throws a
+   *     RuntimeException with one sentence when it is faulty
    */
   public GenericAgent(
-      AgentTime time, RatsLink link, String member, BiFunction<String, String, Device> describedBy) {
+      AgentTime time,
+      RatsLink link,
+      String member,
+      BiFunction<String, String, Device> describedBy) {
     super(time);
     this.member = member;
     this.link = link;
@@ -96,7 +101,9 @@ public final class GenericAgent extends MaestroAgent {
         message(
             ACLMessage.REQUEST,
             knowledgeAgent(),
-            Words.content("inform", Words.named("member", Words.name(member)),
+            Words.content(
+                "inform",
+                Words.named("member", Words.name(member)),
                 Words.named("description", Words.text(description)))),
         ANSWER_WITHIN,
         reply -> {
@@ -188,7 +195,10 @@ public final class GenericAgent extends MaestroAgent {
           view.isReady() ? member + " has no feature " + name : member + " is not there");
       return;
     }
-    reply(message, ACLMessage.AGREE, Words.content("perform", Words.named("feature", Words.name(name))));
+    reply(
+        message,
+        ACLMessage.AGREE,
+        Words.content("perform", Words.named("feature", Words.name(name))));
     Map<String, Argument> arguments =
         words.find("parameters").map(Orders::arguments).orElse(Map.of());
     Map<String, Object> parameters = new TreeMap<>();
@@ -254,13 +264,13 @@ public final class GenericAgent extends MaestroAgent {
   }
 
   private void cancel(Words words) {
-    words
-        .string("order")
-        .map(handles::get)
-        .ifPresent(RatsLink.CallHandle::cancel);
+    words.string("order").map(handles::get).ifPresent(RatsLink.CallHandle::cancel);
   }
 
-  /** Turns what happens to one call into messages. Called on the link's thread, works on the agent's. */
+  /**
+   * Turns what happens to one call into messages. Called on the link's thread, works on the
+   * agent's.
+   */
   private final class Reporter implements RatsLink.CallListener {
     private final ACLMessage order;
     private final String conversation;
@@ -318,11 +328,9 @@ public final class GenericAgent extends MaestroAgent {
       List<Content.Argument> refs = new ArrayList<>();
       String problem =
           result.error().map(RatsError::message).orElse(result.outcome().name().toLowerCase());
-      for (RatsError.Reference ref :
-          result.error().map(RatsError::refs).orElse(List.of())) {
+      for (RatsError.Reference ref : result.error().map(RatsError::refs).orElse(List.of())) {
         refs.add(
-            Words.named(
-                "fact", Words.text(ref.fact()), Words.term(JsonTerms.term(ref.have()))));
+            Words.named("fact", Words.text(ref.fact()), Words.term(JsonTerms.term(ref.have()))));
       }
       reply(
           order,

@@ -28,7 +28,10 @@ final class Inbox extends CyclicBehaviour {
     this.idleDetector = idleDetector;
   }
 
-  /** Any thread. On a stepped clock the work is an event of its own, so that nothing else is under way with it. */
+  /**
+   * Any thread. On a stepped clock the work is an event of its own, so that nothing else is under
+   * way with it.
+   */
   void add(Runnable action) {
     if (clock.isStepped()) {
       clock.schedule(Duration.ZERO, agent.getLocalName(), () -> enqueue(action));

@@ -48,7 +48,10 @@ final class JsonTerms {
     return Words.plain(term);
   }
 
-  /** {@code "x y z"} becomes an array of numbers, {@code "x y, x y"} an array of such; any other text stays text. */
+  /**
+   * {@code "x y z"} becomes an array of numbers, {@code "x y, x y"} an array of such; any other
+   * text stays text.
+   */
   private static Object json(String text) {
     List<Object> rows = new ArrayList<>();
     for (String row : text.split(",")) {
@@ -88,8 +91,7 @@ final class JsonTerms {
           list.stream()
               .map(item -> plain(term(item)))
               .collect(
-                  Collectors.joining(
-                      list.stream().anyMatch(List.class::isInstance) ? ", " : " ")));
+                  Collectors.joining(list.stream().anyMatch(List.class::isInstance) ? ", " : " ")));
     }
     if (value instanceof Map<?, ?> map && map.get("ref") instanceof String iri) {
       return new Term.Name(iri.substring(Math.max(iri.lastIndexOf('#'), iri.lastIndexOf('/')) + 1));

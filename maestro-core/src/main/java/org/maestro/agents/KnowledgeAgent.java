@@ -14,7 +14,10 @@ import org.maestro.sl.Content;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Term;
 
-/** The way to the collective knowledge for agents everywhere (M12, M15): they tell it and ask it in MAESTRO-SL. */
+/**
+ * The way to the collective knowledge for agents everywhere (M12, M15): they tell it and ask it in
+ * MAESTRO-SL.
+ */
 public final class KnowledgeAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
 
@@ -52,8 +55,7 @@ public final class KnowledgeAgent extends MaestroAgent {
   private void informed(ACLMessage message, Words words) {
     if (words.string("description").isPresent()) {
       knowledge.describe(
-          describedBy.apply(
-              words.string("description").get(), words.string("member").orElse("")));
+          describedBy.apply(words.string("description").get(), words.string("member").orElse("")));
     } else if (words.find("facts").isPresent()) {
       knowledge.state(
           new Source(Source.Kind.STATED, words.string("source").orElse("unnamed")),
@@ -63,7 +65,9 @@ public final class KnowledgeAgent extends MaestroAgent {
     }
     if (message.getPerformative() == ACLMessage.REQUEST) {
       reply(
-          message, ACLMessage.INFORM, Words.content("inform", Words.named("done", Words.name("noted"))));
+          message,
+          ACLMessage.INFORM,
+          Words.content("inform", Words.named("done", Words.name("noted"))));
     }
   }
 
@@ -87,9 +91,17 @@ public final class KnowledgeAgent extends MaestroAgent {
     String truth =
         Words.of(content)
             .formula()
-            .map(formula -> new Evaluation(knowledge.snapshot()).truth(formula, Map.of()).name().toLowerCase())
+            .map(
+                formula ->
+                    new Evaluation(knowledge.snapshot())
+                        .truth(formula, Map.of())
+                        .name()
+                        .toLowerCase())
             .orElse("not-a-formula");
-    reply(message, ACLMessage.INFORM, Words.content("inform", Words.named("truth", Words.name(truth))));
+    reply(
+        message,
+        ACLMessage.INFORM,
+        Words.content("inform", Words.named("truth", Words.name(truth))));
   }
 
   private void beliefs(ACLMessage message) {

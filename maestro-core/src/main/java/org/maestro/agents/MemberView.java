@@ -9,7 +9,10 @@ import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.sl.Term;
 
-/** What a generic agent knows of the member it stands for: what it described, and what runs on it. Agent thread only. */
+/**
+ * What a generic agent knows of the member it stands for: what it described, and what runs on it.
+ * Agent thread only.
+ */
 final class MemberView {
   private Optional<Device> device = Optional.empty();
   private boolean ready;
@@ -65,7 +68,8 @@ final class MemberView {
   }
 
   /**
-   * While a call runs, what the member says of itself waits for the call's report, so that knowledge never shows half a step.
+   * While a call runs, what the member says of itself waits for the call's report, so that
+   * knowledge never shows half a step.
    *
    * @return the facts that may be told now
    */

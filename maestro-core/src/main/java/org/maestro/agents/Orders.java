@@ -12,7 +12,10 @@ import org.maestro.planning.Step;
 import org.maestro.sl.Content;
 import org.maestro.sl.Term;
 
-/** The wording of orders: {@code (perform (:goal G1) (:feature pick) (:parameters (:object Cup ...)))}. */
+/**
+ * The wording of orders: {@code (perform (:goal G1) (:feature pick) (:parameters (:object Cup
+ * ...)))}.
+ */
 final class Orders {
 
   private Orders() {}

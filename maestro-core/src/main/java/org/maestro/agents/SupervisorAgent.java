@@ -8,8 +8,8 @@ import org.maestro.rats.link.RatsLink;
 import org.maestro.sl.Content;
 
 /**
- * Looks after containers and agents: lists them, hands a topic's members over to a container that joins from another process, and stops
- * everything.
+ * Looks after containers and agents: lists them, hands a topic's members over to a container that
+ * joins from another process, and stops everything.
  */
 public final class SupervisorAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
@@ -24,7 +24,10 @@ public final class SupervisorAgent extends MaestroAgent {
 
   /** The containers of this process. Any thread may call. */
   public interface Containers {
-    /** Ends the topic's container here; empty when there is none, or the bus cannot be reached from elsewhere. */
+    /**
+     * Ends the topic's container here; empty when there is none, or the bus cannot be reached from
+     * elsewhere.
+     */
     Optional<Handover> release(String topic, String holder);
 
     List<String> topics();
@@ -65,7 +68,10 @@ public final class SupervisorAgent extends MaestroAgent {
       case "take" -> handOver(message, words);
       case "stop" -> {
         link.safe();
-        reply(message, ACLMessage.INFORM, Words.content("inform", Words.named("done", Words.name("stop"))));
+        reply(
+            message,
+            ACLMessage.INFORM,
+            Words.content("inform", Words.named("done", Words.name("stop"))));
       }
       default ->
           refuse(
@@ -109,8 +115,7 @@ public final class SupervisorAgent extends MaestroAgent {
             "inform",
             Words.named("broker", Words.text(handover.get().brokerUri())),
             Words.named("site", Words.text(handover.get().site())),
-            Words.named(
-                "members", handover.get().members().stream().map(Words::text).toList())));
+            Words.named("members", handover.get().members().stream().map(Words::text).toList())));
   }
 
   private void list(ACLMessage message) {

@@ -13,7 +13,10 @@ import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Term;
 
-/** Makes the parameters of a call: a member has no knowledge base, so a pointer brings what the feature's input needs. */
+/**
+ * Makes the parameters of a call: a member has no knowledge base, so a pointer brings what the
+ * feature's input needs.
+ */
 final class CallArguments {
   private final Home home;
   private final Snapshot snapshot;

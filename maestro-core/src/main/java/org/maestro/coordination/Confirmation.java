@@ -22,9 +22,9 @@ import org.maestro.sl.Term;
 import org.maestro.sl.TypedVariable;
 
 /**
- * What still has to be seen before a goal may be called reached: the things of those goal atoms that are only expected, though an
- * observation of positions could decide them. For planning, "seen" is a synthetic predicate that every sensing of
- * the thing brings about.
+ * What still has to be seen before a goal may be called reached: the things of those goal atoms
+ * that are only expected, though an observation of positions could decide them. For planning,
+ * "seen" is a synthetic predicate that every sensing of the thing brings about.
  */
 final class Confirmation {
   private static final String SEEN = "$seen";
@@ -49,7 +49,10 @@ final class Confirmation {
       and.operands().forEach(operand -> collect(operand, snapshot, vocabulary, things));
     } else if (formula instanceof Formula.Atom atom
         && atom.isGround()
-        && vocabulary.predicate(atom.predicate()).flatMap(PredicateDeclaration::observedWhen).isPresent()
+        && vocabulary
+            .predicate(atom.predicate())
+            .flatMap(PredicateDeclaration::observedWhen)
+            .isPresent()
         && snapshot.belief(atom).filter(Confirmation::onlyExpected).isPresent()) {
       for (Term argument : atom.arguments()) {
         if (argument instanceof Term.Name name && !isSeen(name, snapshot)) {

@@ -8,7 +8,8 @@ import java.util.function.Consumer;
 import org.maestro.knowledge.KnowledgeBase;
 
 /**
- * Pursues the goals of one scope. Confined to one thread: the owner's, on which all ports answer too.
+ * Pursues the goals of one scope. Confined to one thread: the owner's, on which all ports answer
+ * too.
  *
  * <p>Source: paper section 3.3, checklist M4, M17, M21, M55, M76.
  */
@@ -65,7 +66,10 @@ public final class Coordinator {
     roster.present(member);
   }
 
-  /** The member is gone: what it knew of itself is forgotten, and plans that count on it are made anew. */
+  /**
+   * The member is gone: what it knew of itself is forgotten, and plans that count on it are made
+   * anew.
+   */
   public void memberLost(String member, String reason) {
     if (!roster.isPresent(member)) {
       return;

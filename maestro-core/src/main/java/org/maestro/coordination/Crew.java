@@ -9,7 +9,10 @@ import org.maestro.knowledge.FeatureRun;
 import org.maestro.planning.Step;
 import org.maestro.sl.Term;
 
-/** The agents at work, as coordination sees them. Reports come on the coordinator's thread, exactly one for each order. */
+/**
+ * The agents at work, as coordination sees them. Reports come on the coordinator's thread, exactly
+ * one for each order.
+ */
 public interface Crew {
 
   Performance perform(Order order, Consumer<Report> reported);

@@ -9,7 +9,10 @@ import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 
-/** The ground facts that a precondition speaks of, with their present values, as one comparable text. */
+/**
+ * The ground facts that a precondition speaks of, with their present values, as one comparable
+ * text.
+ */
 final class FactsUnder {
   private final Snapshot snapshot;
   private final TreeSet<String> texts = new TreeSet<>();

@@ -8,8 +8,9 @@ import java.util.stream.Collectors;
 import org.maestro.planning.StepKey;
 
 /**
- * Remembers failed steps with the facts under their preconditions. A step that failed twice with the same facts is barred until
- * one of them changes: so that a goal never tries the same in vain for ever.
+ * Remembers failed steps with the facts under their preconditions. A step that failed twice with
+ * the same facts is barred until one of them changes: so that a goal never tries the same in vain
+ * for ever.
  */
 final class FailureMemory {
   private static final int CHANCES = 2;
@@ -24,7 +25,10 @@ final class FailureMemory {
     failures.put(step, new Failures(facts, same ? before.count() + 1 : 1));
   }
 
-  /** The steps barred now; {@code factsUnder} tells the facts under a step's precondition as they are. */
+  /**
+   * The steps barred now; {@code factsUnder} tells the facts under a step's precondition as they
+   * are.
+   */
   Set<StepKey> barred(Function<StepKey, String> factsUnder) {
     return failures.entrySet().stream()
         .filter(e -> e.getValue().count() >= CHANCES)

@@ -14,7 +14,10 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 import org.maestro.sl.TypedVariable;
 
-/** Refuses goals that speak of what neither home nor vocabulary know, before anybody is asked for anything. */
+/**
+ * Refuses goals that speak of what neither home nor vocabulary know, before anybody is asked for
+ * anything.
+ */
 final class GoalCheck {
   private final Home home;
   private final Vocabulary vocabulary;
@@ -59,7 +62,8 @@ final class GoalCheck {
     Optional<PredicateDeclaration> declared = vocabulary.predicate(atom.predicate());
     if (declared.isPresent()) {
       checkArity(atom.predicate(), declared.get(), atom.arguments().size());
-    } else if (!vocabulary.classes().containsKey(atom.predicate()) || atom.arguments().size() != 1) {
+    } else if (!vocabulary.classes().containsKey(atom.predicate())
+        || atom.arguments().size() != 1) {
       throw unknown("predicate", atom.predicate(), predicateNames());
     }
     checkTerms(atom.arguments());
@@ -84,7 +88,8 @@ final class GoalCheck {
     int wanted = declared.parameters().size();
     if (wanted != given) {
       throw new InvalidGoalException(
-          "(%s ...) takes %d %s, not %d.".formatted(name, wanted, wanted == 1 ? "term" : "terms", given));
+          "(%s ...) takes %d %s, not %d."
+              .formatted(name, wanted, wanted == 1 ? "term" : "terms", given));
     }
   }
 

@@ -10,6 +10,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.knowledge.Snapshot;
@@ -24,11 +26,8 @@ import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
 /**
- * One goal on its way: plan, award, execute in partial order, compare what is known with what the plan needs, plan again, confirm,
- * end. The coordinator's thread only.
- *
- * <p>While a step is under way, changes that only concern what the step handles do not disturb the plan: its own report will say
- * how it ended.
+ * One goal on its way: plan, award, execute in partial order, compare what is known with what the
+ * plan needs, plan again, confirm, end. The coordinator's thread only.
  */
 final class GoalPursuit {
   private static final int MOST_PLANS = 60;
@@ -47,6 +46,7 @@ final class GoalPursuit {
 
   private final FailureMemory failures = new FailureMemory();
   private final Map<StepKey, Underway> underway = new LinkedHashMap<>();
+  private final Set<StepKey> cancelled = new LinkedHashSet<>();
   private final List<Crew.Performance> established = new ArrayList<>();
   private final Set<Integer> done = new LinkedHashSet<>();
   private GoalState state = GoalState.SUBMITTED;
@@ -61,7 +61,7 @@ final class GoalPursuit {
   private int calls;
   private double decisionMillis;
 
-  private record Underway(Step step, Crew.Performance performance) {}
+  private record Underway(Step step, Snapshot before, Crew.Performance performance) {}
 
   GoalPursuit(
       String id,
@@ -99,7 +99,7 @@ final class GoalPursuit {
 
   /** Something changed that no step of this goal reported. */
   void knowledgeChanged(KnowledgeBase.Change change) {
-    if (!state.isFinal() && plan.isPresent() && !planning && !isInFlux(change)) {
+    if (!state.isFinal() && plan.isPresent() && !planning) {
       reconsider(() -> story.becauseOf(change));
     }
   }
@@ -119,16 +119,15 @@ final class GoalPursuit {
       return;
     }
     List<Step> waiting = new ArrayList<>();
-    for (Step step : plan.get().steps()) {
-      if (!done.contains(step.number())
-          && !underway.containsKey(step.key())
-          && done.containsAll(step.after())) {
-        if (occupancy.isFree(step.member(), step.feature().occupies())
-            && underway.values().stream().noneMatch(u -> clashes(u.step(), step))) {
-          begin(step);
-        } else {
-          waiting.add(step);
-        }
+    for (Step step : new ExecutionOrder(plan.get()).startable(done)) {
+      if (underway.containsKey(step.key())) {
+        continue;
+      }
+      if (occupancy.isFree(step.member(), step.feature().occupies())
+          && underway.values().stream().noneMatch(u -> clashes(u.step(), step))) {
+        begin(step);
+      } else {
+        waiting.add(step);
       }
     }
     if (underway.isEmpty() && !waiting.isEmpty()) {
@@ -162,7 +161,8 @@ final class GoalPursuit {
     }
     become(confirmation.isPresent() ? GoalState.CONFIRMING : GoalState.PLANNING, why.orElse(""));
     story.planning(plans, why);
-    new PlanningRound(ports, exactPrices, subject(), barred(), this::planned).start();
+    new PlanningRound(ports, exactPrices, subject(), barred(), this::presentFacts, this::planned)
+        .start();
   }
 
   private void planned(PlanningRound.Ended round) {
@@ -173,9 +173,9 @@ final class GoalPursuit {
     }
     features = round.features();
     story.bids(round.tender().bids(), round.questions());
-    if (planAgain.isPresent()) {
-      Optional<String> why = planAgain;
-      planAgain = Optional.empty();
+    Optional<String> why = planAgain;
+    planAgain = Optional.empty();
+    if (why.isPresent() && !isStillGood(round.result())) {
       round.tender().award(Map.of());
       plan(why);
     } else if (round.result() instanceof PlanningResult.Found found) {
@@ -186,6 +186,13 @@ final class GoalPursuit {
     }
   }
 
+  /** Something happened while it was planned: is the plan the right one all the same? */
+  private boolean isStillGood(PlanningResult result) {
+    return result instanceof PlanningResult.Found found
+        && found.plan().steps().stream().allMatch(step -> roster.isPresent(step.member()))
+        && isValid(found.plan().steps());
+  }
+
   private void adopt(Plan found, Market.Tender tender) {
     plan = Optional.of(found);
     done.clear();
@@ -193,13 +200,13 @@ final class GoalPursuit {
     Map<String, List<Step>> parts = new TreeMap<>();
     found.steps().forEach(s -> parts.computeIfAbsent(s.member(), m -> new ArrayList<>()).add(s));
     tender.award(parts);
-    Set<StepKey> wanted =
-        found.steps().stream().map(Step::key).collect(java.util.stream.Collectors.toSet());
+    Set<StepKey> wanted = found.steps().stream().map(Step::key).collect(Collectors.toSet());
     List.copyOf(underway.values()).stream()
         .filter(u -> !wanted.contains(u.step().key()))
         .forEach(
             u -> {
               story.cancelled(u.step());
+              cancelled.add(u.step().key());
               u.performance().cancel();
             });
     if (confirmation.isEmpty()) {
@@ -248,7 +255,7 @@ final class GoalPursuit {
             .perform(
                 new Crew.Order(id, step, arguments, timeout),
                 report -> reported(step, before, report, performance[0]));
-    underway.put(step.key(), new Underway(step, performance[0]));
+    underway.put(step.key(), new Underway(step, before, performance[0]));
   }
 
   private void reported(
@@ -267,11 +274,11 @@ final class GoalPursuit {
         established.add(performance);
       }
       story.done(step, change);
-    } else {
-      String factsNow = factsUnder(step.key());
-      failures.note(step.key(), factsBefore.equals(factsNow) ? factsNow : factsBefore);
+    } else if (!cancelled.remove(step.key())) {
+      failures.note(step.key(), factsBefore);
       story.failed(step, report.problem().orElse("no reason given"), change);
     }
+    cancelled.remove(step.key());
     if (planning) {
       planAgain = Optional.of("meanwhile " + story.becauseOf(change));
     } else if (plan.isEmpty()) {
@@ -306,9 +313,12 @@ final class GoalPursuit {
   }
 
   /** Is the rest of the plan still good, from what is known now? */
-  private void reconsider(java.util.function.Supplier<String> why) {
-    if (holds().isPresent()) {
-      settle(holds().get().goalBinding());
+  private void reconsider(Supplier<String> why) {
+    Optional<Plan> reached = holds();
+    if (reached.isPresent()) {
+      if (underway.isEmpty()) {
+        settle(reached.get().goalBinding());
+      }
       return;
     }
     List<Step> remaining = remaining();
@@ -316,15 +326,20 @@ final class GoalPursuit {
         remaining.stream().filter(step -> !roster.isPresent(step.member())).findFirst();
     if (unable.isPresent()) {
       plan(Optional.of(roster.absence(unable.get().member())));
-      return;
-    }
-    Optional<Plan> still = ports.planner().revalidate(task(subject().planned()), remaining);
-    double expected = remaining.stream().mapToDouble(Step::cost).sum();
-    if (remaining.isEmpty() || still.isEmpty() || still.get().cost() > expected + SAME_COST) {
+    } else if (remaining.isEmpty() || !isValid(remaining)) {
       plan(Optional.of(why.get() + blockedStep(remaining)));
     } else {
       continueOrSettle();
     }
+  }
+
+  private boolean isValid(List<Step> steps) {
+    double expected = steps.stream().mapToDouble(Step::cost).sum();
+    return ports
+        .planner()
+        .revalidate(task(subject().planned()), steps)
+        .filter(still -> still.cost() <= expected + SAME_COST)
+        .isPresent();
   }
 
   private String blockedStep(List<Step> remaining) {
@@ -344,7 +359,7 @@ final class GoalPursuit {
   private void continueOrSettle() {
     if (plan.orElseThrow().steps().isEmpty() || remaining().isEmpty()) {
       Optional<Plan> reached = holds();
-      if (reached.isPresent()) {
+      if (reached.isPresent() && underway.isEmpty()) {
         settle(reached.get().goalBinding());
         return;
       }
@@ -361,6 +376,7 @@ final class GoalPursuit {
             ports.knowledge().snapshot(),
             ports.knowledge().home().vocabulary());
     if (needed.isEmpty()) {
+      story.confirmed(request.goal(), binding);
       end(GoalState.ACHIEVED, true, binding, List.of());
     } else if (confirmation.isEmpty()) {
       confirmation = needed;
@@ -398,7 +414,14 @@ final class GoalPursuit {
   }
 
   private Optional<Plan> holds() {
-    return ports.planner().revalidate(task(request.goal()), List.of());
+    PlanningTask now =
+        new PlanningTask(
+            ports.knowledge().home().vocabulary(),
+            ports.knowledge().snapshot(),
+            features,
+            request.goal(),
+            Set.of());
+    return ports.planner().revalidate(now, List.of());
   }
 
   private List<Step> remaining() {
@@ -407,32 +430,19 @@ final class GoalPursuit {
         .toList();
   }
 
-  /** Whether all that changed concerns things that steps under way are handling. */
-  private boolean isInFlux(KnowledgeBase.Change change) {
-    Set<String> handled = new LinkedHashSet<>();
-    for (Underway u : underway.values()) {
-      handled.add(u.step().member());
-      u.step()
-          .bindings()
-          .values()
-          .forEach(term -> handled.add(SlPrinter.print(term)));
-    }
-    return change.facts().stream()
-        .allMatch(fact -> handled.stream().anyMatch(name -> mentions(fact, name)));
-  }
-
-  private static boolean mentions(String fact, String name) {
-    return List.of(fact.replaceAll("[()]", " ").split("\\s+")).contains(name);
-  }
-
   private PlanningRound.Subject subject() {
     return new PlanningRound.Subject(id, request.goal(), confirmation);
   }
 
   private PlanningTask task(Formula goal) {
-    Snapshot snapshot = ports.knowledge().snapshot();
     return new PlanningTask(
-        subject().vocabulary(ports.knowledge().home()), snapshot, features, goal, barred());
+        subject().vocabulary(ports.knowledge().home()), presentFacts(), features, goal, barred());
+  }
+
+  private FactsBesideSteps presentFacts() {
+    FactsBesideSteps facts = new FactsBesideSteps(ports.knowledge().snapshot());
+    underway.values().forEach(u -> facts.add(u.step(), u.before()));
+    return facts;
   }
 
   private Set<StepKey> barred() {
@@ -448,8 +458,7 @@ final class GoalPursuit {
             feature -> {
               Map<String, Term> bindings = new TreeMap<>(key.bindings());
               bindings.put("self", new Term.Name(key.member()));
-              return FactsUnder.of(
-                  feature.precondition(), bindings, ports.knowledge().snapshot());
+              return FactsUnder.of(feature.precondition(), bindings, ports.knowledge().snapshot());
             })
         .orElse("");
   }

@@ -7,12 +7,18 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.maestro.knowledge.Belief;
 import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.knowledge.Source;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.planning.Plan;
 import org.maestro.planning.PlanningResult;
 import org.maestro.planning.Step;
 import org.maestro.rats.time.Clock;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
 
 /** Tells one goal's story in sentences as it happens. */
 final class GoalStory {
@@ -22,6 +28,7 @@ final class GoalStory {
   private final Story story;
   private final Clock clock;
   private final KnowledgeBase knowledge;
+  private String lastBids = "";
 
   GoalStory(String goalId, Story story, Clock clock, KnowledgeBase knowledge) {
     this.goalId = goalId;
@@ -64,8 +71,7 @@ final class GoalStory {
   }
 
   void planning(int number, Optional<String> why) {
-    why.ifPresent(
-        reason -> tell(StoryEntry.Kind.REPLAN, "Plan again, because " + reason + "."));
+    why.ifPresent(reason -> tell(StoryEntry.Kind.REPLAN, "Plan again, because " + reason + "."));
   }
 
   void bids(List<Bid> bids, int questions) {
@@ -79,11 +85,14 @@ final class GoalStory {
             .filter(bid -> bid.refusal().isPresent())
             .map(bid -> bid.member() + " (" + bid.refusal().get() + ")")
             .toList();
+    String told =
+        (offers.isEmpty() ? "Nobody bids" : "Bids: " + String.join("; ", offers))
+            + (refusals.isEmpty() ? "" : ". Refused: " + String.join("; ", refusals));
+    String prices = questions == 0 ? "" : " Exact prices asked: " + questions + ".";
     tell(
         StoryEntry.Kind.BIDS,
-        (offers.isEmpty() ? "Nobody bids" : "Bids: " + String.join("; ", offers))
-            + (refusals.isEmpty() ? "" : ". Refused: " + String.join("; ", refusals))
-            + (questions == 0 ? "." : ". Exact prices asked: " + questions + "."));
+        told.equals(lastBids) ? "The bids are the same as before." + prices : told + "." + prices);
+    lastBids = told;
   }
 
   private static String prices(Map<String, Price> prices) {
@@ -93,9 +102,14 @@ final class GoalStory {
   }
 
   private static String price(Price price) {
-    return price instanceof Price.Stated stated
-        ? SlPrinter.print(stated.cost())
-        : "at least " + SlPrinter.print(((Price.Asked) price).atLeast());
+    if (price instanceof Price.Stated stated) {
+      return amount(stated.cost());
+    }
+    return "at least " + amount(((Price.Asked) price).atLeast());
+  }
+
+  private static String amount(Expression cost) {
+    return cost instanceof Expression.OfTerm ? SlPrinter.print(cost) : "by formula";
   }
 
   void plan(int number, Plan plan, boolean confirming) {
@@ -120,7 +134,8 @@ final class GoalStory {
   }
 
   void done(Step step, KnowledgeBase.Change change) {
-    tell(StoryEntry.Kind.DONE, step.member() + " reports: " + facts(change) + ".");
+    String news = change.facts().isEmpty() ? "done" : facts(change);
+    tell(StoryEntry.Kind.DONE, step.member() + " reports: " + news + ".");
   }
 
   void failed(Step step, String problem, KnowledgeBase.Change change) {
@@ -130,7 +145,7 @@ final class GoalStory {
             + step.member()
             + " says "
             + problem
-            + (change.facts().isEmpty() ? "" : " (" + facts(change) + ")")
+            + (change.facts().isEmpty() ? "" : " (so " + facts(change) + ")")
             + ".");
   }
 
@@ -144,6 +159,27 @@ final class GoalStory {
         "It should be so now; it is to be seen: " + String.join(", ", things) + ".");
   }
 
+  /** Who saw what the goal speaks of. */
+  void confirmed(Formula goal, Map<String, Term> binding) {
+    witnessed(new Substitution(binding).apply(goal));
+  }
+
+  private void witnessed(Formula goal) {
+    if (goal instanceof Formula.And and) {
+      and.operands().forEach(this::witnessed);
+    } else if (goal instanceof Formula.Atom atom && atom.isGround()) {
+      knowledge
+          .snapshot()
+          .belief(atom)
+          .filter(belief -> belief.source().kind() == Source.Kind.OBSERVED)
+          .ifPresent(
+              belief ->
+                  tell(
+                      StoryEntry.Kind.CONFIRM,
+                      belief.source().agent() + " confirms: " + sentences().fact(atom) + "."));
+    }
+  }
+
   void unconfirmed() {
     tell(StoryEntry.Kind.CONFIRM, "Nobody can look there: the report is taken for it.");
   }
@@ -154,7 +190,8 @@ final class GoalStory {
     tell(
         StoryEntry.Kind.END,
         switch (outcome.state()) {
-          case ACHIEVED -> "Reached" + (outcome.confirmed() ? "" : ", but not seen") + binding + ".";
+          case ACHIEVED ->
+              "Reached" + (outcome.confirmed() ? "" : ", but not seen") + binding + ".";
           case CANCELLED -> String.join(" ", outcome.reasons());
           default -> "Not reached. " + String.join(" ", outcome.reasons());
         });
@@ -180,14 +217,29 @@ final class GoalStory {
     return sentences().step(step);
   }
 
+  /** What is so now says most; what is not so comes second, what was lost last. */
   private String facts(KnowledgeBase.Change change) {
-    if (change.facts().isEmpty()) {
+    List<Formula> all = change.facts().stream().map(SlParser::formula).toList();
+    List<Formula> telling = all.stream().filter(GoalStory::isSo).toList();
+    if (telling.isEmpty()) {
+      telling = all.stream().filter(Formula.Not.class::isInstance).toList();
+    }
+    if (telling.isEmpty()) {
+      telling = all;
+    }
+    if (telling.isEmpty()) {
       return "nothing new";
     }
-    List<String> first =
-        change.facts().stream().limit(MOST_FACTS).map(sentences()::fact).toList();
-    int more = change.facts().size() - first.size();
-    return String.join(", ", first) + (more > 0 ? " and " + more + " more" : "");
+    int more = telling.size() - MOST_FACTS;
+    return telling.stream()
+            .limit(MOST_FACTS)
+            .map(sentences()::fact)
+            .collect(Collectors.joining(", "))
+        + (more > 0 ? " and " + more + " more" : "");
+  }
+
+  private static boolean isSo(Formula formula) {
+    return formula instanceof Formula.Atom || formula instanceof Formula.Comparison;
   }
 
   private Sentences sentences() {

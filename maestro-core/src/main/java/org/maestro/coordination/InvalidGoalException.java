@@ -1,6 +1,9 @@
 package org.maestro.coordination;
 
-/** The goal cannot be meant: it names what nobody knows. The message is one sentence that says what, and what to do. */
+/**
+ * The goal cannot be meant: it names what nobody knows. The message is one sentence that says what,
+ * and what to do.
+ */
 public final class InvalidGoalException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 

@@ -5,20 +5,29 @@ import java.util.Map;
 import java.util.function.Consumer;
 import org.maestro.planning.Step;
 
-/** The contract net, as coordination sees it. Answers come on the coordinator's thread, exactly once each. */
+/**
+ * The contract net, as coordination sees it. Answers come on the coordinator's thread, exactly once
+ * each.
+ */
 public interface Market {
 
   void callForPrices(CallForPrices call, Consumer<Tender> closed);
 
   /** Asks one member what parameter sets would cost exactly; as many answers as sets, in order. */
   void exactPrices(
-      String member, String feature, List<Map<String, Argument>> sets, Consumer<List<Quote>> answer);
+      String member,
+      String feature,
+      List<Map<String, Argument>> sets,
+      Consumer<List<Quote>> answer);
 
   /** A round whose bids are in. */
   interface Tender {
     List<Bid> bids();
 
-    /** Closes the round: each member named gets its part, the others are rejected. To be called exactly once. */
+    /**
+     * Closes the round: each member named gets its part, the others are rejected. To be called
+     * exactly once.
+     */
     void award(Map<String, List<Step>> parts);
   }
 

@@ -5,7 +5,10 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** Which components of which member are in use, so that goals do not order a member to do two things at once. */
+/**
+ * Which components of which member are in use, so that goals do not order a member to do two things
+ * at once.
+ */
 final class Occupancy {
   private final Map<String, String> holderByComponent = new HashMap<>();
 
@@ -26,7 +29,14 @@ final class Occupancy {
     return components.stream()
         .filter(c -> holderByComponent.containsKey(key(member, c)))
         .sorted()
-        .map(c -> "the " + c + " of " + member + " is held by " + holderByComponent.get(key(member, c)))
+        .map(
+            c ->
+                "the "
+                    + c
+                    + " of "
+                    + member
+                    + " is held by "
+                    + holderByComponent.get(key(member, c)))
         .collect(Collectors.joining(", "));
   }
 

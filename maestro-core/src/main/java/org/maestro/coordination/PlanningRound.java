@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
@@ -21,11 +22,15 @@ import org.maestro.planning.PricedFeature;
 import org.maestro.planning.PricedFeature.ExactPrice;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
+import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
- * One round from goal to plan: candidate features, a contract-net round for their prices, the cheapest plan, exact prices for those
- * of its steps whose price was a lower bound, the plan found again, until the cheapest plan has exact prices.
+ * One round from goal to plan: candidate features, a contract-net round for their prices, the
+ * cheapest plan, exact prices for those of its steps whose price was a lower bound, the plan found
+ * again, until the cheapest plan has exact prices.
  */
 final class PlanningRound {
 
@@ -54,10 +59,13 @@ final class PlanningRound {
   record Ended(
       Market.Tender tender, PlanningResult result, List<PricedFeature> features, int questions) {}
 
+  private static final Logger LOG = LoggerFactory.getLogger(PlanningRound.class);
+
   private final Ports ports;
   private final ExactPrices exactPrices;
   private final Subject subject;
   private final Set<StepKey> barred;
+  private final Supplier<? extends Facts> facts;
   private final Consumer<Ended> then;
   private int questions;
 
@@ -66,11 +74,13 @@ final class PlanningRound {
       ExactPrices exactPrices,
       Subject subject,
       Set<StepKey> barred,
+      Supplier<? extends Facts> facts,
       Consumer<Ended> then) {
     this.ports = ports;
     this.exactPrices = exactPrices;
     this.subject = subject;
     this.barred = barred;
+    this.facts = facts;
     this.then = then;
   }
 
@@ -91,12 +101,20 @@ final class PlanningRound {
     unusable.addAll(exactPrices.declined());
     PlanningTask task =
         new PlanningTask(
-            subject.vocabulary(home), snapshot, features, subject.planned(), unusable);
+            subject.vocabulary(home), facts.get(), features, subject.planned(), unusable);
     ports
         .thinking()
-        .think(
-            () -> ports.planner().plan(task),
-            result -> solved(tender, features, result, home, snapshot));
+        .think(() -> planned(task), result -> solved(tender, features, result, home, snapshot));
+  }
+
+  /** A fault of the planner's own ends the goal with a reason; it must not leave it without end. */
+  private PlanningResult planned(PlanningTask task) {
+    try {
+      return ports.planner().plan(task);
+    } catch (RuntimeException e) {
+      LOG.error("Planning for {} failed", subject.goalId(), e);
+      return new PlanningResult.GaveUp("The planner failed; its log says why.");
+    }
   }
 
   private void solved(

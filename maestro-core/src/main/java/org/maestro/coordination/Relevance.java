@@ -14,8 +14,9 @@ import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.Formula;
 
 /**
- * Which features could take part in reaching a goal: those that change what it speaks of, or what a relevant feature's condition
- * speaks of, and so on backwards. Works on names, not on instances: a superset of what any plan needs.
+ * Which features could take part in reaching a goal: those that change what it speaks of, or what a
+ * relevant feature's condition speaks of, and so on backwards. Works on names, not on instances: a
+ * superset of what any plan needs.
  */
 final class Relevance {
   private final Home home;
@@ -57,7 +58,11 @@ final class Relevance {
     Vocabulary vocabulary = home.vocabulary();
     for (String name : names) {
       if (relevant.add(name)) {
-        vocabulary.predicate(name).flatMap(PredicateDeclaration::derivedWhen).map(Symbols::of).ifPresent(this::include);
+        vocabulary
+            .predicate(name)
+            .flatMap(PredicateDeclaration::derivedWhen)
+            .map(Symbols::of)
+            .ifPresent(this::include);
       }
     }
   }

@@ -4,7 +4,10 @@ import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
-/** Which members have an agent that can be asked, and why the others cannot. Owned by the coordinator's thread. */
+/**
+ * Which members have an agent that can be asked, and why the others cannot. Owned by the
+ * coordinator's thread.
+ */
 public final class Roster {
   private final SortedMap<String, Optional<String>> absenceByMember = new TreeMap<>();
 

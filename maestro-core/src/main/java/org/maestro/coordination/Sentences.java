@@ -17,7 +17,10 @@ import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
-/** Puts facts, steps and obstacles into plain sentences, by the labels and sentences of the vocabulary. */
+/**
+ * Puts facts, steps and obstacles into plain sentences, by the labels and sentences of the
+ * vocabulary.
+ */
 public final class Sentences {
   private static final Pattern PLACE_HOLDER = Pattern.compile("\\{([A-Za-z][A-Za-z0-9-]*)}");
 
@@ -65,7 +68,8 @@ public final class Sentences {
     return matcher.replaceAll(
         found -> {
           String name = found.group(1);
-          Term term = name.equals("self") ? new Term.Name(step.member()) : step.bindings().get(name);
+          Term term =
+              name.equals("self") ? new Term.Name(step.member()) : step.bindings().get(name);
           return Matcher.quoteReplacement(term == null ? "?" : term(term));
         });
   }
@@ -78,7 +82,8 @@ public final class Sentences {
 
   public String obstacle(PlanningResult.Obstacle obstacle) {
     return "%s: %s needed, possible: %s (needed by %s)"
-        .formatted(obstacle.condition(), obstacle.needed(), obstacle.possible(), obstacle.neededBy());
+        .formatted(
+            obstacle.condition(), obstacle.needed(), obstacle.possible(), obstacle.neededBy());
   }
 
   public String binding(Map<String, Term> binding) {
@@ -89,7 +94,8 @@ public final class Sentences {
 
   private String atom(Formula.Atom atom, boolean negated) {
     List<String> terms = atom.arguments().stream().map(Sentences::term).toList();
-    Optional<String> label = vocabulary.predicate(atom.predicate()).map(PredicateDeclaration::label);
+    Optional<String> label =
+        vocabulary.predicate(atom.predicate()).map(PredicateDeclaration::label);
     if (label.isEmpty() || terms.isEmpty()) {
       String kind =
           Optional.ofNullable(vocabulary.classes().get(atom.predicate()))
@@ -112,10 +118,7 @@ public final class Sentences {
 
   private String quantity(Expression.Fluent fluent) {
     String label =
-        vocabulary
-            .predicate(fluent.name())
-            .map(PredicateDeclaration::label)
-            .orElse(fluent.name());
+        vocabulary.predicate(fluent.name()).map(PredicateDeclaration::label).orElse(fluent.name());
     return "the "
         + label
         + " of "
@@ -144,7 +147,7 @@ public final class Sentences {
       return number(number.value());
     }
     if (term instanceof Term.Text text) {
-      return "(" + text.value() + ")";
+      return "(" + text.value().replaceAll("(\\.\\d{2})\\d+", "$1") + ")";
     }
     return SlPrinter.print(term);
   }

@@ -3,7 +3,10 @@ package org.maestro.coordination;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
-/** Work that takes longer than a behaviour may: done elsewhere, its result handed back on the coordinator's thread. */
+/**
+ * Work that takes longer than a behaviour may: done elsewhere, its result handed back on the
+ * coordinator's thread.
+ */
 public interface Thinking {
   <T> void think(Supplier<T> work, Consumer<T> then);
 }

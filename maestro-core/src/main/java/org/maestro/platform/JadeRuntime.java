@@ -19,7 +19,10 @@ import java.util.Optional;
 import org.maestro.agents.MaestroAgent;
 import org.maestro.agents.stepping.SteppedMailService;
 
-/** Starts and ends JADE containers with safe defaults: loopback only, no multicast, no MTP, no files in the working directory. */
+/**
+ * Starts and ends JADE containers with safe defaults: loopback only, no multicast, no MTP, no files
+ * in the working directory.
+ */
 final class JadeRuntime {
   private static final String LOOPBACK = "127.0.0.1";
   private static final Duration START_WITHIN = Duration.ofSeconds(20);
@@ -33,7 +36,8 @@ final class JadeRuntime {
   private JadeRuntime() {}
 
   static AgentContainer main(String platformName, int port, Path fileDirectory) {
-    // JADE reads it when its first class loads; without it a process has room for one platform only.
+    // JADE reads it when its first class loads; without it a process has room for one platform
+    // only.
     System.setProperty("jade.enable.multiple.platforms", "true");
     Properties properties = common(fileDirectory);
     properties.setProperty(Profile.MAIN, "true");
@@ -52,7 +56,8 @@ final class JadeRuntime {
   /**
    * Joins a platform.
    *
-   * @param platformName needed where several platforms live in this process; elsewhere the main container tells it
+   * @param platformName needed where several platforms live in this process; elsewhere the main
+   *     container tells it
    */
   static AgentContainer join(
       Optional<String> platformName,
@@ -81,7 +86,10 @@ final class JadeRuntime {
     return container;
   }
 
-  /** Starts the agent and waits until it has set itself up, so that agents start one after the other. */
+  /**
+   * Starts the agent and waits until it has set itself up, so that agents start one after the
+   * other.
+   */
   static AgentController start(AgentContainer container, String name, MaestroAgent agent) {
     try {
       AgentController controller = container.acceptNewAgent(name, agent);
@@ -101,12 +109,23 @@ final class JadeRuntime {
     }
   }
 
+  /**
+   * Ends a container. JADE makes containers younger than three seconds wait for that age, so it is
+   * done beside the caller; the threads it leaves are daemons and end with it.
+   */
   static void end(AgentContainer container) {
-    try {
-      container.kill();
-    } catch (StaleProxyException e) {
-      // It is gone already, which is what was wanted.
-    }
+    Thread ending =
+        new Thread(
+            () -> {
+              try {
+                container.kill();
+              } catch (StaleProxyException e) {
+                // It is gone already, which is what was wanted.
+              }
+            },
+            "maestro-container-end");
+    ending.setDaemon(true);
+    ending.start();
   }
 
   /** The port asked for if it is free, any free one for 0. */
@@ -152,8 +171,7 @@ final class JadeRuntime {
     properties.setProperty("jade_imtp_leap_JICP_JICPServer_acceptlocalhostonly", "true");
     properties.setProperty("jade_core_messaging_MessageManager_poolsize", "1");
     properties.setProperty("jade_domain_df_autocleanup", "true");
-    properties.setProperty(
-        "jade_core_FullResourceManager_disablethreadgroupinterrupt", "true");
+    properties.setProperty("jade_core_FullResourceManager_disablethreadgroupinterrupt", "true");
     return properties;
   }
 }

@@ -25,8 +25,8 @@ import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 
 /**
- * A container of this process in a platform of another (M64): as a desk from which to ask, or as the home of a topic's agents. Any
- * thread may use it.
+ * A container of this process in a platform of another (M64): as a desk from which to ask, or as
+ * the home of a topic's agents. Any thread may use it.
  */
 public final class JoinedContainer implements AutoCloseable {
   private static final Duration ANSWER_WITHIN = Duration.ofSeconds(20);
@@ -43,7 +43,8 @@ public final class JoinedContainer implements AutoCloseable {
 
   /** Joins, with a desk agent named after the container. */
   public static JoinedContainer join(String host, int port, String name, Clock clock) {
-    AgentContainer container = JadeRuntime.join(Optional.empty(), host, port, name, temporaryDirectory());
+    AgentContainer container =
+        JadeRuntime.join(Optional.empty(), host, port, name, temporaryDirectory());
     AgentTime time = AgentTime.of(clock);
     DeskAgent desk = new DeskAgent(time);
     JoinedContainer joined = new JoinedContainer(container, desk, time);
@@ -104,7 +105,8 @@ public final class JoinedContainer implements AutoCloseable {
   }
 
   /** Starts the generic agents of the members here. */
-  public void host(List<String> members, RatsLink link, BiFunction<String, String, Device> describedBy) {
+  public void host(
+      List<String> members, RatsLink link, BiFunction<String, String, Device> describedBy) {
     members.forEach(member -> accept(member, new GenericAgent(time, link, member, describedBy)));
   }
 

@@ -15,8 +15,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.function.Consumer;
 import java.util.function.BiFunction;
+import java.util.function.Consumer;
 import org.maestro.agents.AgentTime;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
@@ -35,8 +35,9 @@ import org.maestro.rats.time.Clock;
 import org.maestro.sl.Formula;
 
 /**
- * A running platform in this process: a JADE main container with CCA, knowledge agent, supervisor and desk, and an abstraction
- * container for each topic with a generic agent for each device (M64, M68-M72). Any thread may use it.
+ * A running platform in this process: a JADE main container with CCA, knowledge agent, supervisor
+ * and desk, and an abstraction container for each topic with a generic agent for each device (M64,
+ * M68-M72). Any thread may use it.
  */
 public final class MaestroPlatform implements AutoCloseable {
   private static final String DEFAULT_TOPIC = "devices";
@@ -79,8 +80,7 @@ public final class MaestroPlatform implements AutoCloseable {
                 JadeRuntime.join(
                     Optional.of(settings.name()), "127.0.0.1", port, topic, fileDirectory));
     this.coordinator =
-        new CoordinatorAgent(
-            time, knowledge, planner, this::told, settings.decisionTime());
+        new CoordinatorAgent(time, knowledge, planner, this::told, settings.decisionTime());
     this.desk = new DeskAgent(time);
   }
 
@@ -149,7 +149,8 @@ public final class MaestroPlatform implements AutoCloseable {
       String description = member.description().get();
       Thread starter =
           new Thread(
-              () -> place(member.id(), topic(describedBy.apply(description, member.id()))), "agent-starter");
+              () -> place(member.id(), topic(describedBy.apply(description, member.id()))),
+              "agent-starter");
       starter.setDaemon(true);
       starter.start();
     }
@@ -167,7 +168,9 @@ public final class MaestroPlatform implements AutoCloseable {
     listeners.forEach(listener -> listener.tell(entry));
   }
 
-  /** Tells the listener of every sentence of every story from now on, on the coordinator's thread. */
+  /**
+   * Tells the listener of every sentence of every story from now on, on the coordinator's thread.
+   */
   public void onStory(Story listener) {
     listeners.add(listener);
   }

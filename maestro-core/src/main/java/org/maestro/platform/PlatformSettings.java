@@ -10,7 +10,8 @@ import java.util.Optional;
  * @param name the JADE platform's name
  * @param port of the main container on loopback; 0 for a free one
  * @param gui whether to show the JADE remote monitoring agent
- * @param brokerUri of the bus, told to containers that join; empty when the bus lives in this process
+ * @param brokerUri of the bus, told to containers that join; empty when the bus lives in this
+ *     process
  * @param site on the bus
  * @param decisionTime simulated time that a decision takes; zero on a paced clock
  * @param storyDirectory where stories are kept for {@code why}; empty: only in memory

@@ -1,6 +1,9 @@
 package org.maestro.platform;
 
-/** The platform, or a join to it, could not start. The message is one sentence: what, where, what to do. */
+/**
+ * The platform, or a join to it, could not start. The message is one sentence: what, where, what to
+ * do.
+ */
 public final class PlatformStartException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 

@@ -17,7 +17,10 @@ import java.util.stream.Stream;
 import org.maestro.coordination.Story;
 import org.maestro.coordination.StoryEntry;
 
-/** Keeps each goal's story as a file of JSON lines, so that it can be read when the platform is gone. */
+/**
+ * Keeps each goal's story as a file of JSON lines, so that it can be read when the platform is
+ * gone.
+ */
 public final class StoryFile implements Story {
   private static final String ENDING = ".jsonl";
 

@@ -12,8 +12,8 @@ import java.util.function.Function;
 import org.maestro.agents.MaestroAgent;
 
 /**
- * The abstraction containers of this process, one for each topic (M70), and the agents in them. Any thread may call; one at a
- * time.
+ * The abstraction containers of this process, one for each topic (M70), and the agents in them. Any
+ * thread may call; one at a time.
  */
 final class TopicContainers {
   private final Function<String, AgentContainer> newContainer;
@@ -27,7 +27,10 @@ final class TopicContainers {
     this.newContainer = newContainer;
   }
 
-  /** Starts the agent in its topic's container, unless the member has one already or the topic is held elsewhere. */
+  /**
+   * Starts the agent in its topic's container, unless the member has one already or the topic is
+   * held elsewhere.
+   */
   synchronized boolean place(String member, String topic, Function<String, MaestroAgent> newAgent) {
     if (placedByMember.containsKey(member) || elsewhere.containsKey(topic)) {
       return false;
@@ -38,7 +41,9 @@ final class TopicContainers {
     return true;
   }
 
-  /** Ends the topic's container here, so that another process can take its members; returns them. */
+  /**
+   * Ends the topic's container here, so that another process can take its members; returns them.
+   */
   synchronized Optional<List<String>> release(String topic, String holder) {
     AgentContainer container = containerByTopic.remove(topic);
     if (container == null) {

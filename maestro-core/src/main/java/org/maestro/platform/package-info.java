@@ -1,6 +1,6 @@
 /**
- * Boots and stops MAESTRO on JADE: main container, topical abstraction containers, the agents in them, and joins from other processes.
- * A home, a link to the bus and a clock flow in; a running platform and desks to ask at flow out. It may not know what agents
- * say to each other.
+ * Boots and stops MAESTRO on JADE: main container, topical abstraction containers, the agents in
+ * them, and joins from other processes. A home, a link to the bus and a clock flow in; a running
+ * platform and desks to ask at flow out. It may not know what agents say to each other.
  */
 package org.maestro.platform;

@@ -17,11 +17,14 @@ class JsonTermsTest {
         new Argument(
             new Term.Name("Cup"),
             Optional.of("urn:home#Cup"),
-            Map.of("position", List.of(new Term.Text("1 2 0.5")), "mass", List.of(new Term.Number(0.25))));
+            Map.of(
+                "position",
+                List.of(new Term.Text("1 2 0.5")),
+                "mass",
+                List.of(new Term.Number(0.25))));
 
     assertThat(JsonTerms.json(cup))
-        .isEqualTo(
-            Map.of("ref", "urn:home#Cup", "position", List.of(1.0, 2.0, 0.5), "mass", 0.25));
+        .isEqualTo(Map.of("ref", "urn:home#Cup", "position", List.of(1.0, 2.0, 0.5), "mass", 0.25));
   }
 
   @Test

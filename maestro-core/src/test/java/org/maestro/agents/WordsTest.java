@@ -39,8 +39,7 @@ class WordsTest {
 
   @Test
   void thePapersMessageCarriesItsGoal() {
-    Content content =
-        Words.parse("\"\"(initCNP (:goal (canSee ?agent GreenObject)))\"\"").get(0);
+    Content content = Words.parse("\"\"(initCNP (:goal (canSee ?agent GreenObject)))\"\"").get(0);
 
     assertThat(content.operator()).isEqualTo("initCNP");
     assertThat(Words.of(content).find("goal").flatMap(Words::formula))

@@ -23,7 +23,9 @@ class CoordinatorTest {
   @BeforeAll
   static void loadHome() throws IOException {
     try (InputStream turtle = CoordinatorTest.class.getResourceAsStream("/bob.ttl")) {
-      home = new HomeLoader().load(new String(turtle.readAllBytes(), StandardCharsets.UTF_8), "bob.ttl");
+      home =
+          new HomeLoader()
+              .load(new String(turtle.readAllBytes(), StandardCharsets.UTF_8), "bob.ttl");
     }
   }
 
@@ -52,7 +54,9 @@ class CoordinatorTest {
   void weakLampsAreHelpedByAnother() {
     house.weak.addAll(List.of("lamp-b1", "lamp-b2", "lamp-b3"));
 
-    assertThat(house.achieve("(nextTo Cup Bob)").reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(house.achieve("(nextTo Cup Bob)").reached())
+        .as(String.join("\n", house.story))
+        .isTrue();
   }
 
   @Test
@@ -87,7 +91,9 @@ class CoordinatorTest {
           }
         };
 
-    assertThat(house.achieve("(nextTo Cup Bob)").reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(house.achieve("(nextTo Cup Bob)").reached())
+        .as(String.join("\n", house.story))
+        .isTrue();
     assertThat(house.calls).contains("adjustLight lamp-b3");
   }
 

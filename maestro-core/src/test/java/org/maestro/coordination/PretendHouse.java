@@ -24,7 +24,10 @@ import org.maestro.sl.Expression;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
 
-/** Bob's home without devices, bus or agents: the ports of coordination answered from a table of truths. */
+/**
+ * Bob's home without devices, bus or agents: the ports of coordination answered from a table of
+ * truths.
+ */
 final class PretendHouse implements Market, Crew {
   final SteppedClock clock = new SteppedClock();
   final KnowledgeBase knowledge;
@@ -49,8 +52,7 @@ final class PretendHouse implements Market, Crew {
                 this,
                 new Thinking() {
                   @Override
-                  public <T> void think(
-                      java.util.function.Supplier<T> work, Consumer<T> then) {
+                  public <T> void think(java.util.function.Supplier<T> work, Consumer<T> then) {
                     clock.schedule(
                         Duration.ofMillis(20), "planning", () -> then.accept(work.get()));
                   }
@@ -59,8 +61,7 @@ final class PretendHouse implements Market, Crew {
                 entry -> story.add(entry.at() + " " + entry.text())));
     knowledge.watch(
         change ->
-            clock.schedule(
-                Duration.ZERO, "knowledge", () -> coordinator.knowledgeChanged(change)));
+            clock.schedule(Duration.ZERO, "knowledge", () -> coordinator.knowledgeChanged(change)));
     place.put("Bob", "zone-a");
     place.put("Cup", "zone-b");
     place.put("rose", "zone-b");
@@ -74,7 +75,8 @@ final class PretendHouse implements Market, Crew {
       if (has(device, "move")) {
         knowledge.state(
             new Source(Source.Kind.STATED, device.id()),
-            List.of("(in %s %s)".formatted(device.id(), place.getOrDefault(device.id(), "zone-a"))));
+            List.of(
+                "(in %s %s)".formatted(device.id(), place.getOrDefault(device.id(), "zone-a"))));
       }
     }
   }
@@ -106,8 +108,7 @@ final class PretendHouse implements Market, Crew {
                   .snapshot()
                   .number(
                       new Expression.Fluent(
-                          "gain",
-                          List.of(new Term.Name(lamp.getKey()), new Term.Name(zone))))
+                          "gain", List.of(new Term.Name(lamp.getKey()), new Term.Name(zone))))
                   .orElse(0);
     }
     return lux;

@@ -26,7 +26,10 @@ import org.maestro.agents.MaestroAgent;
 import org.maestro.agents.Words;
 import org.maestro.rats.time.SteppedClock;
 
-/** Real JADE agents on the stepped clock: the same seed gives the same events, whatever else the machine does. */
+/**
+ * Real JADE agents on the stepped clock: the same seed gives the same events, whatever else the
+ * machine does.
+ */
 class SteppedAgentsTest {
   private static final int ROUNDS = 4;
 

@@ -26,13 +26,17 @@ import org.maestro.rats.transport.Transport;
 import org.maestro.sim.SimulatedHome;
 import org.maestro.sim.World;
 
-/** A running site of this process. Closing it leaves nothing behind. For the thread that started it. */
+/**
+ * A running site of this process. Closing it leaves nothing behind. For the thread that started it.
+ */
 public final class LocalSite implements AutoCloseable {
   private static final Duration DECISION_ON_STEPPED_CLOCK = Duration.ofMillis(20);
   private static final Duration OPENING = Duration.ofSeconds(60);
   private static final String CONTROLLER = "maestro";
 
-  /** Lets time pass until a condition holds, for a simulated time at most; says whether it holds. */
+  /**
+   * Lets time pass until a condition holds, for a simulated time at most; says whether it holds.
+   */
   private interface Driver {
     boolean runUntil(BooleanSupplier condition, Duration limit);
   }

@@ -1,5 +1,6 @@
 /**
- * Puts a whole site together in one process: bus, simulated devices, link, knowledge and platform, on one clock. A home, a scene and a
- * few choices flow in, a running site flows out. It decides nothing: command line, tests and experiments all start here.
+ * Puts a whole site together in one process: bus, simulated devices, link, knowledge and platform,
+ * on one clock. A home, a scene and a few choices flow in, a running site flows out. It decides
+ * nothing: command line, tests and experiments all start here.
  */
 package org.maestro.assembly;

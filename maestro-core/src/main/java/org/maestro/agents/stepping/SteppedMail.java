@@ -9,8 +9,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.maestro.rats.time.Clock;
 
 /**
- * The mail between the stepped agents of one platform: a message sent now is posted as an event of the clock, a stated simulated time
- * later. Any thread may call it.
+ * The mail between the stepped agents of one platform: a message sent now is posted as an event of
+ * the clock, a stated simulated time later. Any thread may call it.
  */
 public final class SteppedMail {
   /** Simulated time that a message takes. */

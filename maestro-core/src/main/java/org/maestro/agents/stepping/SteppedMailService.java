@@ -12,8 +12,8 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * A JADE kernel service that hands the messages of stepped agents to their {@link SteppedMail}. JADE makes it by its class name, in
- * every container of this process.
+ * A JADE kernel service that hands the messages of stepped agents to their {@link SteppedMail}.
+ * JADE makes it by its class name, in every container of this process.
  */
 public final class SteppedMailService extends BaseService {
   public static final String NAME = "org.maestro.SteppedMail";

@@ -8,7 +8,9 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Iterator;
 
-/** An agent's message queue that tells when a message is taken out. JADE guards it by its own lock. */
+/**
+ * An agent's message queue that tells when a message is taken out. JADE guards it by its own lock.
+ */
 public final class TicketedQueue implements MessageQueue {
   private final Deque<ACLMessage> messages = new ArrayDeque<>();
   private final WorkTickets tickets;
@@ -32,7 +34,10 @@ public final class TicketedQueue implements MessageQueue {
     return 0;
   }
 
-  /** JADE sets its default, no bound; there is no other here, as a dropped message would keep its ticket. */
+  /**
+   * JADE sets its default, no bound; there is no other here, as a dropped message would keep its
+   * ticket.
+   */
   @Override
   public void setMaxSize(int size) {
     if (size != 0) {

@@ -8,8 +8,9 @@ import java.util.Map;
 import org.maestro.rats.time.Clock;
 
 /**
- * The tickets of one agent's work. A ticket is held from a message's delivery until the agent has taken the message and has nothing
- * more to do. What was delivered but not yet taken keeps its ticket: arrival and waking up may race as they like.
+ * The tickets of one agent's work. A ticket is held from a message's delivery until the agent has
+ * taken the message and has nothing more to do. What was delivered but not yet taken keeps its
+ * ticket: arrival and waking up may race as they like.
  */
 public final class WorkTickets {
   private final Clock clock;

@@ -1,0 +1,58 @@
+package org.maestro.coordination;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import org.maestro.planning.Plan;
+import org.maestro.planning.Step;
+import org.maestro.sl.Effect;
+
+/**
+ * Which steps of a plan may start. A step waits for those before it. As plans hope that sensing
+ * finds what is sought, a step that no sensing needs also waits until all sensing is done that does
+ * not need it: nobody drives off before it is known that it is worth it.
+ */
+final class ExecutionOrder {
+  private final Plan plan;
+  private final Map<Integer, Set<Integer>> before = new TreeMap<>();
+
+  ExecutionOrder(Plan plan) {
+    this.plan = plan;
+    for (Step step : plan.steps()) {
+      Set<Integer> all = new HashSet<>(step.after());
+      step.after().forEach(number -> all.addAll(before.getOrDefault(number, Set.of())));
+      before.put(step.number(), all);
+    }
+  }
+
+  /**
+   * @param done numbers of the steps that are done
+   */
+  List<Step> startable(Set<Integer> done) {
+    List<Step> sensingLeft =
+        plan.steps().stream()
+            .filter(step -> !done.contains(step.number()) && isSensing(step.feature().effect()))
+            .toList();
+    return plan.steps().stream()
+        .filter(step -> !done.contains(step.number()) && done.containsAll(step.after()))
+        .filter(step -> sensingLeft.isEmpty() || serves(step, sensingLeft))
+        .toList();
+  }
+
+  private boolean serves(Step step, List<Step> sensingLeft) {
+    return sensingLeft.stream()
+        .anyMatch(
+            sensing ->
+                sensing.number() == step.number()
+                    || before.get(sensing.number()).contains(step.number()));
+  }
+
+  private static boolean isSensing(Effect effect) {
+    if (effect instanceof Effect.All all) {
+      return all.effects().stream().anyMatch(ExecutionOrder::isSensing);
+    }
+    return effect instanceof Effect.SenseAtom || effect instanceof Effect.SenseNumber;
+  }
+}
