@@ -16,8 +16,9 @@ import org.apache.activemq.artemis.core.server.embedded.EmbeddedActiveMQ;
 import org.apache.activemq.artemis.core.settings.impl.AddressSettings;
 
 /**
- * An MQTT 5 broker in this process, on loopback, without a journal: sessions are clean, and members publish what is retained again.
- * Any thread may use it. After {@link #close} no thread and no file of it is left.
+ * An MQTT 5 broker in this process, on loopback, without a journal: sessions are clean, and members
+ * publish what is retained again. Any thread may use it. After {@link #close} no thread and no file
+ * of it is left.
  */
 public final class EmbeddedBroker implements AutoCloseable {
 
@@ -104,7 +105,10 @@ public final class EmbeddedBroker implements AutoCloseable {
     return configuration;
   }
 
-  /** Addresses without queues: what cannot be delivered is dropped, and the broker does not warn of each topic. */
+  /**
+   * Addresses without queues: what cannot be delivered is dropped, and the broker does not warn of
+   * each topic.
+   */
   private static AddressSettings quietAboutDeadLetters() {
     return new AddressSettings()
         .setDeadLetterAddress(SimpleString.of("dead-letters"))

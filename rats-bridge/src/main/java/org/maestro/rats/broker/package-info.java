@@ -1,5 +1,5 @@
 /**
- * The embedded MQTT 5 broker (Artemis without journal), on loopback and a free port unless told otherwise. A port flows out; it may
- * not know the protocol spoken over it.
+ * The embedded MQTT 5 broker (Artemis without journal), on loopback and a free port unless told
+ * otherwise. A port flows out; it may not know the protocol spoken over it.
  */
 package org.maestro.rats.broker;

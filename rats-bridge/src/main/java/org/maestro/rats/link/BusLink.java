@@ -28,8 +28,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The link over a {@link Transport}. Everything happens on the clock's thread, also the listeners are told there. On a stepped clock
- * with the in-process transport a call under way needs no ticket: each of its hops is an action of the clock.
+ * The link over a {@link Transport}. Everything happens on the clock's thread, also the listeners
+ * are told there. On a stepped clock with the in-process transport a call under way needs no
+ * ticket: each of its hops is an action of the clock.
  */
 public final class BusLink implements RatsLink {
 
@@ -38,8 +39,9 @@ public final class BusLink implements RatsLink {
   private static final Duration ASK_ALL_TIMEOUT = Duration.ofSeconds(30);
 
   /**
-   * Wall time after a connect when members are asked to describe themselves: a broker may lose a retained message to a subscriber that
-   * comes at the very moment of its publication (seen with Artemis).
+   * Wall time after a connect when members are asked to describe themselves: a broker may lose a
+   * retained message to a subscriber that comes at the very moment of its publication (seen with
+   * Artemis).
    */
   private static final Duration ASK_DELAY = Duration.ofMillis(500);
 
@@ -76,8 +78,7 @@ public final class BusLink implements RatsLink {
    * @param controller its id, a level of topics; also the transport's client id
    * @param transport not open yet; closed with the link
    */
-  public static BusLink connect(
-      String controller, String site, Transport transport, Clock clock) {
+  public static BusLink connect(String controller, String site, Transport transport, Clock clock) {
     BusLink link = new BusLink(controller, new Topics(site), transport, clock);
     link.open();
     return link;
@@ -196,15 +197,13 @@ public final class BusLink implements RatsLink {
 
   private void connected() {
     transport.publish(
-        Publication.retained(
-            topics.controllerStatus(controller), status(MemberStatus.Phase.READY)),
+        Publication.retained(topics.controllerStatus(controller), status(MemberStatus.Phase.READY)),
         failure -> failure.ifPresent(cause -> LOG.debug("{}", cause.getMessage())));
     clock.schedule(wall(ASK_DELAY), controller, () -> askAll(ReservedFeature.DESCRIBE));
     if (wasConnected) {
       calls.resume();
       doubtEnds.ifPresent(Clock.Timer::cancel);
-      doubtEnds =
-          Optional.of(clock.schedule(wall(RETURN_LIMIT), controller, roster::dropDoubted));
+      doubtEnds = Optional.of(clock.schedule(wall(RETURN_LIMIT), controller, roster::dropDoubted));
     }
     wasConnected = true;
   }
@@ -228,7 +227,10 @@ public final class BusLink implements RatsLink {
     }
   }
 
-  /** Before any status is heard on the next connection, which may be before that is told to be there. */
+  /**
+   * Before any status is heard on the next connection, which may be before that is told to be
+   * there.
+   */
   private void lost() {
     doubtEnds.ifPresent(Clock.Timer::cancel);
     roster.doubtAll();

@@ -95,7 +95,10 @@ final class OpenCalls {
     }
   }
 
-  /** Sends again what may have been lost with the connection; the member answers what it has answered already. */
+  /**
+   * Sends again what may have been lost with the connection; the member answers what it has
+   * answered already.
+   */
   void resume() {
     for (Open call : List.copyOf(open.values())) {
       send(call);
@@ -144,13 +147,11 @@ final class OpenCalls {
   }
 
   private void failAll(Predicate<Open> which, ErrorCode code, String message) {
-    new ArrayList<>(open.values())
-        .stream().filter(which).forEach(call -> end(call, code, message));
+    new ArrayList<>(open.values()).stream().filter(which).forEach(call -> end(call, code, message));
   }
 
   private void send(Open call) {
-    Duration left =
-        call.established ? call.call.timeout() : call.deadline.minus(clock.now());
+    Duration left = call.established ? call.call.timeout() : call.deadline.minus(clock.now());
     if (left.isNegative() || left.isZero()) {
       return;
     }
@@ -219,15 +220,9 @@ final class OpenCalls {
 
   private static Result result(Open call, Outcome outcome, ErrorCode code, String message) {
     RatsError error =
-        new RatsError(
-            code, RatsError.Level.ERROR, message, Optional.empty(), List.of(), true);
+        new RatsError(code, RatsError.Level.ERROR, message, Optional.empty(), List.of(), true);
     return new Result(
-        call.call.id(),
-        member(call.call),
-        outcome,
-        UNKNOWN_STATE,
-        Map.of(),
-        Optional.of(error));
+        call.call.id(), member(call.call), outcome, UNKNOWN_STATE, Map.of(), Optional.of(error));
   }
 
   private static boolean isFrom(Open call, String sender, String from) {

@@ -14,8 +14,8 @@ import org.maestro.rats.protocol.Progress;
 import org.maestro.rats.protocol.Result;
 
 /**
- * The controller's end of the bus. Any thread may call it; nothing blocks. Listeners are told on the transport's thread (the clock's,
- * when stepped) and must hand over at once.
+ * The controller's end of the bus. Any thread may call it; nothing blocks. Listeners are told on
+ * the transport's thread (the clock's, when stepped) and must hand over at once.
  */
 public interface RatsLink extends AutoCloseable {
 
@@ -26,7 +26,8 @@ public interface RatsLink extends AutoCloseable {
   void watch(MemberListener listener);
 
   /**
-   * Calls a member's feature; exactly one result follows, TIMED_OUT or FAILED with MEMBER_LOST at the latest.
+   * Calls a member's feature; exactly one result follows, TIMED_OUT or FAILED with MEMBER_LOST at
+   * the latest.
    *
    * @param parameters JSON values
    */
@@ -38,7 +39,10 @@ public interface RatsLink extends AutoCloseable {
       Optional<String> task,
       CallListener listener);
 
-  /** Asks the member for the price of parameter sets ({@code $cost}); one answer for each set, in order. */
+  /**
+   * Asks the member for the price of parameter sets ({@code $cost}); one answer for each set, in
+   * order.
+   */
   void cost(
       String member,
       String feature,

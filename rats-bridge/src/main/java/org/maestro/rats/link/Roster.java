@@ -17,7 +17,10 @@ import org.maestro.rats.transport.Message;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Who is there, from what members publish of themselves. Clock thread only, but for {@link #members}. */
+/**
+ * Who is there, from what members publish of themselves. Clock thread only, but for {@link
+ * #members}.
+ */
 final class Roster {
 
   private static final Logger LOG = LoggerFactory.getLogger(Roster.class);

@@ -1,5 +1,6 @@
 /**
- * MAESTRO's side of the RATS bus: who is there, and calls with exactly one outcome each. Descriptions, states and results flow out
- * to listeners, calls flow in. It knows neither agents nor knowledge.
+ * MAESTRO's side of the RATS bus: who is there, and calls with exactly one outcome each.
+ * Descriptions, states and results flow out to listeners, calls flow in. It knows neither agents
+ * nor knowledge.
  */
 package org.maestro.rats.link;

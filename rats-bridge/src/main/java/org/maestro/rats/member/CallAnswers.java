@@ -14,8 +14,9 @@ import org.maestro.rats.protocol.Result;
 import org.maestro.rats.time.Clock;
 
 /**
- * Gives each call its one answer, and gives it again when the same call comes again, so that nothing is executed twice. It
- * remembers a call for t, and at least for ten minutes. Clock thread only.
+ * Gives each call its one answer, and gives it again when the same call comes again, so that
+ * nothing is executed twice. It remembers a call for t, and at least for ten minutes. Clock thread
+ * only.
  */
 final class CallAnswers {
 
@@ -80,8 +81,7 @@ final class CallAnswers {
             Optional.of(error(code, message))));
   }
 
-  void answer(
-      Call call, Outcome outcome, Map<String, Object> values, Optional<RatsError> error) {
+  void answer(Call call, Outcome outcome, Map<String, Object> values, Optional<RatsError> error) {
     Result result = new Result(call.id(), member, outcome, condition.state(), values, error);
     remembered.computeIfPresent(
         new Key(call),

@@ -4,7 +4,10 @@ import java.util.Map;
 import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.RatsError;
 
-/** One running call as its procedure sees it. The first final report counts, later ones do nothing. Clock thread only. */
+/**
+ * One running call as its procedure sees it. The first final report counts, later ones do nothing.
+ * Clock thread only.
+ */
 public interface Execution {
 
   Call call();
@@ -22,8 +25,8 @@ public interface Execution {
   void fail(RatsError error);
 
   /**
-   * What to do on cancel or timeout: bring the device to a safe state (M45), then run the given completion. Without it a cancel
-   * completes at once.
+   * What to do on cancel or timeout: bring the device to a safe state (M45), then run the given
+   * completion. Without it a cancel completes at once.
    */
   void onCancel(ExitStrategy strategy);
 

@@ -7,8 +7,9 @@ import java.util.TreeMap;
 import org.maestro.rats.protocol.MemberState;
 
 /**
- * The abstract state z that the member is in, and which features it has switched off (M33, M34). While a call runs, z is the running
- * state of the latest started one, otherwise the state at rest. Clock thread only.
+ * The abstract state z that the member is in, and which features it has switched off (M33, M34).
+ * While a call runs, z is the running state of the latest started one, otherwise the state at rest.
+ * Clock thread only.
  */
 final class MemberCondition {
 
@@ -34,12 +35,19 @@ final class MemberCondition {
   void rest(String state) {
     if (!profile.states().contains(state)) {
       throw new IllegalArgumentException(
-          "The member " + profile.id() + " has no state '" + state + "'; its description names all");
+          "The member "
+              + profile.id()
+              + " has no state '"
+              + state
+              + "'; its description names all");
     }
     atRest = state;
   }
 
-  /** Rests in a safe state: where it is if that is one, else in the initial state, else in the first by name (M36). */
+  /**
+   * Rests in a safe state: where it is if that is one, else in the initial state, else in the first
+   * by name (M36).
+   */
   void restSafely() {
     if (profile.safeStates().contains(atRest)) {
       return;

@@ -25,7 +25,8 @@ public record MemberProfile(
   private static final Pattern ID = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,62}");
 
   /**
-   * @throws IllegalArgumentException when the id cannot be a level of a topic, there is no safe state, or a state is none of Z
+   * @throws IllegalArgumentException when the id cannot be a level of a topic, there is no safe
+   *     state, or a state is none of Z
    */
   public MemberProfile {
     if (!ID.matcher(id).matches()) {

@@ -20,7 +20,10 @@ import org.maestro.rats.transport.Transport;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** All that a member publishes. Results that could not be sent are sent again after the next connect. Any thread. */
+/**
+ * All that a member publishes. Results that could not be sent are sent again after the next
+ * connect. Any thread.
+ */
 final class MemberVoice {
 
   private static final Logger LOG = LoggerFactory.getLogger(MemberVoice.class);
@@ -52,9 +55,7 @@ final class MemberVoice {
   }
 
   void description() {
-    publish(
-        Publication.retained(
-            topics.description(id), description.getBytes(UTF_8)));
+    publish(Publication.retained(topics.description(id), description.getBytes(UTF_8)));
   }
 
   void state(MemberState state) {
@@ -66,8 +67,7 @@ final class MemberVoice {
   }
 
   void progress(String to, Progress progress) {
-    publish(
-        Publication.reliable(topics.progress(to, id), wire.encode(progress), Optional.empty()));
+    publish(Publication.reliable(topics.progress(to, id), wire.encode(progress), Optional.empty()));
   }
 
   void observation(Observation observation) {

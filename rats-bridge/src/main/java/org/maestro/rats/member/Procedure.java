@@ -4,8 +4,9 @@ import java.util.Map;
 import org.maestro.rats.protocol.CostAnswer;
 
 /**
- * The routine behind a feature (phi). All methods are called on the clock's thread and must not block: a routine that takes time
- * schedules its own continuation and reports through the {@link Execution}.
+ * The routine behind a feature (phi). All methods are called on the clock's thread and must not
+ * block: a routine that takes time schedules its own continuation and reports through the {@link
+ * Execution}.
  */
 public interface Procedure {
 

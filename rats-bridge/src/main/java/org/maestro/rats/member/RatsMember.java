@@ -15,10 +15,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A member of the bus, r = (Id, F, Z, z, Zs) of the paper's section 3.2.1: announces itself, executes calls, answers them. All of it
- * happens on the clock's thread. The transport is its own: opened here, closed with it.
+ * A member of the bus, r = (Id, F, Z, z, Zs) of the paper's section 3.2.1: announces itself,
+ * executes calls, answers them. All of it happens on the clock's thread. The transport is its own:
+ * opened here, closed with it.
  *
- * <p>Any thread may {@link #close} it, or let it {@link #die}; the other methods belong to the clock's thread.
+ * <p>Any thread may {@link #close} it, or let it {@link #die}; the other methods belong to the
+ * clock's thread.
  */
 public final class RatsMember implements AutoCloseable {
 
@@ -114,7 +116,10 @@ public final class RatsMember implements AutoCloseable {
     stateChanged();
   }
 
-  /** Leaves for good: clears what is retained of it, and closes the transport. Running calls stay without an answer. */
+  /**
+   * Leaves for good: clears what is retained of it, and closes the transport. Running calls stay
+   * without an answer.
+   */
   @Override
   public void close() {
     voice.leave();

@@ -17,7 +17,10 @@ import org.maestro.rats.transport.Message;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Decides what becomes of each call heard on the bus: for others, refused, answered at once, or queued (M61). Clock thread only. */
+/**
+ * Decides what becomes of each call heard on the bus: for others, refused, answered at once, or
+ * queued (M61). Clock thread only.
+ */
 final class Reception {
 
   private static final Logger LOG = LoggerFactory.getLogger(Reception.class);
@@ -193,9 +196,7 @@ final class Reception {
       answers.rejected(call, ErrorCode.UNKNOWN_FEATURE, message);
     } else {
       List<CostAnswer> costs =
-          exchange.get().sets().stream()
-              .map(set -> cost(feature.get(), set))
-              .toList();
+          exchange.get().sets().stream().map(set -> cost(feature.get(), set)).toList();
       answers.succeeded(call, CostExchange.values(costs));
     }
   }

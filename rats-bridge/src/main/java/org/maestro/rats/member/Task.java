@@ -14,7 +14,10 @@ import org.maestro.rats.time.Clock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** One call from its acceptance to its one outcome: waiting, running, perhaps on its way out, ended. Clock thread only. */
+/**
+ * One call from its acceptance to its one outcome: waiting, running, perhaps on its way out, ended.
+ * Clock thread only.
+ */
 final class Task implements Execution {
 
   private static final Logger LOG = LoggerFactory.getLogger(Task.class);
@@ -35,8 +38,7 @@ final class Task implements Execution {
 
     void observed(Task task, Map<String, Object> values);
 
-    void ended(
-        Task task, Outcome outcome, Map<String, Object> values, Optional<RatsError> error);
+    void ended(Task task, Outcome outcome, Map<String, Object> values, Optional<RatsError> error);
 
     /** The member is gone: nothing counts any more. */
     boolean gone();
@@ -98,7 +100,10 @@ final class Task implements Execution {
     }
   }
 
-  /** Ends it from outside: at once while it waits, through its exit strategy when it runs (M41, M42, M45). */
+  /**
+   * Ends it from outside: at once while it waits, through its exit strategy when it runs (M41, M42,
+   * M45).
+   */
   void stop(Outcome outcome, Optional<RatsError> error) {
     if (phase == Phase.WAITING) {
       end(outcome, Map.of(), error);
@@ -137,8 +142,7 @@ final class Task implements Execution {
   @Override
   public void progress(double fraction) {
     if (phase == Phase.RUNNING) {
-      keeper.progressed(
-          this, Progress.Kind.RUNNING, Math.min(1, Math.max(0, fraction)), Map.of());
+      keeper.progressed(this, Progress.Kind.RUNNING, Math.min(1, Math.max(0, fraction)), Map.of());
     }
   }
 
@@ -175,7 +179,11 @@ final class Task implements Execution {
   private void exitTookTooLong(Outcome outcome) {
     if (phase == Phase.EXITING) {
       String message =
-          "The exit strategy of " + feature.id() + " did not end within " + EXIT_LIMIT.toSeconds() + " s";
+          "The exit strategy of "
+              + feature.id()
+              + " did not end within "
+              + EXIT_LIMIT.toSeconds()
+              + " s";
       end(
           outcome == Outcome.SUCCEEDED ? Outcome.FAILED : outcome,
           Map.of(),

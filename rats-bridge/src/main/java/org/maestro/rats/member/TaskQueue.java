@@ -17,8 +17,8 @@ import org.maestro.rats.protocol.RatsError;
 import org.maestro.rats.time.Clock;
 
 /**
- * What runs and what waits on a member. A task starts when neither a running one nor one that has waited longer needs a component of
- * its (M38-M40). Clock thread only.
+ * What runs and what waits on a member. A task starts when neither a running one nor one that has
+ * waited longer needs a component of its (M38-M40). Clock thread only.
  */
 final class TaskQueue implements Task.Keeper {
 
@@ -71,7 +71,10 @@ final class TaskQueue implements Task.Keeper {
     return task.isPresent();
   }
 
-  /** Cancels everything; the action runs when all of it has ended and the member rests in a safe state (M37). */
+  /**
+   * Cancels everything; the action runs when all of it has ended and the member rests in a safe
+   * state (M37).
+   */
   void makeSafe(Runnable action) {
     List<Task> all = all();
     List<Task> left = new ArrayList<>(all);
@@ -84,8 +87,7 @@ final class TaskQueue implements Task.Keeper {
                     rest(action);
                   }
                 }));
-    all.forEach(
-        task -> task.stop(Outcome.CANCELED, canceled("The member was told to be safe")));
+    all.forEach(task -> task.stop(Outcome.CANCELED, canceled("The member was told to be safe")));
     if (all.isEmpty()) {
       rest(action);
     }
@@ -179,8 +181,7 @@ final class TaskQueue implements Task.Keeper {
 
   @Override
   public void observed(Task task, Map<String, Object> values) {
-    voice.observation(
-        new Observation(task.call().id(), member, task.feature().id(), values));
+    voice.observation(new Observation(task.call().id(), member, task.feature().id(), values));
   }
 
   @Override

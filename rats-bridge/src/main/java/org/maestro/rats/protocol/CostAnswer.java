@@ -5,7 +5,9 @@ import java.util.Optional;
 /**
  * What one parameter set would cost ({@code $cost}).
  *
- * @param cost in cost units (seconds plus weighted energy); absent when the member cannot do it, then {@code reason} says why
+ * @param cost in cost units (seconds plus weighted energy); absent when the member cannot do it,
+ *     then {@code reason} says why
  * @param seconds expected duration
  */
-public record CostAnswer(Optional<Double> cost, Optional<Double> seconds, Optional<String> reason) {}
+public record CostAnswer(
+    Optional<Double> cost, Optional<Double> seconds, Optional<String> reason) {}

@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What {@code $cost} carries (M54): a feature and parameter sets on the way there, one answer for each set, in order, on the way
- * back.
+ * What {@code $cost} carries (M54): a feature and parameter sets on the way there, one answer for
+ * each set, in order, on the way back.
  */
 public record CostExchange(String feature, List<Map<String, Object>> sets) {
 
@@ -52,7 +52,9 @@ public record CostExchange(String feature, List<Map<String, Object>> sets) {
     return values;
   }
 
-  /** What the result's values say; what is missing in them is an answer with a reason and no cost. */
+  /**
+   * What the result's values say; what is missing in them is an answer with a reason and no cost.
+   */
   public List<CostAnswer> answers(Map<String, Object> values) {
     List<?> costs = values.get("costs") instanceof List<?> list ? list : List.of();
     List<CostAnswer> answers = new ArrayList<>();

@@ -9,7 +9,12 @@ import java.util.Optional;
  * @param refs the facts it depends on, in MAESTRO-SL
  */
 public record RatsError(
-    ErrorCode code, Level level, String message, Optional<String> hint, List<Reference> refs, boolean retriable) {
+    ErrorCode code,
+    Level level,
+    String message,
+    Optional<String> hint,
+    List<Reference> refs,
+    boolean retriable) {
   public RatsError {
     refs = List.copyOf(refs);
   }

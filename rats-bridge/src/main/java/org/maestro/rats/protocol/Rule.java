@@ -2,10 +2,14 @@ package org.maestro.rats.protocol;
 
 import java.util.regex.Pattern;
 
-/** What a text of a message may be, with the words that say so. The JSON Schemas hold the same patterns. */
+/**
+ * What a text of a message may be, with the words that say so. The JSON Schemas hold the same
+ * patterns.
+ */
 enum Rule {
   /** Becomes a level of a topic. */
-  NAME("[A-Za-z0-9][A-Za-z0-9._-]{0,62}", "a name of letters, digits, '.', '_' and '-', at most 63"),
+  NAME(
+      "[A-Za-z0-9][A-Za-z0-9._-]{0,62}", "a name of letters, digits, '.', '_' and '-', at most 63"),
   FEATURE("[^/+#\\s\\p{Cntrl}]{1,128}", "1 to 128 characters without space, '/', '+' and '#'"),
   ID("[^\\s\\p{Cntrl}]{1,128}", "1 to 128 characters without space"),
   TEXT("(?s).{0,8192}", "a text of at most 8192 characters");

@@ -97,7 +97,9 @@ public record Topics(String site) {
     return after(topic, root() + "member/").map(rest -> rest.substring(0, end(rest)));
   }
 
-  /** Which member sent to a topic {@code result/{to}/{member}} or {@code progress/{to}/{member}}. */
+  /**
+   * Which member sent to a topic {@code result/{to}/{member}} or {@code progress/{to}/{member}}.
+   */
   public Optional<String> senderOf(String topic) {
     int last = topic.lastIndexOf('/');
     return topic.startsWith(root()) ? Optional.of(topic.substring(last + 1)) : Optional.empty();

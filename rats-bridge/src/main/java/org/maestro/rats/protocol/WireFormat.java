@@ -17,10 +17,12 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The JSON of version 1, as the JSON Schemas beside it describe it. Unknown fields are ignored, an unknown major version is refused.
- * Equal messages have equal bytes, whatever maps they hold. Safe for use by several threads.
+ * The JSON of version 1, as the JSON Schemas beside it describe it. Unknown fields are ignored, an
+ * unknown major version is refused. Equal messages have equal bytes, whatever maps they hold. Safe
+ * for use by several threads.
  *
- * <p>Decoding throws {@link MalformedMessageException}, encoding IllegalArgumentException for values that JSON cannot hold.
+ * <p>Decoding throws {@link MalformedMessageException}, encoding IllegalArgumentException for
+ * values that JSON cannot hold.
  */
 public final class WireFormat {
 
@@ -71,7 +73,10 @@ public final class WireFormat {
         fields.optionalText("task", Rule.TEXT));
   }
 
-  /** To whom a call is addressed that may be malformed otherwise; empty when not even that can be read. */
+  /**
+   * To whom a call is addressed that may be malformed otherwise; empty when not even that can be
+   * read.
+   */
   public Optional<CallAddress> addressOf(byte[] payload) {
     if (payload.length > MOST_BYTES) {
       return Optional.empty();

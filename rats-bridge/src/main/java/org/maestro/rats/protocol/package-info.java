@@ -1,6 +1,6 @@
 /**
- * The RATS bus, version 1, as plain records and their JSON: calls, results, progress, status, states, descriptions, topics, error
- * codes. Bytes flow in and records out, and back. It knows neither MQTT clients nor members; the JSON Schemas beside it
- * are what its tests check.
+ * The RATS bus, version 1, as plain records and their JSON: calls, results, progress, status,
+ * states, descriptions, topics, error codes. Bytes flow in and records out, and back. It knows
+ * neither MQTT clients nor members; the JSON Schemas beside it are what its tests check.
  */
 package org.maestro.rats.protocol;

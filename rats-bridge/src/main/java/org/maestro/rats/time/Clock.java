@@ -4,26 +4,32 @@ import java.time.Duration;
 import java.time.Instant;
 
 /**
- * Simulated time. Any thread may call it. Actions run one at a time on the clock's thread (the paced clock's own, or the one that
- * drives a stepped clock); they must not block.
+ * Simulated time. Any thread may call it. Actions run one at a time on the clock's thread (the
+ * paced clock's own, or the one that drives a stepped clock); they must not block.
  *
- * <p>Simultaneous actions run in the order in which they were scheduled. On a stepped clock that order is the same in every run
- * as long as one rule is kept: <em>an action sets going at most one activity on another thread, and that activity holds a ticket
- * until it is done</em>. The clock runs the next action only when no ticket is held, so there is never more than one logical
- * activity that could schedule anything, and the sequence of the schedule calls follows from the sequence of the actions alone.
- * Whoever has to wake several threads (a message to many receivers) schedules one action for each of them. The order does not look
- * at names, so that renaming a device changes nothing.
+ * <p>Simultaneous actions run in the order in which they were scheduled. On a stepped clock that
+ * order is the same in every run as long as one rule is kept: <em>an action sets going at most one
+ * activity on another thread, and that activity holds a ticket until it is done</em>. The clock
+ * runs the next action only when no ticket is held, so there is never more than one logical
+ * activity that could schedule anything, and the sequence of the schedule calls follows from the
+ * sequence of the actions alone. Whoever has to wake several threads (a message to many receivers)
+ * schedules one action for each of them. The order does not look at names, so that renaming a
+ * device changes nothing.
  */
 public interface Clock {
 
   /** Simulated time since the clock's start. */
   Duration now();
 
-  /** The instant that stands for the start; wall time for a paced clock, a fixed date for a stepped one. */
+  /**
+   * The instant that stands for the start; wall time for a paced clock, a fixed date for a stepped
+   * one.
+   */
   Instant start();
 
   /**
-   * Runs the action after the delay of simulated time. Simultaneous actions run in the order of these calls.
+   * Runs the action after the delay of simulated time. Simultaneous actions run in the order of
+   * these calls.
    *
    * @param delay zero or more; a negative one counts as zero
    * @param owner who the action belongs to, for messages: a member's or agent's id
@@ -33,12 +39,16 @@ public interface Clock {
   /** Keeps a stepped clock from moving until the ticket is closed; costs nothing on a paced one. */
   Ticket hold(String holder);
 
-  /** Simulated seconds per second of wall time; 1 on a stepped clock, which has no relation to it. */
+  /**
+   * Simulated seconds per second of wall time; 1 on a stepped clock, which has no relation to it.
+   */
   default double speed() {
     return 1.0;
   }
 
-  /** Whether time jumps from event to event, so that all work has to be accounted for by tickets. */
+  /**
+   * Whether time jumps from event to event, so that all work has to be accounted for by tickets.
+   */
   default boolean isStepped() {
     return false;
   }

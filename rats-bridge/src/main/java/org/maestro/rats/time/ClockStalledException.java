@@ -3,7 +3,10 @@ package org.maestro.rats.time;
 import java.time.Duration;
 import java.util.List;
 
-/** A stepped clock waited too long (wall time) for tickets to be closed: some activity hangs, or forgot its ticket. */
+/**
+ * A stepped clock waited too long (wall time) for tickets to be closed: some activity hangs, or
+ * forgot its ticket.
+ */
 public final class ClockStalledException extends RuntimeException {
 
   private static final long serialVersionUID = 1L;

@@ -9,8 +9,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Wall time times a speed. One daemon thread runs the actions; what they throw goes to the log and the clock goes on. After
- * {@link #close} nothing runs any more and scheduling does nothing.
+ * Wall time times a speed. One daemon thread runs the actions; what they throw goes to the log and
+ * the clock goes on. After {@link #close} nothing runs any more and scheduling does nothing.
  */
 public final class PacedClock implements Clock, AutoCloseable {
 

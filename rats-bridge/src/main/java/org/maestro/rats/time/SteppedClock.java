@@ -11,8 +11,9 @@ import java.util.Set;
 import java.util.function.BooleanSupplier;
 
 /**
- * Time that jumps from event to event. It has no thread: whoever calls {@link #runUntil} drives it and runs the actions. It never
- * moves while a ticket is held. Any thread may schedule, hold and read; order and determinism are described at {@link Clock}.
+ * Time that jumps from event to event. It has no thread: whoever calls {@link #runUntil} drives it
+ * and runs the actions. It never moves while a ticket is held. Any thread may schedule, hold and
+ * read; order and determinism are described at {@link Clock}.
  */
 public final class SteppedClock implements Clock {
 
@@ -35,7 +36,8 @@ public final class SteppedClock implements Clock {
   }
 
   /**
-   * @param stallLimit wall time that the clock waits for a held ticket before {@link ClockStalledException}
+   * @param stallLimit wall time that the clock waits for a held ticket before {@link
+   *     ClockStalledException}
    */
   public SteppedClock(Duration stallLimit) {
     this.stallLimit = stallLimit;
@@ -80,14 +82,16 @@ public final class SteppedClock implements Clock {
   }
 
   /**
-   * Runs events in order until the condition holds or the limit of simulated time has passed; then now is the end of the limit.
-   * The condition is read on the calling thread before each event while no ticket is held. What an action throws ends the call; the
-   * clock stays usable.
+   * Runs events in order until the condition holds or the limit of simulated time has passed; then
+   * now is the end of the limit. The condition is read on the calling thread before each event
+   * while no ticket is held. What an action throws ends the call; the clock stays usable.
    *
    * @param limit simulated time from now
    * @return whether the condition holds
-   * @throws ClockStalledException when a ticket is held for longer than the stall limit of wall time
-   * @throws IllegalStateException when another thread, or an action of this clock, drives it already
+   * @throws ClockStalledException when a ticket is held for longer than the stall limit of wall
+   *     time
+   * @throws IllegalStateException when another thread, or an action of this clock, drives it
+   *     already
    */
   public boolean runUntil(BooleanSupplier condition, Duration limit) {
     takeTheWheel();

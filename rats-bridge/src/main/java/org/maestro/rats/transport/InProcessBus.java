@@ -10,9 +10,9 @@ import java.util.TreeMap;
 import org.maestro.rats.time.Clock;
 
 /**
- * A broker within the process, on a clock: each message takes 1 ms of simulated time, and each delivery is an action of its own, in
- * the order of the receivers' connects. On a stepped clock it is deterministic. It keeps retained messages and publishes wills.
- * Any thread may call it.
+ * A broker within the process, on a clock: each message takes 1 ms of simulated time, and each
+ * delivery is an action of its own, in the order of the receivers' connects. On a stepped clock it
+ * is deterministic. It keeps retained messages and publishes wills. Any thread may call it.
  */
 public final class InProcessBus {
 
@@ -29,7 +29,10 @@ public final class InProcessBus {
     this.clock = clock;
   }
 
-  /** A new client; it connects when it is opened. A second client of the same id takes the first one's place. */
+  /**
+   * A new client; it connects when it is opened. A second client of the same id takes the first
+   * one's place.
+   */
   public Transport client(String clientId) {
     return new InProcessTransport(this, clock, clientId);
   }

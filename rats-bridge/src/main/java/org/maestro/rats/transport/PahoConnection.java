@@ -20,12 +20,15 @@ import org.eclipse.paho.mqttv5.common.MqttSubscription;
 import org.eclipse.paho.mqttv5.common.packet.MqttProperties;
 
 /**
- * One connection of {@link PahoTransport}, used once: a new attempt gets a new Paho client, so that nothing of the old session
- * lingers. Paho's callbacks arrive on its own threads and are handed on at once.
+ * One connection of {@link PahoTransport}, used once: a new attempt gets a new Paho client, so that
+ * nothing of the old session lingers. Paho's callbacks arrive on its own threads and are handed on
+ * at once.
  */
 final class PahoConnection implements MqttCallback {
 
-  /** Paho's sender, receiver, callback and connect tasks each keep a thread; one more for its pings. */
+  /**
+   * Paho's sender, receiver, callback and connect tasks each keep a thread; one more for its pings.
+   */
   private static final int PAHO_THREADS = 5;
 
   private static final int REFUSED = 0x80;
@@ -76,7 +79,8 @@ final class PahoConnection implements MqttCallback {
     options.setConnectionTimeout(CONNECT_SECONDS);
     options.setUseSubscriptionIdentifiers(false);
     options.setSocketFactory(sockets);
-    will.ifPresent(last -> options.setWill(last.topic(), new MqttMessage(last.payload(), 1, true, null)));
+    will.ifPresent(
+        last -> options.setWill(last.topic(), new MqttMessage(last.payload(), 1, true, null)));
   }
 
   void connect() {
@@ -86,8 +90,7 @@ final class PahoConnection implements MqttCallback {
   }
 
   private void told(Optional<String> failure) {
-    failure.ifPresentOrElse(
-        reason -> events.ended(this, reason), () -> events.established(this));
+    failure.ifPresentOrElse(reason -> events.ended(this, reason), () -> events.established(this));
   }
 
   /** All in one packet; the completion is told on a Paho thread, or at once when refused. */
@@ -115,7 +118,10 @@ final class PahoConnection implements MqttCallback {
         failure -> completion.accept(Optional.of(failure)));
   }
 
-  /** Sends DISCONNECT; the completion is told on a Paho thread, or at once when that is not possible. */
+  /**
+   * Sends DISCONNECT; the completion is told on a Paho thread, or at once when that is not
+   * possible.
+   */
   void disconnect(Runnable completion) {
     start(
         () -> client.disconnect(0, null, listener(ignored -> completion.run()), 0, null),

@@ -13,8 +13,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A client of an MQTT 5 broker. One daemon thread of its own does everything, and tells handlers, listeners and completions; it
- * reconnects by itself after 0.2 to 2 s. For paced clocks: messages under way in a real broker hold no ticket of a stepped one.
+ * A client of an MQTT 5 broker. One daemon thread of its own does everything, and tells handlers,
+ * listeners and completions; it reconnects by itself after 0.2 to 2 s. For paced clocks: messages
+ * under way in a real broker hold no ticket of a stepped one.
  */
 public final class PahoTransport implements Transport {
 
@@ -37,6 +38,7 @@ public final class PahoTransport implements Transport {
   private Optional<Will> will = Optional.empty();
   private ConnectionListener listener;
   private PahoConnection connection;
+
   /** Arrived before the listener was told of the connection. */
   private final List<Message> early = new ArrayList<>();
 
@@ -71,8 +73,7 @@ public final class PahoTransport implements Transport {
 
   @Override
   public void subscribe(String filter, RetainedMessages retained, MessageHandler handler) {
-    PahoSubscription subscription =
-        new PahoSubscription(TopicFilter.of(filter), retained, handler);
+    PahoSubscription subscription = new PahoSubscription(TopicFilter.of(filter), retained, handler);
     perform(
         () -> {
           subscriptions.add(subscription);
@@ -91,8 +92,7 @@ public final class PahoTransport implements Transport {
           listener = connectionListener;
           attempt();
         });
-    loop.scheduleWithFixedDelay(
-        () -> guarded(this::showLife), 1, 1, TimeUnit.SECONDS);
+    loop.scheduleWithFixedDelay(() -> guarded(this::showLife), 1, 1, TimeUnit.SECONDS);
   }
 
   @Override
@@ -216,7 +216,8 @@ public final class PahoTransport implements Transport {
         Math.min(LONGEST_RETRY_MILLIS, (2 * SHORTEST_RETRY_MILLIS) << Math.min(attempts++, 4));
     long delay = ThreadLocalRandom.current().nextLong(SHORTEST_RETRY_MILLIS, ceiling + 1);
     loop.schedule(() -> guarded(this::attempt), delay, TimeUnit.MILLISECONDS);
-    LOG.debug("{} has no connection to {} ({}); next try in {} ms", clientId, broker, reason, delay);
+    LOG.debug(
+        "{} has no connection to {} ({}); next try in {} ms", clientId, broker, reason, delay);
     listener.lost(reason);
   }
 
@@ -278,7 +279,8 @@ public final class PahoTransport implements Transport {
     try {
       action.run();
     } catch (RuntimeException failure) {
-      LOG.error("A listener of the transport of {} failed; the transport goes on", clientId, failure);
+      LOG.error(
+          "A listener of the transport of {} failed; the transport goes on", clientId, failure);
     }
   }
 

@@ -11,10 +11,12 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A socket that sends at once, and makes up for two haste faults. Paho 1.2.5 looks for its reader every 100 ms while it starts, and
- * looks for ever when the reader has ended by then: so the reader learns of a broken connection only after something was written,
- * which is when Paho has started. And Paho closes right behind its DISCONNECT, which Artemis at times takes for a broken connection,
- * so that it publishes the will: so the broker gets some time to close first, as MQTT 5 has it.
+ * A socket that sends at once, and makes up for two haste faults. Paho 1.2.5 looks for its reader
+ * every 100 ms while it starts, and looks for ever when the reader has ended by then: so the reader
+ * learns of a broken connection only after something was written, which is when Paho has started.
+ * And Paho closes right behind its DISCONNECT, which Artemis at times takes for a broken
+ * connection, so that it publishes the will: so the broker gets some time to close first, as MQTT 5
+ * has it.
  */
 final class PatientSocket extends Socket {
 

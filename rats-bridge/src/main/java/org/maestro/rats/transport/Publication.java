@@ -6,7 +6,8 @@ import java.util.Optional;
 /**
  * A message to publish. The payload must not be changed afterwards.
  *
- * @param retained kept by the broker for later subscribers; with an empty payload it clears what is kept
+ * @param retained kept by the broker for later subscribers; with an empty payload it clears what is
+ *     kept
  * @param expiry wall time (in process: the clock's); sent as whole seconds, rounded up
  */
 public record Publication(

@@ -8,5 +8,4 @@ public final class PublishException extends RuntimeException {
   PublishException(String topic, String reason) {
     super("The message for the topic " + topic + " was not published: " + reason);
   }
-
 }

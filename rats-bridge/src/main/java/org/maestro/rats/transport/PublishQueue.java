@@ -9,8 +9,9 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What waits to be published and what is under way: Paho throws when too many publishes are in progress, so their number is bounded
- * here, and nothing is dropped without telling. Confined to the transport's thread.
+ * What waits to be published and what is under way: Paho throws when too many publishes are in
+ * progress, so their number is bounded here, and nothing is dropped without telling. Confined to
+ * the transport's thread.
  */
 final class PublishQueue {
 

@@ -2,7 +2,10 @@ package org.maestro.rats.transport;
 
 import java.util.List;
 
-/** An MQTT topic filter: {@code +} stands for one level, {@code #} at the end for the parent and all below. */
+/**
+ * An MQTT topic filter: {@code +} stands for one level, {@code #} at the end for the parent and all
+ * below.
+ */
 record TopicFilter(String text, List<String> levels) {
 
   static TopicFilter of(String text) {

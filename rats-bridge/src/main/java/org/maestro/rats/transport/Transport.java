@@ -3,18 +3,19 @@ package org.maestro.rats.transport;
 import java.util.Optional;
 
 /**
- * One client's connection to the bus. Any thread may call it and nothing blocks, except {@link #close}. Subscribe first, then open:
- * after each connect and reconnect all subscriptions stand before {@link ConnectionListener#connected} is told, and no message is delivered
- * before that. Sessions are clean:
- * what was published while the client was away is lost, apart from retained messages.
+ * One client's connection to the bus. Any thread may call it and nothing blocks, except {@link
+ * #close}. Subscribe first, then open: after each connect and reconnect all subscriptions stand
+ * before {@link ConnectionListener#connected} is told, and no message is delivered before that.
+ * Sessions are clean: what was published while the client was away is lost, apart from retained
+ * messages.
  */
 public interface Transport extends AutoCloseable {
 
   String clientId();
 
   /**
-   * Subscribes for the life of the transport. The filters of one transport must not overlap, since brokers differ in how often they
-   * then deliver.
+   * Subscribes for the life of the transport. The filters of one transport must not overlap, since
+   * brokers differ in how often they then deliver.
    *
    * @param filter an MQTT topic filter
    * @param retained whether the messages that are retained now are wanted
@@ -26,16 +27,22 @@ public interface Transport extends AutoCloseable {
   void open(Optional<Will> will, ConnectionListener listener);
 
   /**
-   * Publishes. The completion is told exactly once: when the broker has taken the message (QoS 0: when it was sent), or why it was
-   * not. Nothing is kept for later while there is no connection.
+   * Publishes. The completion is told exactly once: when the broker has taken the message (QoS 0:
+   * when it was sent), or why it was not. Nothing is kept for later while there is no connection.
    */
   void publish(Publication publication, Completion completion);
 
-  /** Says goodbye: what was published before still leaves, the will does not. Waits at most about two seconds. */
+  /**
+   * Says goodbye: what was published before still leaves, the will does not. Waits at most about
+   * two seconds.
+   */
   @Override
   void close();
 
-  /** Vanishes without goodbye, as after a power cut: the broker publishes the will. For tests and simulated faults. */
+  /**
+   * Vanishes without goodbye, as after a power cut: the broker publishes the will. For tests and
+   * simulated faults.
+   */
   void die();
 
   enum RetainedMessages {
@@ -56,7 +63,10 @@ public interface Transport extends AutoCloseable {
     void lost(String reason);
   }
 
-  /** Told on the transport's thread (in process: the clock's, or the publisher's when refused at once). */
+  /**
+   * Told on the transport's thread (in process: the clock's, or the publisher's when refused at
+   * once).
+   */
   interface Completion {
     /** Empty when the broker took the message. */
     void completed(Optional<PublishException> failure);

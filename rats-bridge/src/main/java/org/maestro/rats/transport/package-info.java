@@ -1,5 +1,6 @@
 /**
- * Publish and subscribe over MQTT 5 (Paho, hidden here) or within the process, behind one interface and under the same contract
- * tests. Topics and bytes flow both ways. It may not know what the bytes mean.
+ * Publish and subscribe over MQTT 5 (Paho, hidden here) or within the process, behind one interface
+ * and under the same contract tests. Topics and bytes flow both ways. It may not know what the
+ * bytes mean.
  */
 package org.maestro.rats.transport;

@@ -12,8 +12,9 @@ import org.maestro.rats.transport.Publication;
 import org.maestro.rats.transport.Transport;
 
 /**
- * Sequential call and result round trips at QoS 1 over a broker, run by hand for {@code docs/decisions/0003-broker.md}. Without an
- * argument it starts the embedded broker, otherwise the argument is the address of a running one.
+ * Sequential call and result round trips at QoS 1 over a broker, run by hand for {@code
+ * docs/decisions/0003-broker.md}. Without an argument it starts the embedded broker, otherwise the
+ * argument is the address of a running one.
  */
 public final class RoundTrips {
 

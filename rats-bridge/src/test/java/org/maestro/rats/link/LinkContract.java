@@ -38,7 +38,10 @@ abstract class LinkContract {
 
   abstract void restartBroker();
 
-  /** Waits until the condition holds, at most some minutes of simulated time, and fails if it does not. */
+  /**
+   * Waits until the condition holds, at most some minutes of simulated time, and fails if it does
+   * not.
+   */
   abstract void await(BooleanSupplier condition);
 
   @AfterEach
@@ -122,7 +125,8 @@ abstract class LinkContract {
     await(() -> usable(link, "anna"));
     Listener listener = new Listener();
     RatsLink.CallHandle call =
-        link.call("anna", "watch", Map.of("object", "Cup"), seconds(20), Optional.empty(), listener);
+        link.call(
+            "anna", "watch", Map.of("object", "Cup"), seconds(20), Optional.empty(), listener);
     await(() -> listener.observations.size() >= 25);
     assertThat(listener.results).as("t ended when it was established").isEmpty();
     assertThat(listener.observations).extracting(Observation::id).containsOnly(call.callId());

@@ -96,8 +96,7 @@ class RatsMemberTest {
 
   @Test
   void announcesItself() {
-    assertThat(retained)
-        .containsExactly("INIT", "description {\"@id\":\"rose\"}", "READY");
+    assertThat(retained).containsExactly("INIT", "description {\"@id\":\"rose\"}", "READY");
     assertThat(state.orElseThrow())
         .isEqualTo(
             new MemberState(
@@ -190,8 +189,7 @@ class RatsMemberTest {
     send(with(call("c1", "grip", Map.of()), Duration.ofMillis(500)));
     send(call("c2", "wave", Map.of()));
     run(10);
-    assertThat(device.log)
-        .startsWith("2 start grip", "4 end grip", "5 put down", "5 start wave");
+    assertThat(device.log).startsWith("2 start grip", "4 end grip", "5 put down", "5 start wave");
     assertThat(results).extracting(Result::id).containsExactly("c1", "c2");
     assertThat(results.get(0).outcome()).isEqualTo(Outcome.TIMED_OUT);
     assertThat(results.get(0).state()).isEqualTo("standby");
@@ -302,8 +300,7 @@ class RatsMemberTest {
     String forRose = "{\"v\":\"1.0\",\"id\":\"c1\",\"r\":\"rose\",\"f\":\"echo\",\"from\":\"cca\"}";
     for (String text :
         List.of(forRose, forRose.replace("rose", "tim"), "{}", forRose.replace("1.0", "2.0"))) {
-      publish(
-          Publication.reliable(topics.call("cca"), text.getBytes(UTF_8), Optional.empty()));
+      publish(Publication.reliable(topics.call("cca"), text.getBytes(UTF_8), Optional.empty()));
     }
     run(1);
     assertThat(results).hasSize(2);
@@ -423,7 +420,8 @@ class RatsMemberTest {
     publish(
         Publication.retained(
             topics.status("rose"),
-            "{\"v\":\"1.0\",\"id\":\"rose\",\"status\":\"lost\",\"boot\":\"old\"}".getBytes(UTF_8)));
+            "{\"v\":\"1.0\",\"id\":\"rose\",\"status\":\"lost\",\"boot\":\"old\"}"
+                .getBytes(UTF_8)));
     run(1);
     assertThat(retained).containsExactly("LOST", "READY");
   }
@@ -442,14 +440,11 @@ class RatsMemberTest {
 
   @Test
   void isRefusedWithoutASafeState() {
-    assertThatThrownBy(
-            () -> new MemberProfile("rose", "", Set.of("a"), "a", Set.of(), Map.of()))
+    assertThatThrownBy(() -> new MemberProfile("rose", "", Set.of("a"), "a", Set.of(), Map.of()))
         .hasMessageContaining("safe state");
-    assertThatThrownBy(
-            () -> new MemberProfile("rose", "", Set.of("a"), "b", Set.of("a"), Map.of()))
+    assertThatThrownBy(() -> new MemberProfile("rose", "", Set.of("a"), "b", Set.of("a"), Map.of()))
         .hasMessageContaining("b");
-    assertThatThrownBy(
-            () -> new MemberProfile("a/b", "", Set.of("a"), "a", Set.of("a"), Map.of()))
+    assertThatThrownBy(() -> new MemberProfile("a/b", "", Set.of("a"), "a", Set.of("a"), Map.of()))
         .hasMessageContaining("a/b");
   }
 
@@ -524,8 +519,7 @@ class RatsMemberTest {
 
   private void send(Call call) {
     publish(
-        Publication.reliable(
-            topics.call("cca"), wire.encode(call), Optional.of(call.timeout())));
+        Publication.reliable(topics.call("cca"), wire.encode(call), Optional.of(call.timeout())));
   }
 
   private void publish(Publication publication) {

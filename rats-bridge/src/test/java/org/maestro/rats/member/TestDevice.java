@@ -11,9 +11,9 @@ import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.time.Clock;
 
 /**
- * A device for tests: {@code drive} (base) and {@code grip} (base and arm) take two seconds, {@code wave} (arm) one; {@code watch}
- * is continuous with a value each second, ended by {@code unwatch}; {@code echo} answers at once with its parameters; {@code
- * broken} throws.
+ * A device for tests: {@code drive} (base) and {@code grip} (base and arm) take two seconds, {@code
+ * wave} (arm) one; {@code watch} is continuous with a value each second, ended by {@code unwatch};
+ * {@code echo} answers at once with its parameters; {@code broken} throws.
  */
 public final class TestDevice {
 

@@ -158,7 +158,8 @@ class WireFormatTest {
 
   @Test
   void ignoresUnknownFieldsAndLaterMinorVersions() {
-    String later = CALL.replace("\"1.0\"", "\"1.7\"").replace("\"p\":{}", "\"p\":{},\"new\":[null]");
+    String later =
+        CALL.replace("\"1.0\"", "\"1.7\"").replace("\"p\":{}", "\"p\":{},\"new\":[null]");
     assertThat(wire.decodeCall(later.getBytes(UTF_8)).feature()).isEqualTo("pick");
   }
 
@@ -214,7 +215,8 @@ class WireFormatTest {
 
   @Test
   void asksForAnErrorUnlessSucceeded() throws IOException {
-    String failed = "{\"v\":\"1.0\",\"id\":\"c\",\"from\":\"rose\",\"outcome\":\"FAILED\",\"z\":\"x\"}";
+    String failed =
+        "{\"v\":\"1.0\",\"id\":\"c\",\"from\":\"rose\",\"outcome\":\"FAILED\",\"z\":\"x\"}";
     assertThatThrownBy(() -> wire.decodeResult(failed.getBytes(UTF_8)))
         .isInstanceOf(MalformedMessageException.class)
         .hasMessageContaining("error");

@@ -39,8 +39,7 @@ class InProcessTransportTest extends TransportContract {
   void takesOneMillisecondForEachMessage() {
     List<Duration> arrivals = new ArrayList<>();
     Transport reader = bus.client("reader");
-    reader.subscribe(
-        "a", Transport.RetainedMessages.SEND, message -> arrivals.add(clock.now()));
+    reader.subscribe("a", Transport.RetainedMessages.SEND, message -> arrivals.add(clock.now()));
     reader.open(Optional.empty(), new Silent());
     clock.run(Duration.ofMillis(10));
     reader.publish(Publication.stream("a", new byte[0]), failure -> {});

@@ -91,8 +91,7 @@ abstract class TransportContract {
     open("reader", inbox, "a/#", RetainedMessages.SEND);
     Transport publisher = open("publisher");
     publish(
-        publisher,
-        Publication.reliable("a/b", bytes("x"), Optional.of(Duration.ofMillis(29_500))));
+        publisher, Publication.reliable("a/b", bytes("x"), Optional.of(Duration.ofMillis(29_500))));
     publish(publisher, reliable("a/b", "y"));
     await(() -> inbox.size() == 2);
     assertThat(inbox.messages.get(0).remainingExpiry().orElseThrow())
