@@ -1,0 +1,72 @@
+package org.maestro.launch;
+
+import java.io.PrintWriter;
+import java.net.URI;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import org.maestro.agents.SupervisorAgent;
+import org.maestro.ontology.home.DescriptionReader;
+import org.maestro.ontology.home.HomeLoader;
+import org.maestro.platform.JoinedContainer;
+import org.maestro.rats.link.BusLink;
+import org.maestro.rats.time.PacedClock;
+import org.maestro.rats.transport.PahoTransport;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Takes one of a platform's topical containers into this process. */
+@Command(
+    name = "container",
+    description = "Take one of a platform's topical containers over, until Ctrl-C.")
+final class ContainerCommand implements Callable<Integer> {
+  @Spec private CommandSpec spec;
+
+  @Option(
+      names = "--main",
+      paramLabel = "HOST:PORT",
+      required = true,
+      description = "Where the platform's JADE main container listens.")
+  private String main;
+
+  @Option(
+      names = "--name",
+      paramLabel = "NAME",
+      required = true,
+      description = "The topic: robots, cameras, lights, sensors.")
+  private String name;
+
+  @Override
+  public Integer call() throws InterruptedException {
+    Endpoint at = Endpoint.parse(main);
+    PacedClock clock = new PacedClock(1);
+    JoinedContainer container = JoinedContainer.join(at.host(), at.port(), name, clock);
+    SupervisorAgent.Handover handover = container.take(name);
+    URI broker = Endpoint.broker(handover.brokerUri());
+    String controller = "container-" + name;
+    BusLink link =
+        BusLink.connect(
+            controller,
+            handover.site(),
+            new PahoTransport(broker, handover.site() + "-" + controller),
+            clock);
+    container.host(
+        handover.members(), link, new DescriptionReader(new HomeLoader().vocabulary())::read);
+    Runtime.getRuntime()
+        .addShutdownHook(
+            new Thread(
+                () -> {
+                  container.close();
+                  link.close();
+                },
+                "shutdown"));
+    PrintWriter out = spec.commandLine().getOut();
+    out.printf(
+        "The container %s runs here, with %s. Stop with Ctrl-C.%n",
+        name, String.join(", ", handover.members()));
+    out.flush();
+    new CountDownLatch(1).await();
+    return ExitCode.DONE;
+  }
+}

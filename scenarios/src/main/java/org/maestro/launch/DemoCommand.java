@@ -1,0 +1,231 @@
+package org.maestro.launch;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import org.maestro.agents.Words;
+import org.maestro.assembly.LocalSite;
+import org.maestro.assembly.SiteSettings;
+import org.maestro.launch.picture.TopView;
+import org.maestro.ontology.home.Home;
+import org.maestro.platform.GoalReport;
+import org.maestro.sim.Scene;
+import org.maestro.sim.SimulationException;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/**
+ * A job from beginning to end on embedded parts, told as it happens and judged from the simulated
+ * world.
+ */
+@Command(
+    name = "demo",
+    description = "The main job on embedded parts; without a name: Bob's cup in the dark.")
+final class DemoCommand implements Callable<Integer> {
+  private static final String NAME = "demo";
+  private static final Duration PATIENCE = Duration.ofMinutes(10);
+  private static final Map<String, String> GOALS =
+      Map.of("bob", "(nextTo Cup Bob)", "arena", "(nextTo GreenObject RedObject1)");
+
+  @Spec private CommandSpec spec;
+
+  @Parameters(
+      arity = "0..1",
+      paramLabel = "NAME",
+      defaultValue = "bob-dark",
+      description = "bob-dark, bob-lit, bob-cup-in-a, bob-hidden, bob-weak-lamps or arena-dark.")
+  private String scene;
+
+  @Option(
+      names = "--speed",
+      paramLabel = "N",
+      defaultValue = "5",
+      description = "Simulated seconds per second; default ${DEFAULT-VALUE}.")
+  private double speed;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      defaultValue = "1",
+      description = "Of all chance in the world; default ${DEFAULT-VALUE}.")
+  private long seed;
+
+  @Option(names = "--json", description = "Print one JSON document instead of the story.")
+  private boolean json;
+
+  /** What was found out, in the words of the JSON document. */
+  private record Summary(
+      String goal,
+      boolean reached,
+      GoalReport report,
+      Optional<Duration> lowerBound,
+      double wallSeconds,
+      Path picture) {}
+
+  @Override
+  public Integer call() {
+    long started = System.nanoTime();
+    if (!Shipped.SCENES.contains(scene)) {
+      throw CommandException.badInput(
+          "There is no demo %s; there are %s.".formatted(scene, String.join(", ", Shipped.SCENES)));
+    }
+    Speed.require(speed);
+    String homeName = scene.substring(0, scene.indexOf('-'));
+    Home home = Shipped.home(homeName);
+    Scene truth = Shipped.scene(scene, home);
+    String goal = GOALS.get(homeName);
+    PrintWriter out = spec.commandLine().getOut();
+    if (!json) {
+      out.println(
+          Shipped.introduction(scene)
+              .replaceFirst(
+                  "^As bob-dark", "Bob sits in lit room A, cup and robot are in dark room B"));
+      out.println("The goal: " + goal);
+      out.println();
+    }
+    RuntimeDirectory directory = RuntimeDirectory.ofUser();
+    SiteSettings settings =
+        new SiteSettings(
+            NAME,
+            home,
+            Optional.of(truth),
+            seed,
+            Optional.empty(),
+            0,
+            false,
+            Optional.of(directory.beginStories(NAME)));
+    try (LocalSite site = LocalSite.paced(settings, speed)) {
+      Optional<Duration> lowerBound = lowerBound(site, home, goal);
+      GoalReport report = pursue(site, goal);
+      Path picture = directory.picture(scene);
+      new TopView(home, site.world()).write(picture);
+      Summary summary =
+          new Summary(
+              goal,
+              reached(site, goal),
+              report,
+              lowerBound,
+              (System.nanoTime() - started) / 1e9,
+              picture);
+      tell(summary, out);
+      return summary.reached() ? ExitCode.DONE : ExitCode.NOT_REACHED;
+    }
+  }
+
+  private GoalReport pursue(LocalSite site, String goal) {
+    if (!json) {
+      StoryPrinter printer = new StoryPrinter(spec.commandLine().getOut(), site.clock().now());
+      site.platform().onStory(printer::print);
+    }
+    CompletableFuture<GoalReport> ended = new CompletableFuture<>();
+    site.platform().pursue(SlParser.formula(goal), id -> {}, ended::complete);
+    if (!site.runUntil(ended::isDone, PATIENCE)) {
+      throw CommandException.outside(
+          "The goal did not end within "
+              + PATIENCE.toMinutes()
+              + " simulated minutes; the log is "
+              + RuntimeDirectory.ofUser().log()
+              + ".");
+    }
+    return ended.join();
+  }
+
+  private static List<String> thingAndTarget(String goal) {
+    Formula.Atom atom = (Formula.Atom) SlParser.formula(goal);
+    return atom.arguments().stream().map(Words::plain).toList();
+  }
+
+  /** The world decides, not the platform. */
+  private static boolean reached(LocalSite site, String goal) {
+    List<String> names = thingAndTarget(goal);
+    return site.world().isNextTo(names.get(0), names.get(1));
+  }
+
+  /** The least that any robot of the home needs. */
+  private static Optional<Duration> lowerBound(LocalSite site, Home home, String goal) {
+    List<String> names = thingAndTarget(goal);
+    return home.devices().values().stream()
+        .filter(device -> device.individual().properties().containsKey("payload"))
+        .map(device -> lowerBound(site, device.id(), names))
+        .flatMap(Optional::stream)
+        .min(Duration::compareTo);
+  }
+
+  private static Optional<Duration> lowerBound(LocalSite site, String robot, List<String> names) {
+    try {
+      return Optional.of(site.simulated().lowerBound(robot, names.get(0), names.get(1)));
+    } catch (SimulationException e) {
+      // This robot cannot do it; another may.
+      return Optional.empty();
+    }
+  }
+
+  private void tell(Summary summary, PrintWriter out) {
+    if (json) {
+      out.println(document(summary));
+      return;
+    }
+    GoalReport report = summary.report();
+    out.println();
+    out.println(
+        summary.reached()
+            ? "Reached: in the simulated world, " + summary.goal() + " is true."
+            : "Not reached: in the simulated world, " + summary.goal() + " is not true.");
+    report.reasons().forEach(reason -> out.println("  " + reason));
+    out.printf(
+        Locale.ROOT,
+        "%.1f simulated seconds%s, %d calls, %d replans; %.0f ms from the goal to the first call; %.1f s of wall time.%n",
+        report.duration().toMillis() / 1000.0,
+        summary
+            .lowerBound()
+            .map(
+                bound ->
+                    String.format(
+                        Locale.ROOT,
+                        " (nobody who knew everything could do it under %.1f)",
+                        bound.toMillis() / 1000.0))
+            .orElse(""),
+        report.calls(),
+        report.replans(),
+        report.decisionMillis(),
+        summary.wallSeconds());
+    out.println("A picture of it, from above: " + summary.picture());
+    out.println();
+    out.println("Try next:");
+    out.printf("  ./maestro why %-22s the whole story again%n", report.id().orElse("G1"));
+    out.printf("  ./maestro demo bob-weak-lamps   lamps weaker than they claim%n");
+    out.printf(
+        "  ./maestro run bob --gui         a platform that stays, to talk to from another terminal%n");
+  }
+
+  private static String document(Summary summary) {
+    ObjectNode node = new ObjectMapper().createObjectNode();
+    node.put("goal", summary.goal());
+    node.put("reached", summary.reached());
+    node.put("simulated_s", summary.report().duration().toMillis() / 1000.0);
+    summary
+        .lowerBound()
+        .ifPresentOrElse(
+            bound -> node.put("lower_bound_s", bound.toMillis() / 1000.0),
+            () -> node.putNull("lower_bound_s"));
+    node.put("wall_s", Math.round(summary.wallSeconds() * 100) / 100.0);
+    node.put("calls", summary.report().calls());
+    node.put("replans", summary.report().replans());
+    node.put("decision_ms", summary.report().decisionMillis());
+    node.put("picture", summary.picture().toString());
+    return node.toString();
+  }
+}

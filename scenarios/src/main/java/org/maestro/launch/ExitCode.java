@@ -1,0 +1,16 @@
+package org.maestro.launch;
+
+/** What the shell is told. */
+final class ExitCode {
+  static final int DONE = 0;
+
+  /** A goal was not reached, or a check found faults. */
+  static final int NOT_REACHED = 1;
+
+  static final int BAD_INPUT = 2;
+
+  /** Something outside failed: a port, a broker, a display, the disk. */
+  static final int OUTSIDE = 3;
+
+  private ExitCode() {}
+}

@@ -1,0 +1,67 @@
+package org.maestro.launch;
+
+import java.io.PrintWriter;
+import org.maestro.device.DeviceSetupException;
+import org.maestro.ontology.home.HomeFaultException;
+import org.maestro.sim.SimulationException;
+import org.maestro.sl.SlSyntaxException;
+import picocli.CommandLine;
+import picocli.CommandLine.IExecutionExceptionHandler;
+import picocli.CommandLine.IParameterExceptionHandler;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.UnmatchedArgumentException;
+
+/**
+ * Turns what went wrong into one sentence on stderr and an exit code; {@code --debug} adds the
+ * stack trace.
+ */
+final class Failures implements IExecutionExceptionHandler, IParameterExceptionHandler {
+
+  @Override
+  public int handleExecutionException(Exception failure, CommandLine command, ParseResult parsed) {
+    report(failure, command, parsed.hasMatchedOption("--debug"));
+    return exitCode(failure);
+  }
+
+  @Override
+  public int handleParseException(ParameterException failure, String[] arguments) {
+    CommandLine command = failure.getCommandLine();
+    PrintWriter err = command.getErr();
+    String sentence = failure.getMessage();
+    err.println("maestro: " + sentence + (sentence.endsWith(".") ? "" : "."));
+    if (!UnmatchedArgumentException.printSuggestions(failure, err)) {
+      err.println("Try: ./" + command.getCommandSpec().qualifiedName() + " --help");
+    }
+    return ExitCode.BAD_INPUT;
+  }
+
+  private static void report(Exception failure, CommandLine command, boolean debug) {
+    PrintWriter err = command.getErr();
+    err.println("maestro: " + sentence(failure));
+    if (debug) {
+      failure.printStackTrace(err);
+    }
+    err.flush();
+  }
+
+  private static String sentence(Exception failure) {
+    String message = failure.getMessage();
+    if (message == null || message.isBlank()) {
+      return failure.getClass().getSimpleName() + "; --debug shows where.";
+    }
+    return message.strip().replaceAll("\\s*\\R\\s*", " ");
+  }
+
+  private static int exitCode(Exception failure) {
+    if (failure instanceof CommandException own) {
+      return own.exitCode();
+    }
+    boolean badInput =
+        failure instanceof HomeFaultException
+            || failure instanceof SimulationException
+            || failure instanceof DeviceSetupException
+            || failure instanceof SlSyntaxException;
+    return badInput ? ExitCode.BAD_INPUT : ExitCode.OUTSIDE;
+  }
+}

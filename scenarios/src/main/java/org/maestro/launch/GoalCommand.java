@@ -1,0 +1,131 @@
+package org.maestro.launch;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import jade.lang.acl.ACLMessage;
+import java.io.PrintWriter;
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.Words;
+import org.maestro.coordination.StoryEntry;
+import org.maestro.platform.JoinedContainer;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** States a goal to a running platform, by an agent of this process, and follows it. */
+@Command(name = "goal", description = "Ask a running platform for a goal and follow it live.")
+final class GoalCommand implements Callable<Integer> {
+  private static final Duration NO_END = Duration.ofDays(365);
+
+  @Spec private CommandSpec spec;
+  @Mixin private PlatformOptions platform;
+
+  @Parameters(paramLabel = "GOAL", description = "In MAESTRO-SL, such as \"(nextTo Cup Bob)\".")
+  private String goal;
+
+  @Option(names = "--json", description = "Print one JSON document instead of the story.")
+  private boolean json;
+
+  @Override
+  public Integer call() {
+    CompletableFuture<ACLMessage> ended = new CompletableFuture<>();
+    try (JoinedContainer container = platform.join()) {
+      container
+          .desk()
+          .request(
+              ACLMessage.REQUEST,
+              CoordinatorAgent.NAME,
+              NO_END,
+              reply -> {
+                if (reply.getPerformative() == ACLMessage.AGREE) {
+                  follow(container, reply);
+                } else {
+                  ended.complete(reply);
+                }
+              },
+              Words.content("initCNP", Words.named("goal", Words.text(goal))));
+      ACLMessage reply = ended.join();
+      if (reply.getPerformative() == ACLMessage.NOT_UNDERSTOOD
+          || reply.getPerformative() == ACLMessage.REFUSE) {
+        throw CommandException.badInput(Reply.reason(Reply.words(reply)));
+      }
+      return tell(reply);
+    }
+  }
+
+  private void follow(JoinedContainer container, ACLMessage agreed) {
+    String id = Reply.words(agreed).get(0).string("goal").orElse("");
+    PrintWriter out = spec.commandLine().getOut();
+    if (!json) {
+      out.println(id + ": " + goal);
+      Follower follower = new Follower(out);
+      container.desk().follow(id, line -> follower.line(line));
+    }
+  }
+
+  private int tell(ACLMessage reply) {
+    Words words = Reply.words(reply).get(0);
+    boolean reached = reply.getPerformative() == ACLMessage.INFORM;
+    List<String> reasons =
+        words.find("reasons").map(Words::terms).orElse(List.of()).stream()
+            .map(Words::plain)
+            .toList();
+    PrintWriter out = spec.commandLine().getOut();
+    if (json) {
+      ObjectNode node = new ObjectMapper().createObjectNode();
+      node.put("id", words.string("goal").orElse(""));
+      node.put("goal", goal);
+      node.put("reached", reached);
+      ObjectNode binding = node.putObject("binding");
+      words.termsOf("binding").forEach((name, term) -> binding.put(name, Words.plain(term)));
+      node.put("simulated_s", words.number("seconds", 0));
+      node.put("calls", (int) words.number("calls", 0));
+      node.put("replans", (int) words.number("replans", 0));
+      node.put("decision_ms", words.number("decision-ms", 0));
+      reasons.forEach(node.putArray("reasons")::add);
+      out.println(node);
+    } else {
+      out.printf(
+          Locale.ROOT,
+          "%s in %.1f simulated seconds, with %d calls and %d replans.%n",
+          reached ? "Reached" : "Not reached",
+          words.number("seconds", 0),
+          (int) words.number("calls", 0),
+          (int) words.number("replans", 0));
+      words
+          .termsOf("binding")
+          .forEach((name, term) -> out.println("  ?" + name + " is " + Words.plain(term)));
+      reasons.forEach(reason -> out.println("  " + reason));
+    }
+    return reached ? ExitCode.DONE : ExitCode.NOT_REACHED;
+  }
+
+  /** Prints the lines of a story, with the first one's time as zero. */
+  private static final class Follower {
+    private final PrintWriter out;
+    private StoryPrinter printer;
+
+    private Follower(PrintWriter out) {
+      this.out = out;
+    }
+
+    private synchronized void line(ACLMessage message) {
+      Reply.words(message).stream().map(Reply::story).forEach(this::print);
+    }
+
+    private void print(StoryEntry entry) {
+      if (printer == null) {
+        printer = new StoryPrinter(out, entry.at());
+      }
+      printer.print(entry);
+    }
+  }
+}

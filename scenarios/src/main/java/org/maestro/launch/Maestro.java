@@ -1,0 +1,80 @@
+package org.maestro.launch;
+
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import org.slf4j.bridge.SLF4JBridgeHandler;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ScopeType;
+import picocli.CommandLine.Spec;
+
+/** The {@code maestro} command. */
+@Command(
+    name = "maestro",
+    synopsisSubcommandLabel = "COMMAND",
+    description = "Orchestrates service robots and the rooms they work in.",
+    subcommands = {
+      DemoCommand.class,
+      RunCommand.class,
+      ContainerCommand.class,
+      DevicesCommand.class,
+      GoalCommand.class,
+      AgentsCommand.class,
+      GoalsCommand.class,
+      WhyCommand.class,
+      CancelCommand.class,
+      StopCommand.class,
+      CheckCommand.class
+    },
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:done",
+      "1:goal not reached, or faults found",
+      "2:bad input or usage",
+      "3:something outside failed (port, broker, display, disk)"
+    },
+    footer = {"", "Start with: ./maestro demo"})
+public final class Maestro implements Runnable {
+  @Spec private CommandSpec spec;
+
+  @Option(
+      names = {"-h", "--help"},
+      usageHelp = true,
+      scope = ScopeType.INHERIT,
+      description = "Show this help.")
+  private boolean help;
+
+  @Option(
+      names = "--debug",
+      scope = ScopeType.INHERIT,
+      description = "Show the stack trace of a failure.")
+  private boolean debug;
+
+  /** The entry point; ends the process, as JADE leaves threads behind. */
+  public static void main(String[] arguments) {
+    RuntimeDirectory.ofUser().prepareLog();
+    SLF4JBridgeHandler.removeHandlersForRootLogger();
+    SLF4JBridgeHandler.install();
+    System.exit(commandLine().execute(arguments));
+  }
+
+  static CommandLine commandLine() {
+    Failures failures = new Failures();
+    return new CommandLine(new Maestro())
+        .setOut(new PrintWriter(System.out, true, StandardCharsets.UTF_8))
+        .setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8))
+        .setCaseInsensitiveEnumValuesAllowed(true)
+        .setUsageHelpAutoWidth(true)
+        .setExecutionExceptionHandler(failures)
+        .setParameterExceptionHandler(failures);
+  }
+
+  @Override
+  public void run() {
+    throw new ParameterException(
+        spec.commandLine(), "A command is missing; ./maestro demo shows the main job.");
+  }
+}

@@ -1,0 +1,64 @@
+package org.maestro.launch;
+
+import java.util.List;
+import java.util.Optional;
+import org.maestro.platform.JoinedContainer;
+import org.maestro.rats.time.PacedClock;
+import picocli.CommandLine.Option;
+
+/** Which running platform a command means. */
+final class PlatformOptions {
+  private static final String LOOPBACK = "127.0.0.1";
+
+  @Option(
+      names = "--platform",
+      paramLabel = "NAME",
+      description = "The platform of this user with that name; without: the only one.")
+  private Optional<String> platform;
+
+  @Option(
+      names = "--main",
+      paramLabel = "HOST:PORT",
+      description = "The platform whose JADE main container listens there.")
+  private Optional<String> main;
+
+  /** Whether there is a platform to talk to. */
+  boolean isThere() {
+    return main.isPresent() || !RuntimeDirectory.ofUser().running().isEmpty();
+  }
+
+  Endpoint endpoint() {
+    return main.map(Endpoint::parse).orElseGet(() -> new Endpoint(LOOPBACK, found().port()));
+  }
+
+  private RuntimeDirectory.Running found() {
+    List<RuntimeDirectory.Running> running = RuntimeDirectory.ofUser().running();
+    List<String> names = running.stream().map(RuntimeDirectory.Running::name).toList();
+    if (running.isEmpty()) {
+      throw CommandException.outside("No platform runs; start one with ./maestro run bob");
+    }
+    if (platform.isPresent()) {
+      return running.stream()
+          .filter(one -> one.name().equals(platform.get()))
+          .findFirst()
+          .orElseThrow(
+              () ->
+                  CommandException.badInput(
+                      "No platform named %s runs; there are %s."
+                          .formatted(platform.get(), String.join(", ", names))));
+    }
+    if (running.size() > 1) {
+      throw CommandException.badInput(
+          "Several platforms run (%s); choose one with --platform NAME."
+              .formatted(String.join(", ", names)));
+    }
+    return running.get(0);
+  }
+
+  /** Joins it for one question. */
+  JoinedContainer join() {
+    Endpoint at = endpoint();
+    return JoinedContainer.join(
+        at.host(), at.port(), "cli-" + ProcessHandle.current().pid(), new PacedClock(1));
+  }
+}

@@ -1,0 +1,47 @@
+package org.maestro.launch;
+
+import jade.lang.acl.ACLMessage;
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
+import org.maestro.agents.Words;
+import org.maestro.coordination.StoryEntry;
+import org.maestro.sl.Content;
+
+/** Reads what agents answer to the command line. */
+final class Reply {
+  private Reply() {}
+
+  /**
+   * The elements of a good answer.
+   *
+   * @throws CommandException with the agent's own sentence when it said no
+   */
+  static List<Words> lines(ACLMessage reply) {
+    List<Words> words = words(reply);
+    if (reply.getPerformative() != ACLMessage.INFORM) {
+      throw CommandException.badInput(reason(words));
+    }
+    return words;
+  }
+
+  static List<Words> words(ACLMessage reply) {
+    List<Content> contents = Words.parse(reply.getContent());
+    return contents.stream().map(Words::of).toList();
+  }
+
+  static String reason(List<Words> words) {
+    return words.stream()
+        .flatMap(w -> w.string("reason").or(() -> w.string("problem")).stream())
+        .findFirst()
+        .orElse("The platform refused without a reason.");
+  }
+
+  static StoryEntry story(Words line) {
+    return new StoryEntry(
+        line.string("goal").orElse(""),
+        Duration.ofMillis(Math.round(line.number("at", 0) * 1000)),
+        StoryEntry.Kind.valueOf(line.string("kind").orElse("goal").toUpperCase(Locale.ROOT)),
+        line.string("text").orElse(""));
+  }
+}

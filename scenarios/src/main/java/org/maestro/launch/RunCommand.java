@@ -1,0 +1,155 @@
+package org.maestro.launch;
+
+import java.awt.GraphicsEnvironment;
+import java.io.PrintWriter;
+import java.net.URI;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.regex.Pattern;
+import org.maestro.assembly.LocalSite;
+import org.maestro.assembly.SiteSettings;
+import org.maestro.ontology.home.Home;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** A platform that stays until it is interrupted. */
+@Command(name = "run", description = "Run a platform for a home until Ctrl-C.")
+final class RunCommand implements Callable<Integer> {
+  private static final Pattern SLUG = Pattern.compile("[a-z0-9][a-z0-9-]{0,62}");
+
+  @Spec private CommandSpec spec;
+
+  @Parameters(paramLabel = "HOME.ttl", description = "A home file, or a shipped home: bob, arena.")
+  private String home;
+
+  @Option(
+      names = "--scene",
+      paramLabel = "S.ttl",
+      description = "Ground truth of the simulated world: a file, or a shipped scene.")
+  private Optional<String> scene;
+
+  @Option(names = "--no-sim", description = "No simulated devices: they come over the broker.")
+  private boolean withoutSimulation;
+
+  @Option(names = "--gui", description = "Show the JADE GUI.")
+  private boolean gui;
+
+  @Option(
+      names = "--speed",
+      paramLabel = "N",
+      defaultValue = "1",
+      description = "Simulated seconds per second; default ${DEFAULT-VALUE}.")
+  private double speed;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      defaultValue = "1",
+      description = "Of all chance in the world; default ${DEFAULT-VALUE}.")
+  private long seed;
+
+  @Option(
+      names = "--broker",
+      paramLabel = "URI",
+      description = "An MQTT 5 broker, tcp://HOST:PORT; without: one of its own.")
+  private Optional<String> broker;
+
+  @Option(
+      names = "--port",
+      paramLabel = "P",
+      defaultValue = "1099",
+      description = "Of the JADE main container; 0: a free one; default ${DEFAULT-VALUE}.")
+  private int port;
+
+  @Option(
+      names = "--name",
+      paramLabel = "N",
+      defaultValue = "maestro",
+      description = "Of the platform; default ${DEFAULT-VALUE}.")
+  private String name;
+
+  @Override
+  public Integer call() throws InterruptedException {
+    check();
+    RuntimeDirectory directory = RuntimeDirectory.ofUser();
+    if (directory.running().stream().anyMatch(platform -> platform.name().equals(name))) {
+      throw CommandException.outside(
+          "A platform named "
+              + name
+              + " runs already; stop it, or choose another --name and --port.");
+    }
+    Home loaded = Shipped.home(home);
+    Optional<String> sceneName =
+        withoutSimulation ? Optional.empty() : scene.or(() -> Shipped.usualScene(home));
+    if (sceneName.isEmpty() && !withoutSimulation) {
+      throw CommandException.badInput(
+          "A home of your own needs --scene FILE for its simulated devices, or --no-sim for real ones.");
+    }
+    Optional<URI> bus = broker.map(Endpoint::broker);
+    SiteSettings settings =
+        new SiteSettings(
+            name,
+            loaded,
+            sceneName.map(s -> Shipped.scene(s, loaded)),
+            seed,
+            bus,
+            port,
+            gui,
+            Optional.of(directory.beginStories(name)));
+    LocalSite site = LocalSite.paced(settings, speed);
+    directory.add(
+        new RuntimeDirectory.Running(
+            name,
+            ProcessHandle.current().pid(),
+            site.platform().port(),
+            site.broker().map(URI::toString)));
+    Runtime.getRuntime().addShutdownHook(new Thread(() -> end(directory, site), "shutdown"));
+    announce(site);
+    new CountDownLatch(1).await();
+    return ExitCode.DONE;
+  }
+
+  private void check() {
+    Speed.require(speed);
+    if (!SLUG.matcher(name).matches()) {
+      throw CommandException.badInput(
+          "\"" + name + "\" is no name for a platform; use small letters, digits and hyphens.");
+    }
+    if (port < 0 || port > 65_535) {
+      throw CommandException.badInput("--port is between 0 and 65535, not " + port + ".");
+    }
+    if (withoutSimulation && scene.isPresent()) {
+      throw CommandException.badInput("--scene and --no-sim exclude each other; leave one away.");
+    }
+    if (withoutSimulation && broker.isEmpty()) {
+      throw CommandException.badInput("--no-sim needs --broker URI, over which the devices come.");
+    }
+    if (gui && GraphicsEnvironment.isHeadless()) {
+      throw CommandException.outside(
+          "There is no display for the JADE GUI; run without --gui, or set DISPLAY.");
+    }
+  }
+
+  private void announce(LocalSite site) {
+    PrintWriter out = spec.commandLine().getOut();
+    StoryPrinter printer = new StoryPrinter(out, site.clock().now());
+    site.platform().onStory(printer::print);
+    out.printf(
+        "The platform %s runs: %d agents, JADE on port %d, MQTT on %s.%n",
+        name,
+        site.platform().agents().size(),
+        site.platform().port(),
+        site.broker().map(URI::toString).orElse("no port"));
+    out.println("In another terminal: ./maestro goal \"(nextTo Cup Bob)\"   Stop with Ctrl-C.");
+    out.flush();
+  }
+
+  private void end(RuntimeDirectory directory, LocalSite site) {
+    directory.remove(name);
+    site.close();
+  }
+}

@@ -1,0 +1,79 @@
+package org.maestro.launch;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+import org.maestro.sim.Scene;
+import org.maestro.sim.SceneLoader;
+
+/** Homes and scenes by the name of a shipped one, or by a file's path. */
+final class Shipped {
+  static final List<String> HOMES = List.of("bob", "arena");
+  static final List<String> SCENES =
+      List.of("bob-dark", "bob-lit", "bob-cup-in-a", "bob-hidden", "bob-weak-lamps", "arena-dark");
+
+  private Shipped() {}
+
+  static Home home(String nameOrPath) {
+    Optional<String> shipped = text("/homes/" + nameOrPath + ".ttl");
+    if (shipped.isPresent()) {
+      return new HomeLoader().load(shipped.get(), nameOrPath + ".ttl");
+    }
+    return new HomeLoader().load(file(nameOrPath, "home", HOMES));
+  }
+
+  static Scene scene(String nameOrPath, Home home) {
+    Optional<String> shipped = text("/scenes/" + nameOrPath + ".ttl");
+    String text = shipped.orElseGet(() -> read(file(nameOrPath, "scene", SCENES)));
+    return SceneLoader.load(
+        nameOrPath, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), home);
+  }
+
+  /** The scene that goes with a shipped home when none is named. */
+  static Optional<String> usualScene(String home) {
+    return HOMES.contains(home) ? Optional.of(home + "-dark") : Optional.empty();
+  }
+
+  /** The text in front of a shipped scene that tells people what it is. */
+  static String introduction(String scene) {
+    return text("/scenes/" + scene + ".ttl")
+        .map(text -> text.lines().takeWhile(line -> line.startsWith("#")))
+        .map(lines -> String.join(" ", lines.map(line -> line.substring(1).strip()).toList()))
+        .orElse("");
+  }
+
+  private static Path file(String path, String what, List<String> shipped) {
+    Path file = Path.of(path);
+    if (!Files.isRegularFile(file)) {
+      throw CommandException.badInput(
+          "There is no %s file %s; give the path of a Turtle file, or one of the shipped %ss: %s."
+              .formatted(what, path, what, String.join(", ", shipped)));
+    }
+    return file;
+  }
+
+  private static String read(Path file) {
+    try {
+      return Files.readString(file);
+    } catch (IOException e) {
+      throw CommandException.outside("The file " + file + " cannot be read.", e);
+    }
+  }
+
+  private static Optional<String> text(String resource) {
+    try (InputStream stream = Shipped.class.getResourceAsStream(resource)) {
+      return stream == null
+          ? Optional.empty()
+          : Optional.of(new String(stream.readAllBytes(), StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      throw CommandException.outside("The shipped file " + resource + " cannot be read.", e);
+    }
+  }
+}

@@ -1,0 +1,96 @@
+package org.maestro.launch;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import jade.lang.acl.ACLMessage;
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.Words;
+import org.maestro.coordination.StoryEntry;
+import org.maestro.platform.JoinedContainer;
+import org.maestro.platform.StoryFile;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Tells a goal's story: from the running platform, or from what the last one left. */
+@Command(
+    name = "why",
+    description =
+        "Tell a goal's story: what was known, bid, planned, done, and why it was planned again.")
+final class WhyCommand implements Callable<Integer> {
+  @Spec private CommandSpec spec;
+  @Mixin private PlatformOptions platform;
+
+  @Parameters(paramLabel = "GOAL", description = "A goal's id, such as G1.")
+  private String goal;
+
+  @Option(names = "--json", description = "Print one JSON document.")
+  private boolean json;
+
+  @Override
+  public Integer call() {
+    List<StoryEntry> story = platform.isThere() ? asked() : left();
+    PrintWriter out = spec.commandLine().getOut();
+    if (json) {
+      out.println(document(story));
+    } else {
+      StoryPrinter printer = new StoryPrinter(out, story.get(0).at());
+      story.forEach(printer::print);
+    }
+    return ExitCode.DONE;
+  }
+
+  private List<StoryEntry> asked() {
+    try (JoinedContainer container = platform.join()) {
+      return Reply.lines(
+              container.ask(
+                  ACLMessage.REQUEST,
+                  CoordinatorAgent.NAME,
+                  Words.content("explain", Words.named("goal", Words.name(goal)))))
+          .stream()
+          .map(Reply::story)
+          .toList();
+    }
+  }
+
+  private List<StoryEntry> left() {
+    StoryFile stories =
+        RuntimeDirectory.ofUser()
+            .lastStories()
+            .map(StoryFile::new)
+            .orElseThrow(
+                () ->
+                    CommandException.outside(
+                        "No platform runs, and none left a story; start with ./maestro demo"));
+    List<StoryEntry> story = stories.read(goal);
+    if (story.isEmpty()) {
+      List<String> known = stories.goals();
+      throw CommandException.badInput(
+          known.isEmpty()
+              ? "No platform runs, and the last one left no story; start with ./maestro demo"
+              : "There is no story of %s; there are %s.".formatted(goal, String.join(", ", known)));
+    }
+    return story;
+  }
+
+  private String document(List<StoryEntry> story) {
+    ObjectNode document = new ObjectMapper().createObjectNode();
+    document.put("goal", goal);
+    ArrayNode entries = document.putArray("story");
+    for (StoryEntry entry : story) {
+      ObjectNode node = entries.addObject();
+      node.put("at_s", entry.at().toMillis() / 1000.0);
+      node.put("kind", entry.kind().name().toLowerCase(Locale.ROOT));
+      node.put("text", entry.text());
+    }
+    return document.toString();
+  }
+}

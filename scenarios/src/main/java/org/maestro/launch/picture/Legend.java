@@ -1,0 +1,82 @@
+package org.maestro.launch.picture;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+
+/** Title above, what the symbols mean and the scale bar below. */
+final class Legend {
+  private static final int COLUMN = 380;
+  private static final int ROW = 48;
+
+  private interface Symbol {
+    void draw(Graphics2D canvas, Point2D at);
+  }
+
+  private final Scale scale;
+  private int place;
+
+  Legend(Scale scale) {
+    this.scale = scale;
+  }
+
+  void draw(Graphics2D canvas, String title) {
+    Texts.draw(canvas, title + ", from above", Scale.MARGIN, 58, Texts.TITLE, Palette.INK);
+    entry(canvas, "camera and what it sees", Legend::field);
+    entry(canvas, "lamp, filled as lit", (c, at) -> Symbols.lamp(c, at, 0.75));
+    entry(canvas, "light sensor", Symbols::sensor);
+    entry(canvas, "floor: dark to bright", Legend::floor);
+    entry(canvas, "robot and its way", Legend::way);
+    entry(canvas, "person", (c, at) -> Symbols.person(c, at, 30));
+    entry(canvas, "thing", Symbols::thing);
+    bar(canvas);
+  }
+
+  private void entry(Graphics2D canvas, String meaning, Symbol symbol) {
+    double x = Scale.MARGIN + 30 + (place % 4) * (double) COLUMN;
+    double y = scale.heightPixels() - Scale.LEGEND + 70 + (place / 4) * (double) ROW;
+    Point2D at = new Point2D.Double(x, y);
+    symbol.draw(canvas, at);
+    Texts.draw(canvas, meaning, x + 42, y + 9, Texts.SMALL, Palette.INK);
+    place++;
+  }
+
+  private static void field(Graphics2D canvas, Point2D at) {
+    Color color = Palette.CAMERA;
+    canvas.setColor(new Color(color.getRed(), color.getGreen(), color.getBlue(), 56));
+    canvas.fill(new Rectangle2D.Double(at.getX() - 28, at.getY() - 18, 56, 36));
+    canvas.setColor(color);
+    canvas.setStroke(new BasicStroke(2.5f));
+    canvas.draw(new Rectangle2D.Double(at.getX() - 28, at.getY() - 18, 56, 36));
+    Symbols.camera(canvas, at);
+  }
+
+  private static void floor(Graphics2D canvas, Point2D at) {
+    for (int step = 0; step < 4; step++) {
+      canvas.setColor(Palette.floor(step / 3.0));
+      canvas.fill(new Rectangle2D.Double(at.getX() - 30 + 15 * step, at.getY() - 14, 15, 28));
+    }
+  }
+
+  private static void way(Graphics2D canvas, Point2D at) {
+    canvas.setColor(Palette.ROBOT);
+    canvas.setStroke(new BasicStroke(5));
+    canvas.draw(new Line2D.Double(at.getX() - 34, at.getY(), at.getX() + 10, at.getY()));
+    Symbols.robot(canvas, new Point2D.Double(at.getX() + 12, at.getY()), 30);
+  }
+
+  private void bar(Graphics2D canvas) {
+    double length = scale.pixels(1);
+    double x = scale.width() - Scale.MARGIN - length;
+    double y = scale.heightPixels() - Scale.LEGEND + 70.0 + ROW;
+    canvas.setColor(Palette.INK);
+    canvas.setStroke(new BasicStroke(4));
+    canvas.draw(new Line2D.Double(x, y, x + length, y));
+    canvas.draw(new Line2D.Double(x, y - 9, x, y + 9));
+    canvas.draw(new Line2D.Double(x + length, y - 9, x + length, y + 9));
+    Texts.draw(canvas, "1 m", x + length / 2 - 20, y - 12, Texts.SMALL, Palette.INK);
+  }
+}

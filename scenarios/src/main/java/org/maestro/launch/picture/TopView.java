@@ -1,0 +1,265 @@
+package org.maestro.launch.picture;
+
+import java.awt.AlphaComposite;
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.Shape;
+import java.awt.geom.Area;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Point2D;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.Geometry;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Individual;
+import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.home.Polygon;
+import org.maestro.ontology.home.Pose;
+import org.maestro.ontology.home.Segment;
+import org.maestro.sim.PathPoint;
+import org.maestro.sim.World;
+import org.maestro.sl.Term;
+
+/**
+ * A home and its simulated world from above: rooms by their light, doors, camera fields, lamps with
+ * their level, persons, things and the robots' ways. It draws by properties that geometry asks for,
+ * not by kinds of device.
+ */
+public final class TopView {
+  private static final int WIDTH = 1600;
+  private static final double BRIGHT_LUX = 100;
+
+  private final Home home;
+  private final World world;
+  private final Geometry geometry;
+  private final Scale scale;
+
+  public TopView(Home home, World world) {
+    this.home = home;
+    this.world = world;
+    this.geometry = new Geometry(home);
+    this.scale = Scale.of(outlines("Room").toList(), WIDTH);
+  }
+
+  /** Draws the world as it is now, with the ways up to now. */
+  public void write(Path file) {
+    BufferedImage image =
+        new BufferedImage(WIDTH, scale.heightPixels(), BufferedImage.TYPE_INT_RGB);
+    Graphics2D canvas = image.createGraphics();
+    canvas.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    canvas.setRenderingHint(
+        RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+    canvas.setColor(Color.WHITE);
+    canvas.fillRect(0, 0, image.getWidth(), image.getHeight());
+    drawFloors(canvas);
+    drawFields(canvas);
+    drawWalls(canvas);
+    drawWays(canvas);
+    drawFixed(canvas);
+    drawBodies(canvas);
+    new Legend(scale).draw(canvas, home.label());
+    canvas.dispose();
+    try {
+      ImageIO.write(image, "png", file.toFile());
+    } catch (IOException e) {
+      throw new UncheckedIOException("The picture " + file + " cannot be written.", e);
+    }
+  }
+
+  private void drawFloors(Graphics2D canvas) {
+    for (Individual zone : ofClass("Zone")) {
+      Polygon outline = geometry.outline(zone.name()).orElseThrow();
+      double lux = world.lux(zone.name());
+      canvas.setColor(Palette.floor(Math.min(1, lux / BRIGHT_LUX)));
+      canvas.fill(scale.shape(outline));
+      canvas.setStroke(Palette.dashed(2));
+      canvas.setColor(Palette.ZONE);
+      canvas.draw(scale.shape(outline));
+      Point2D corner = scale.at(lowerLeft(outline));
+      Texts.draw(
+          canvas,
+          "%s, %.0f lux".formatted(zone.name(), lux),
+          corner.getX() + 14,
+          corner.getY() - 16,
+          Texts.NORMAL,
+          Palette.INK);
+    }
+  }
+
+  private static Point2 lowerLeft(Polygon outline) {
+    return outline.corners().stream()
+        .min(Comparator.comparingDouble((Point2 p) -> p.x() + p.y()))
+        .orElseThrow();
+  }
+
+  /** The floor that each camera sees: its cone, cut by its room's walls. */
+  private void drawFields(Graphics2D canvas) {
+    for (Device device : inOrder()) {
+      Optional<Pose> pose = pose(device);
+      Optional<Double> angle = number(device, "viewAngle");
+      if (pose.isPresent() && angle.isPresent()) {
+        double radius = pose.get().z() * Math.tan(Math.toRadians(angle.get() / 2));
+        Area field = new Area(scale.circle(pose.get().floor(), radius));
+        room(pose.get().floor()).ifPresent(room -> field.intersect(new Area(scale.shape(room))));
+        canvas.setComposite(AlphaComposite.getInstance(AlphaComposite.SRC_OVER, 0.22f));
+        canvas.setColor(Palette.CAMERA);
+        canvas.fill(field);
+        canvas.setComposite(AlphaComposite.SrcOver);
+        canvas.setStroke(new BasicStroke(2.5f));
+        canvas.draw(field);
+      }
+    }
+  }
+
+  private Optional<Polygon> room(Point2 point) {
+    return outlines("Room").filter(outline -> outline.contains(point)).findFirst();
+  }
+
+  private void drawWalls(Graphics2D canvas) {
+    canvas.setStroke(new BasicStroke(9, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+    canvas.setColor(Palette.INK);
+    outlines("Room").forEach(outline -> canvas.draw(scale.shape(outline)));
+    outlines("Wall").forEach(outline -> canvas.fill(scale.shape(outline)));
+    for (Individual individual : home.individuals().values()) {
+      Geometry.opening(individual).ifPresent(opening -> drawDoor(canvas, individual, opening));
+    }
+  }
+
+  private void drawDoor(Graphics2D canvas, Individual door, Segment opening) {
+    Shape line = new Line2D.Double(scale.at(opening.from()), scale.at(opening.to()));
+    boolean open = world.isOpen(door.name());
+    canvas.setStroke(new BasicStroke(11, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER));
+    canvas.setColor(open ? Color.WHITE : Palette.DOOR);
+    canvas.draw(line);
+    canvas.setStroke(new BasicStroke(3));
+    canvas.setColor(Palette.DOOR);
+    canvas.draw(line);
+    Point2D middle = scale.at(opening.middle());
+    Texts.draw(
+        canvas,
+        door.name() + (open ? ", open" : ", closed"),
+        middle.getX() + 12,
+        middle.getY() - 6,
+        Texts.SMALL,
+        Palette.INK);
+  }
+
+  private void drawWays(Graphics2D canvas) {
+    for (Device device : inOrder()) {
+      List<PathPoint> way = world.path(device.id());
+      if (way.size() > 1) {
+        Path2D line = new Path2D.Double();
+        Point2D first = scale.at(way.get(0).point());
+        line.moveTo(first.getX(), first.getY());
+        for (PathPoint point : way) {
+          Point2D next = scale.at(point.point());
+          line.lineTo(next.getX(), next.getY());
+        }
+        canvas.setColor(Color.WHITE);
+        canvas.setStroke(new BasicStroke(9, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        canvas.draw(line);
+        canvas.setColor(Palette.ROBOT);
+        canvas.setStroke(new BasicStroke(5, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        canvas.draw(line);
+        Shape start = new Ellipse2D.Double(first.getX() - 11, first.getY() - 11, 22, 22);
+        canvas.setColor(Color.WHITE);
+        canvas.fill(start);
+        canvas.setColor(Palette.ROBOT);
+        canvas.draw(start);
+        Texts.draw(canvas, "start", first.getX() + 18, first.getY() + 6, Texts.SMALL, Palette.INK);
+      }
+    }
+  }
+
+  private void drawFixed(Graphics2D canvas) {
+    for (Device device : inOrder()) {
+      Optional<Pose> pose = pose(device);
+      if (pose.isEmpty()) {
+        continue;
+      }
+      Point2D at = scale.at(pose.get().floor());
+      if (number(device, "luminousIntensity").isPresent()) {
+        Symbols.lamp(canvas, at, world.lampLevel(device.id()));
+        String state =
+            world.isAlive(device.id())
+                ? "%.0f %%".formatted(world.lampLevel(device.id()) * 100)
+                : "dead";
+        Texts.beside(canvas, device.id() + " " + state, at, Texts.SMALL);
+      } else if (number(device, "viewAngle").isPresent()) {
+        Symbols.camera(canvas, at);
+        Texts.beside(canvas, device.id(), at, Texts.SMALL);
+      } else {
+        Symbols.sensor(canvas, at);
+        Texts.beside(canvas, device.id(), at, Texts.SMALL);
+      }
+    }
+  }
+
+  private void drawBodies(Graphics2D canvas) {
+    for (String name : world.bodies()) {
+      Individual individual = home.individuals().get(name);
+      Optional<Point2> place = world.position(name).map(position -> position.floor());
+      if (individual == null || place.isEmpty() || world.holder(name).isPresent()) {
+        continue;
+      }
+      Point2D at = scale.at(place.get());
+      if (home.devices().containsKey(name)) {
+        Symbols.robot(canvas, at, scale.pixels(0.22));
+        Texts.beside(
+            canvas,
+            name + world.held(name).map(held -> " with " + held).orElse(""),
+            at,
+            Texts.NORMAL);
+      } else if (individual.classes().contains("Person")) {
+        Symbols.person(canvas, at, scale.pixels(0.2));
+        Texts.beside(canvas, name, at, Texts.NORMAL);
+      } else {
+        Symbols.thing(canvas, at);
+        Texts.beside(canvas, name, at, Texts.NORMAL);
+      }
+    }
+  }
+
+  private List<Individual> ofClass(String name) {
+    return home.individuals().values().stream()
+        .filter(individual -> individual.classes().contains(name))
+        .filter(individual -> geometry.outline(individual.name()).isPresent())
+        .toList();
+  }
+
+  private Stream<Polygon> outlines(String className) {
+    return ofClass(className).stream().map(i -> geometry.outline(i.name()).orElseThrow());
+  }
+
+  private List<Device> inOrder() {
+    return home.devices().values().stream()
+        .sorted(Comparator.comparingDouble(Device::order).thenComparing(Device::id))
+        .toList();
+  }
+
+  private static Optional<Pose> pose(Device device) {
+    return device.individual().properties().getOrDefault("pose", List.of()).stream()
+        .filter(Term.Text.class::isInstance)
+        .map(term -> Pose.parse(((Term.Text) term).value()))
+        .findFirst();
+  }
+
+  private static Optional<Double> number(Device device, String property) {
+    return device.individual().properties().getOrDefault(property, List.of()).stream()
+        .filter(Term.Number.class::isInstance)
+        .map(term -> ((Term.Number) term).value())
+        .findFirst();
+  }
+}
