@@ -2,7 +2,6 @@ package org.maestro.coordination;
 
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -21,7 +20,6 @@ import org.maestro.planning.PlanningTask;
 import org.maestro.planning.PricedFeature;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
-import org.maestro.sl.Formula;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
@@ -31,11 +29,11 @@ import org.maestro.sl.Term;
  */
 final class GoalPursuit {
   private static final int MOST_PLANS = 60;
-  private static final double SAME_COST = 1e-6;
 
   private final String id;
   private final GoalRequest request;
   private final Ports ports;
+  private final PlanCheck check;
   private final Roster roster;
   private final Occupancy occupancy;
   private final ExactPrices exactPrices;
@@ -45,8 +43,7 @@ final class GoalPursuit {
   private final long submittedNanos = System.nanoTime();
 
   private final FailureMemory failures = new FailureMemory();
-  private final Map<StepKey, Underway> underway = new LinkedHashMap<>();
-  private final Set<StepKey> cancelled = new LinkedHashSet<>();
+  private final StepsUnderway underway = new StepsUnderway();
   private final List<Crew.Performance> established = new ArrayList<>();
   private final Set<Integer> done = new LinkedHashSet<>();
   private GoalState state = GoalState.SUBMITTED;
@@ -61,8 +58,6 @@ final class GoalPursuit {
   private int calls;
   private double decisionMillis;
 
-  private record Underway(Step step, Snapshot before, Crew.Performance performance) {}
-
   GoalPursuit(
       String id,
       GoalRequest request,
@@ -74,6 +69,7 @@ final class GoalPursuit {
     this.id = id;
     this.request = request;
     this.ports = ports;
+    this.check = new PlanCheck(ports.planner());
     this.roster = roster;
     this.occupancy = occupancy;
     this.exactPrices = exactPrices;
@@ -120,11 +116,11 @@ final class GoalPursuit {
     }
     List<Step> waiting = new ArrayList<>();
     for (Step step : new ExecutionOrder(plan.get()).startable(done)) {
-      if (underway.containsKey(step.key())) {
+      if (underway.contains(step)) {
         continue;
       }
       if (occupancy.isFree(step.member(), step.feature().occupies())
-          && underway.values().stream().noneMatch(u -> clashes(u.step(), step))) {
+          && !underway.clashesWith(step)) {
         begin(step);
       } else {
         waiting.add(step);
@@ -134,11 +130,6 @@ final class GoalPursuit {
       Step first = waiting.get(0);
       become(GoalState.WAITING, occupancy.holders(first.member(), first.feature().occupies()));
     }
-  }
-
-  private static boolean clashes(Step running, Step next) {
-    return running.member().equals(next.member())
-        && running.feature().occupies().stream().anyMatch(next.feature().occupies()::contains);
   }
 
   private void plan(Optional<String> why) {
@@ -190,7 +181,7 @@ final class GoalPursuit {
   private boolean isStillGood(PlanningResult result) {
     return result instanceof PlanningResult.Found found
         && found.plan().steps().stream().allMatch(step -> roster.isPresent(step.member()))
-        && isValid(found.plan().steps());
+        && check.isGood(plannedTask(), found.plan().steps());
   }
 
   private void adopt(Plan found, Market.Tender tender) {
@@ -200,15 +191,8 @@ final class GoalPursuit {
     Map<String, List<Step>> parts = new TreeMap<>();
     found.steps().forEach(s -> parts.computeIfAbsent(s.member(), m -> new ArrayList<>()).add(s));
     tender.award(parts);
-    Set<StepKey> wanted = found.steps().stream().map(Step::key).collect(Collectors.toSet());
-    List.copyOf(underway.values()).stream()
-        .filter(u -> !wanted.contains(u.step().key()))
-        .forEach(
-            u -> {
-              story.cancelled(u.step());
-              cancelled.add(u.step().key());
-              u.performance().cancel();
-            });
+    underway.callOffAllBut(
+        found.steps().stream().map(Step::key).collect(Collectors.toSet()), story::cancelled);
     if (confirmation.isEmpty()) {
       become(GoalState.RUNNING, "");
     }
@@ -255,12 +239,12 @@ final class GoalPursuit {
             .perform(
                 new Crew.Order(id, step, arguments, timeout),
                 report -> reported(step, before, report, performance[0]));
-    underway.put(step.key(), new Underway(step, before, performance[0]));
+    underway.begun(step, before, performance[0]);
   }
 
   private void reported(
       Step step, Snapshot before, Crew.Report report, Crew.Performance performance) {
-    underway.remove(step.key());
+    boolean calledOff = underway.ended(step);
     occupancy.release(step.member(), step.feature().occupies(), id);
     exactPrices.forget(step.member());
     String factsBefore = factsUnder(step.key());
@@ -274,11 +258,10 @@ final class GoalPursuit {
         established.add(performance);
       }
       story.done(step, change);
-    } else if (!cancelled.remove(step.key())) {
+    } else if (!calledOff) {
       failures.note(step.key(), factsBefore);
       story.failed(step, report.problem().orElse("no reason given"), change);
     }
-    cancelled.remove(step.key());
     if (planning) {
       planAgain = Optional.of("meanwhile " + story.becauseOf(change));
     } else if (plan.isEmpty()) {
@@ -326,34 +309,20 @@ final class GoalPursuit {
         remaining.stream().filter(step -> !roster.isPresent(step.member())).findFirst();
     if (unable.isPresent()) {
       plan(Optional.of(roster.absence(unable.get().member())));
-    } else if (remaining.isEmpty() || !isValid(remaining)) {
+    } else if (remaining.isEmpty() || !check.isGood(plannedTask(), remaining)) {
       plan(Optional.of(why.get() + blockedStep(remaining)));
     } else {
       continueOrSettle();
     }
   }
 
-  private boolean isValid(List<Step> steps) {
-    double expected = steps.stream().mapToDouble(Step::cost).sum();
-    return ports
-        .planner()
-        .revalidate(task(subject().planned()), steps)
-        .filter(still -> still.cost() <= expected + SAME_COST)
-        .isPresent();
-  }
-
   private String blockedStep(List<Step> remaining) {
-    PlanningTask anything = task(new Formula.And(List.of()));
-    for (int n = 1; n <= remaining.size(); n++) {
-      if (ports.planner().revalidate(anything, remaining.subList(0, n)).isEmpty()) {
-        return "; step "
-            + remaining.get(n - 1).number()
-            + " ("
-            + story.sentence(remaining.get(n - 1))
-            + ") is not possible so";
-      }
-    }
-    return "";
+    return check
+        .blocked(plannedTask(), remaining)
+        .map(
+            step ->
+                "; step %d (%s) is not possible so".formatted(step.number(), story.sentence(step)))
+        .orElse("");
   }
 
   private void continueOrSettle() {
@@ -394,7 +363,7 @@ final class GoalPursuit {
   private void end(
       GoalState how, boolean confirmed, Map<String, Term> binding, List<String> reasons) {
     become(how, String.join(" ", reasons));
-    List.copyOf(underway.values()).forEach(u -> u.performance().cancel());
+    underway.callOffAllBut(Set.of(), step -> {});
     established.forEach(Crew.Performance::cancel);
     GoalOutcome outcome =
         new GoalOutcome(
@@ -414,14 +383,13 @@ final class GoalPursuit {
   }
 
   private Optional<Plan> holds() {
-    PlanningTask now =
+    return check.holds(
         new PlanningTask(
             ports.knowledge().home().vocabulary(),
             ports.knowledge().snapshot(),
             features,
             request.goal(),
-            Set.of());
-    return ports.planner().revalidate(now, List.of());
+            Set.of()));
   }
 
   private List<Step> remaining() {
@@ -434,15 +402,17 @@ final class GoalPursuit {
     return new PlanningRound.Subject(id, request.goal(), confirmation);
   }
 
-  private PlanningTask task(Formula goal) {
+  private PlanningTask plannedTask() {
     return new PlanningTask(
-        subject().vocabulary(ports.knowledge().home()), presentFacts(), features, goal, barred());
+        subject().vocabulary(ports.knowledge().home()),
+        presentFacts(),
+        features,
+        subject().planned(),
+        barred());
   }
 
   private FactsBesideSteps presentFacts() {
-    FactsBesideSteps facts = new FactsBesideSteps(ports.knowledge().snapshot());
-    underway.values().forEach(u -> facts.add(u.step(), u.before()));
-    return facts;
+    return underway.facts(ports.knowledge().snapshot());
   }
 
   private Set<StepKey> barred() {

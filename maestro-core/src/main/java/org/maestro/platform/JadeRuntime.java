@@ -65,11 +65,6 @@ final class JadeRuntime {
       int mainPort,
       String containerName,
       Path fileDirectory) {
-    if (!answers(host, mainPort)) {
-      throw new PlatformStartException(
-          "No platform answers at %s:%d; start one with ./maestro run, or name another with --main HOST:PORT."
-              .formatted(host, mainPort));
-    }
     Properties properties = common(fileDirectory);
     properties.setProperty(Profile.MAIN, "false");
     platformName.ifPresent(name -> properties.setProperty(Profile.PLATFORM_ID, name));
@@ -106,6 +101,19 @@ final class JadeRuntime {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new PlatformStartException("Interrupted while the agent " + name + " started.", e);
+    }
+  }
+
+  /**
+   * Finds out in bounded time whether a platform listens there, which JADE itself does not.
+   *
+   * @throws PlatformStartException when none does
+   */
+  static void requirePlatform(String host, int mainPort) {
+    if (!answers(host, mainPort)) {
+      throw new PlatformStartException(
+          "No platform answers at %s:%d; start one with ./maestro run, or name another with --main HOST:PORT."
+              .formatted(host, mainPort));
     }
   }
 

@@ -43,6 +43,7 @@ public final class JoinedContainer implements AutoCloseable {
 
   /** Joins, with a desk agent named after the container. */
   public static JoinedContainer join(String host, int port, String name, Clock clock) {
+    JadeRuntime.requirePlatform(host, port);
     AgentContainer container =
         JadeRuntime.join(Optional.empty(), host, port, name, temporaryDirectory());
     AgentTime time = AgentTime.of(clock);

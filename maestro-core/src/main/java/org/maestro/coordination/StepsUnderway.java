@@ -1,0 +1,67 @@
+package org.maestro.coordination;
+
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.maestro.knowledge.Snapshot;
+import org.maestro.planning.Step;
+import org.maestro.planning.StepKey;
+
+/**
+ * The steps of one goal that agents are at, and which of them the coordinator itself has called
+ * off.
+ */
+final class StepsUnderway {
+  private final Map<StepKey, Underway> underway = new LinkedHashMap<>();
+  private final Set<StepKey> calledOff = new LinkedHashSet<>();
+
+  private record Underway(Step step, Snapshot before, Crew.Performance performance) {}
+
+  void begun(Step step, Snapshot before, Crew.Performance performance) {
+    underway.put(step.key(), new Underway(step, before, performance));
+  }
+
+  /** Returns whether it was called off, so that its failure says nothing. */
+  boolean ended(Step step) {
+    underway.remove(step.key());
+    return calledOff.remove(step.key());
+  }
+
+  boolean isEmpty() {
+    return underway.isEmpty();
+  }
+
+  boolean contains(Step step) {
+    return underway.containsKey(step.key());
+  }
+
+  /** Whether a step of the same member uses a component that this one needs. */
+  boolean clashesWith(Step next) {
+    return underway.values().stream()
+        .map(Underway::step)
+        .anyMatch(
+            running ->
+                running.member().equals(next.member())
+                    && running.feature().occupies().stream()
+                        .anyMatch(next.feature().occupies()::contains));
+  }
+
+  void callOffAllBut(Set<StepKey> wanted, Consumer<Step> told) {
+    for (Underway u : List.copyOf(underway.values())) {
+      if (!wanted.contains(u.step().key()) && calledOff.add(u.step().key())) {
+        told.accept(u.step());
+        u.performance().cancel();
+      }
+    }
+  }
+
+  /** What is known, without what these steps are just changing. */
+  FactsBesideSteps facts(Snapshot now) {
+    FactsBesideSteps facts = new FactsBesideSteps(now);
+    underway.values().forEach(u -> facts.add(u.step(), u.before()));
+    return facts;
+  }
+}
