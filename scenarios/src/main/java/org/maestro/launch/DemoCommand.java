@@ -109,9 +109,10 @@ final class DemoCommand implements Callable<Integer> {
             Optional.of(directory.beginStories(NAME)));
     try (LocalSite site = LocalSite.paced(settings, speed)) {
       Optional<Duration> lowerBound = lowerBound(site, home, goal);
+      TopView view = new TopView(home, site.world());
       GoalReport report = pursue(site, goal);
       Path picture = directory.picture(scene);
-      new TopView(home, site.world()).write(picture);
+      view.write(picture);
       Summary summary =
           new Summary(
               goal,

@@ -1,5 +1,6 @@
 package org.maestro.launch;
 
+import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import org.slf4j.bridge.SLF4JBridgeHandler;
@@ -58,14 +59,18 @@ public final class Maestro implements Runnable {
     RuntimeDirectory.ofUser().prepareLog();
     SLF4JBridgeHandler.removeHandlersForRootLogger();
     SLF4JBridgeHandler.install();
-    System.exit(commandLine().execute(arguments));
+    CommandLine commandLine = commandLine(System.out, System.err);
+    PrintStream people = System.err;
+    System.setOut(StrayOutput.before(people));
+    System.setErr(StrayOutput.before(people));
+    System.exit(commandLine.execute(arguments));
   }
 
-  static CommandLine commandLine() {
+  static CommandLine commandLine(PrintStream out, PrintStream err) {
     Failures failures = new Failures();
     return new CommandLine(new Maestro())
-        .setOut(new PrintWriter(System.out, true, StandardCharsets.UTF_8))
-        .setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8))
+        .setOut(new PrintWriter(out, true, StandardCharsets.UTF_8))
+        .setErr(new PrintWriter(err, true, StandardCharsets.UTF_8))
         .setCaseInsensitiveEnumValuesAllowed(true)
         .setUsageHelpAutoWidth(true)
         .setExecutionExceptionHandler(failures)

@@ -10,6 +10,9 @@ import org.maestro.coordination.StoryEntry;
  * may use it.
  */
 final class StoryPrinter {
+  private static final int INDENT = 21;
+  private static final int TEXT_WIDTH = 79;
+
   private final PrintWriter out;
   private final Duration from;
 
@@ -27,8 +30,26 @@ final class StoryPrinter {
         "%8.1f s  %-8s %s%n",
         entry.at().minus(from).toMillis() / 1000.0,
         word(entry.kind()),
-        entry.text().replace("\n", "\n" + " ".repeat(21)));
+        wrapped(entry.text()));
     out.flush();
+  }
+
+  /** Lines of a width that terminals have, indented below the first. */
+  private static String wrapped(String text) {
+    StringBuilder lines = new StringBuilder();
+    int length = 0;
+    for (String word : text.strip().split("\\s+")) {
+      if (length > 0 && length + 1 + word.length() > TEXT_WIDTH) {
+        lines.append(System.lineSeparator()).append(" ".repeat(INDENT));
+        length = 0;
+      } else if (length > 0) {
+        lines.append(' ');
+        length++;
+      }
+      lines.append(word);
+      length += word.length();
+    }
+    return lines.toString();
   }
 
   private static String word(StoryEntry.Kind kind) {

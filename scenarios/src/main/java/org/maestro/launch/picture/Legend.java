@@ -71,12 +71,12 @@ final class Legend {
   private void bar(Graphics2D canvas) {
     double length = scale.pixels(1);
     double x = scale.width() - Scale.MARGIN - length;
-    double y = scale.heightPixels() - Scale.LEGEND + 70.0 + ROW;
+    double y = scale.heightPixels() - Scale.LEGEND + 70.0 + ROW - 6;
     canvas.setColor(Palette.INK);
     canvas.setStroke(new BasicStroke(4));
     canvas.draw(new Line2D.Double(x, y, x + length, y));
     canvas.draw(new Line2D.Double(x, y - 9, x, y + 9));
     canvas.draw(new Line2D.Double(x + length, y - 9, x + length, y + 9));
-    Texts.draw(canvas, "1 m", x + length / 2 - 20, y - 12, Texts.SMALL, Palette.INK);
+    Texts.draw(canvas, "1 m", x + length / 2 - 20, y + 34, Texts.SMALL, Palette.INK);
   }
 }

@@ -4,6 +4,7 @@ import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
 import java.util.List;
 import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Polygon;
@@ -35,6 +36,12 @@ record Scale(double left, double top, double pixelsPerMetre, int width, int heig
   Point2D at(Point2 point) {
     return new Point2D.Double(
         MARGIN + (point.x() - left) * pixelsPerMetre, TITLE + (top - point.y()) * pixelsPerMetre);
+  }
+
+  /** The part of the picture that shows the floor. */
+  Rectangle2D floor() {
+    return new Rectangle2D.Double(
+        MARGIN, TITLE, width - 2.0 * MARGIN, heightPixels - (double) TITLE - LEGEND);
   }
 
   double pixels(double metres) {

@@ -90,6 +90,16 @@ final class Symbols {
     edge(canvas, box, 3);
   }
 
+  /** Where a thing stood before: only its edge. */
+  static void formerThing(Graphics2D canvas, Point2D at) {
+    Shape box = new Rectangle2D.Double(at.getX() - 10, at.getY() - 10, 20, 20);
+    canvas.setColor(Color.WHITE);
+    canvas.fill(box);
+    canvas.setStroke(new BasicStroke(4));
+    canvas.setColor(Palette.THING);
+    canvas.draw(box);
+  }
+
   private static Shape disc(Point2D at, double radius) {
     return new Ellipse2D.Double(at.getX() - radius, at.getY() - radius, 2 * radius, 2 * radius);
   }

@@ -7,14 +7,12 @@ import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.font.TextLayout;
 import java.awt.geom.AffineTransform;
-import java.awt.geom.Point2D;
 
 /** Labels with a white edge, so that they can be read on anything. */
 final class Texts {
   static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 36);
   static final Font NORMAL = new Font(Font.SANS_SERIF, Font.BOLD, 27);
   static final Font SMALL = new Font(Font.SANS_SERIF, Font.PLAIN, 23);
-  private static final int ASIDE = 22;
 
   private Texts() {}
 
@@ -27,10 +25,5 @@ final class Texts {
     canvas.draw(outline);
     canvas.setColor(color);
     canvas.fill(outline);
-  }
-
-  /** To the right of a symbol. */
-  static void beside(Graphics2D canvas, String text, Point2D symbol, Font font) {
-    draw(canvas, text, symbol.getX() + ASIDE, symbol.getY() + 9, font, Palette.INK);
   }
 }

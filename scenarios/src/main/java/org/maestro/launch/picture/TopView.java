@@ -17,7 +17,9 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.maestro.ontology.home.Device;
@@ -40,20 +42,27 @@ import org.maestro.sl.Term;
 public final class TopView {
   private static final int WIDTH = 1600;
   private static final double BRIGHT_LUX = 100;
+  private static final double MOVED_METRES = 0.3;
+  private static final int CLEAR_OF_CORNER = 120;
+  private static final int CLEAR_OF_WALL = 30;
 
   private final Home home;
   private final World world;
   private final Geometry geometry;
   private final Scale scale;
+  private final Map<String, Point2> firstPlaces = new TreeMap<>();
 
   public TopView(Home home, World world) {
     this.home = home;
     this.world = world;
     this.geometry = new Geometry(home);
     this.scale = Scale.of(outlines("Room").toList(), WIDTH);
+    for (String name : world.bodies()) {
+      world.position(name).ifPresent(place -> firstPlaces.put(name, place.floor()));
+    }
   }
 
-  /** Draws the world as it is now, with the ways up to now. */
+  /** Draws the world as it is now, with the ways since this view was made. */
   public void write(Path file) {
     BufferedImage image =
         new BufferedImage(WIDTH, scale.heightPixels(), BufferedImage.TYPE_INT_RGB);
@@ -63,12 +72,14 @@ public final class TopView {
         RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
     canvas.setColor(Color.WHITE);
     canvas.fillRect(0, 0, image.getWidth(), image.getHeight());
-    drawFloors(canvas);
+    Labels labels = new Labels(scale.floor());
+    drawFloors(canvas, labels);
     drawFields(canvas);
-    drawWalls(canvas);
-    drawWays(canvas);
-    drawFixed(canvas);
-    drawBodies(canvas);
+    drawWalls(canvas, labels);
+    drawWays(canvas, labels);
+    drawBodies(canvas, labels);
+    drawFixed(canvas, labels);
+    labels.draw(canvas);
     new Legend(scale).draw(canvas, home.label());
     canvas.dispose();
     try {
@@ -78,7 +89,7 @@ public final class TopView {
     }
   }
 
-  private void drawFloors(Graphics2D canvas) {
+  private void drawFloors(Graphics2D canvas, Labels labels) {
     for (Individual zone : ofClass("Zone")) {
       Polygon outline = geometry.outline(zone.name()).orElseThrow();
       double lux = world.lux(zone.name());
@@ -88,13 +99,9 @@ public final class TopView {
       canvas.setColor(Palette.ZONE);
       canvas.draw(scale.shape(outline));
       Point2D corner = scale.at(lowerLeft(outline));
-      Texts.draw(
-          canvas,
-          "%s, %.0f lux".formatted(zone.name(), lux),
-          corner.getX() + 14,
-          corner.getY() - 16,
-          Texts.NORMAL,
-          Palette.INK);
+      Point2D clear =
+          new Point2D.Double(corner.getX() + CLEAR_OF_CORNER, corner.getY() - CLEAR_OF_WALL);
+      labels.add("%s, %.0f lux".formatted(zone.name(), lux), clear, Texts.NORMAL);
     }
   }
 
@@ -127,17 +134,18 @@ public final class TopView {
     return outlines("Room").filter(outline -> outline.contains(point)).findFirst();
   }
 
-  private void drawWalls(Graphics2D canvas) {
+  private void drawWalls(Graphics2D canvas, Labels labels) {
     canvas.setStroke(new BasicStroke(9, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
     canvas.setColor(Palette.INK);
     outlines("Room").forEach(outline -> canvas.draw(scale.shape(outline)));
     outlines("Wall").forEach(outline -> canvas.fill(scale.shape(outline)));
     for (Individual individual : home.individuals().values()) {
-      Geometry.opening(individual).ifPresent(opening -> drawDoor(canvas, individual, opening));
+      Geometry.opening(individual).ifPresent(opening -> drawDoor(canvas, labels, individual, opening));
     }
   }
 
-  private void drawDoor(Graphics2D canvas, Individual door, Segment opening) {
+  private void drawDoor(
+      Graphics2D canvas, Labels labels, Individual door, Segment opening) {
     Shape line = new Line2D.Double(scale.at(opening.from()), scale.at(opening.to()));
     boolean open = world.isOpen(door.name());
     canvas.setStroke(new BasicStroke(11, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER));
@@ -146,17 +154,13 @@ public final class TopView {
     canvas.setStroke(new BasicStroke(3));
     canvas.setColor(Palette.DOOR);
     canvas.draw(line);
-    Point2D middle = scale.at(opening.middle());
-    Texts.draw(
-        canvas,
+    labels.add(
         door.name() + (open ? ", open" : ", closed"),
-        middle.getX() + 12,
-        middle.getY() - 6,
-        Texts.SMALL,
-        Palette.INK);
+        scale.at(opening.from()),
+        Texts.SMALL);
   }
 
-  private void drawWays(Graphics2D canvas) {
+  private void drawWays(Graphics2D canvas, Labels labels) {
     for (Device device : inOrder()) {
       List<PathPoint> way = world.path(device.id());
       if (way.size() > 1) {
@@ -178,12 +182,12 @@ public final class TopView {
         canvas.fill(start);
         canvas.setColor(Palette.ROBOT);
         canvas.draw(start);
-        Texts.draw(canvas, "start", first.getX() + 18, first.getY() + 6, Texts.SMALL, Palette.INK);
+        labels.add(device.id() + " at first", first, Texts.SMALL);
       }
     }
   }
 
-  private void drawFixed(Graphics2D canvas) {
+  private void drawFixed(Graphics2D canvas, Labels labels) {
     for (Device device : inOrder()) {
       Optional<Pose> pose = pose(device);
       if (pose.isEmpty()) {
@@ -196,18 +200,18 @@ public final class TopView {
             world.isAlive(device.id())
                 ? "%.0f %%".formatted(world.lampLevel(device.id()) * 100)
                 : "dead";
-        Texts.beside(canvas, device.id() + " " + state, at, Texts.SMALL);
+        labels.add(device.id() + " " + state, at, Texts.SMALL);
       } else if (number(device, "viewAngle").isPresent()) {
         Symbols.camera(canvas, at);
-        Texts.beside(canvas, device.id(), at, Texts.SMALL);
+        labels.add(device.id(), at, Texts.SMALL);
       } else {
         Symbols.sensor(canvas, at);
-        Texts.beside(canvas, device.id(), at, Texts.SMALL);
+        labels.add(device.id(), at, Texts.SMALL);
       }
     }
   }
 
-  private void drawBodies(Graphics2D canvas) {
+  private void drawBodies(Graphics2D canvas, Labels labels) {
     for (String name : world.bodies()) {
       Individual individual = home.individuals().get(name);
       Optional<Point2> place = world.position(name).map(position -> position.floor());
@@ -217,18 +221,26 @@ public final class TopView {
       Point2D at = scale.at(place.get());
       if (home.devices().containsKey(name)) {
         Symbols.robot(canvas, at, scale.pixels(0.22));
-        Texts.beside(
-            canvas,
-            name + world.held(name).map(held -> " with " + held).orElse(""),
+        labels.add(name + world.held(name).map(held -> " with " + held).orElse(""),
             at,
             Texts.NORMAL);
       } else if (individual.classes().contains("Person")) {
         Symbols.person(canvas, at, scale.pixels(0.2));
-        Texts.beside(canvas, name, at, Texts.NORMAL);
+        labels.add(name, at, Texts.NORMAL);
       } else {
+        drawFirstPlace(canvas, labels, name, place.get());
         Symbols.thing(canvas, at);
-        Texts.beside(canvas, name, at, Texts.NORMAL);
+        labels.add(name, at, Texts.NORMAL);
       }
+    }
+  }
+
+  private void drawFirstPlace(Graphics2D canvas, Labels labels, String name, Point2 now) {
+    Point2 first = firstPlaces.getOrDefault(name, now);
+    if (first.distance(now) > MOVED_METRES) {
+      Point2D at = scale.at(first);
+      Symbols.formerThing(canvas, at);
+      labels.add(name + " at first", at, Texts.SMALL);
     }
   }
 
