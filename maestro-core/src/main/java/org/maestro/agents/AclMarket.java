@@ -4,10 +4,10 @@ import jade.core.AID;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.maestro.coordination.Argument;
@@ -33,7 +33,7 @@ final class AclMarket implements Market {
 
   @Override
   public void callForPrices(CallForPrices call, Consumer<Tender> closed) {
-    Map<String, AID> agents = new TreeMap<>();
+    Map<String, AID> agents = new LinkedHashMap<>();
     for (String member : call.features().keySet()) {
       agentOf.apply(member).ifPresent(aid -> agents.put(member, aid));
     }

@@ -7,10 +7,10 @@ import jade.lang.acl.ACLMessage;
 import jade.proto.ContractNetInitiator;
 import java.util.ArrayList;
 import java.util.Date;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.Vector;
 import java.util.function.Consumer;
 import org.maestro.coordination.Bid;
@@ -73,7 +73,7 @@ final class ContractNetRound extends ContractNetInitiator {
   }
 
   private List<Bid> bids(List<ACLMessage> answers) {
-    Map<String, Bid> bids = new TreeMap<>();
+    Map<String, Bid> bids = new LinkedHashMap<>();
     agents.forEach(
         (member, agent) ->
             bids.put(member, new Bid(member, Map.of(), Optional.of("did not answer in time"))));
@@ -99,7 +99,7 @@ final class ContractNetRound extends ContractNetInitiator {
                 .orElse(ACLMessage.getPerformative(answer.getPerformative()).toLowerCase());
         return new Bid(member, Map.of(), Optional.of(reason));
       }
-      Map<String, Price> prices = new TreeMap<>();
+      Map<String, Price> prices = new LinkedHashMap<>();
       for (Content content : contents) {
         Words words = Words.of(content);
         String feature = words.string("feature").orElse("");

@@ -1,10 +1,11 @@
 package org.maestro.coordination;
 
 import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
@@ -26,17 +27,22 @@ final class Relevance {
     this.home = home;
   }
 
-  /** Names of the relevant features by device id. */
+  /** Names of the relevant features by device id, devices in declared order. */
   static Map<String, List<String>> candidates(Formula goal, Home home) {
     Relevance relevance = new Relevance(home);
     relevance.include(Symbols.of(goal));
-    Map<String, List<String>> candidates = new TreeMap<>();
+    Map<String, List<String>> candidates = new LinkedHashMap<>();
+    List<Device> devices =
+        home.devices().values().stream()
+            .sorted(Comparator.comparingDouble(Device::order).thenComparing(Device::id))
+            .toList();
+    devices.forEach(device -> candidates.put(device.id(), new ArrayList<>()));
     boolean grew = true;
     while (grew) {
       grew = false;
-      for (Device device : home.devices().values()) {
+      for (Device device : devices) {
         for (FeatureType feature : device.features()) {
-          List<String> chosen = candidates.computeIfAbsent(device.id(), id -> new ArrayList<>());
+          List<String> chosen = candidates.get(device.id());
           if (!chosen.contains(feature.name()) && relevance.changesRelevant(feature)) {
             chosen.add(feature.name());
             relevance.include(Symbols.of(feature.precondition()));

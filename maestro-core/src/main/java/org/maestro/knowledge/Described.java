@@ -2,6 +2,7 @@ package org.maestro.knowledge;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -28,7 +29,9 @@ final class Described {
   Described(Home home) {
     this.home = home;
     List<Term.Name> all = new ArrayList<>();
-    for (Individual individual : home.individuals().values()) {
+    List<Individual> inOrder = new ArrayList<>(home.individuals().values());
+    inOrder.sort(Comparator.comparingDouble(Individual::order).thenComparing(Individual::name));
+    for (Individual individual : inOrder) {
       Term.Name name = new Term.Name(individual.name());
       all.add(name);
       for (String className : individual.classes()) {

@@ -17,6 +17,8 @@ import org.maestro.platform.MaestroPlatform;
 import org.maestro.platform.PlatformSettings;
 import org.maestro.rats.broker.EmbeddedBroker;
 import org.maestro.rats.link.BusLink;
+import org.maestro.rats.member.MemberProfile;
+import org.maestro.rats.member.RatsMember;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.rats.time.SteppedClock;
@@ -46,21 +48,30 @@ public final class LocalSite implements AutoCloseable {
   private final Clock clock;
   private final Driver driver;
   private final Optional<URI> broker;
+  private final Function<String, Transport> transports;
   private Optional<SimulatedHome> simulated = Optional.empty();
   private MaestroPlatform platform;
 
-  private LocalSite(SiteSettings settings, Clock clock, Driver driver, Optional<URI> broker) {
+  private LocalSite(
+      SiteSettings settings,
+      Clock clock,
+      Driver driver,
+      Optional<URI> broker,
+      Function<String, Transport> transports) {
     this.settings = settings;
     this.clock = clock;
     this.driver = driver;
     this.broker = broker;
+    this.transports = transports;
   }
 
   /** On the stepped clock, over the bus within the process: the same seed gives the same run. */
   public static LocalSite stepped(SiteSettings settings) {
     SteppedClock clock = new SteppedClock();
-    LocalSite site = new LocalSite(settings, clock, clock::runUntil, Optional.empty());
-    return site.opened(new InProcessBus(clock)::client, DECISION_ON_STEPPED_CLOCK);
+    LocalSite site =
+        new LocalSite(
+            settings, clock, clock::runUntil, Optional.empty(), new InProcessBus(clock)::client);
+    return site.opened(DECISION_ON_STEPPED_CLOCK);
   }
 
   /**
@@ -75,15 +86,19 @@ public final class LocalSite implements AutoCloseable {
     PacedClock clock = new PacedClock(speed);
     LocalSite site =
         new LocalSite(
-            settings, clock, (condition, limit) -> poll(clock, condition, limit), Optional.of(uri));
+            settings,
+            clock,
+            (condition, limit) -> poll(clock, condition, limit),
+            Optional.of(uri),
+            id -> new PahoTransport(uri, settings.name() + "-" + id));
     own.ifPresent(site.parts::addFirst);
     site.parts.addFirst(clock);
-    return site.opened(id -> new PahoTransport(uri, settings.name() + "-" + id), Duration.ZERO);
+    return site.opened(Duration.ZERO);
   }
 
-  private LocalSite opened(Function<String, Transport> transports, Duration decisionTime) {
+  private LocalSite opened(Duration decisionTime) {
     try {
-      open(transports, decisionTime);
+      open(decisionTime);
       return this;
     } catch (RuntimeException e) {
       close();
@@ -91,7 +106,7 @@ public final class LocalSite implements AutoCloseable {
     }
   }
 
-  private void open(Function<String, Transport> transports, Duration decisionTime) {
+  private void open(Duration decisionTime) {
     simulated =
         settings
             .scene()
@@ -142,6 +157,17 @@ public final class LocalSite implements AutoCloseable {
                   String.join(", ", platform.presentMembers()),
                   String.join(", ", expected)));
     }
+  }
+
+  /**
+   * A member that is none of the home's devices joins the bus; it leaves with the site. It is ready
+   * some messages later.
+   */
+  public RatsMember join(MemberProfile profile, MemberProfile.Values values) {
+    RatsMember member =
+        RatsMember.start(profile, values, transports.apply(profile.id()), settings.name(), clock);
+    parts.addFirst(member);
+    return member;
   }
 
   public MaestroPlatform platform() {

@@ -3,9 +3,12 @@ package org.maestro.junit;
 import java.time.Duration;
 import java.util.function.BooleanSupplier;
 import org.maestro.assembly.LocalSite;
+import org.maestro.assembly.SiteSettings;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.platform.MaestroPlatform;
+import org.maestro.rats.member.MemberProfile;
+import org.maestro.rats.member.RatsMember;
 import org.maestro.rats.time.Clock;
 import org.maestro.sim.World;
 import org.maestro.sl.Formula;
@@ -18,12 +21,24 @@ import org.maestro.sl.SlSyntaxException;
  */
 public final class Stage implements AutoCloseable {
 
+  private static final Duration PATIENCE = Duration.ofMinutes(10);
+
   private final LocalSite site;
   private final Duration patience;
 
   Stage(LocalSite site, Duration patience) {
     this.site = site;
     this.patience = patience;
+  }
+
+  /**
+   * A stage of one's own on the stepped clock, for tests that make their home themselves. To be
+   * closed by the test.
+   *
+   * @param site in any case another name for each stage
+   */
+  public static Stage stepped(SiteSettings site) {
+    return new Stage(LocalSite.stepped(site), PATIENCE);
   }
 
   /** States a goal and waits for its end. A goal that is not MAESTRO-SL is a refused one. */
@@ -81,6 +96,14 @@ public final class Stage implements AutoCloseable {
   /** The device is switched on again, and joins anew. */
   public void revive(String device) {
     site.world().revive(device);
+  }
+
+  /**
+   * A member that is none of the home's devices joins the bus, with a description of its own; it
+   * leaves with the stage.
+   */
+  public RatsMember join(MemberProfile profile, MemberProfile.Values values) {
+    return site.join(profile, values);
   }
 
   @Override

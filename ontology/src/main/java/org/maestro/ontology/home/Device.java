@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.maestro.ontology.vocabulary.FeatureType;
-import org.maestro.sl.Term;
 
 /**
  * A device with the features it offers, from the home file or from the description that it sends.
@@ -33,15 +32,8 @@ public record Device(
     return individual.name();
   }
 
-  /**
-   * Its place in stable orders ({@code maestro:order}), so that ties do not depend on names; last
-   * when not stated.
-   */
+  /** See {@link Individual#order}. */
   public double order() {
-    return individual.properties().getOrDefault("order", List.of()).stream()
-        .filter(Term.Number.class::isInstance)
-        .mapToDouble(term -> ((Term.Number) term).value())
-        .findFirst()
-        .orElse(Double.MAX_VALUE);
+    return individual.order();
   }
 }

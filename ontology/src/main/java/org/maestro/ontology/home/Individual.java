@@ -26,4 +26,16 @@ public record Individual(
     classes = Collections.unmodifiableSet(new TreeSet<>(classes));
     properties = Collections.unmodifiableMap(new TreeMap<>(properties));
   }
+
+  /**
+   * Its place in stable orders ({@code maestro:order}), so that ties do not depend on names; last
+   * when not stated.
+   */
+  public double order() {
+    return properties.getOrDefault("order", List.of()).stream()
+        .filter(Term.Number.class::isInstance)
+        .mapToDouble(term -> ((Term.Number) term).value())
+        .findFirst()
+        .orElse(Double.MAX_VALUE);
+  }
 }
