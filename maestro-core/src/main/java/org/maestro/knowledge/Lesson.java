@@ -3,6 +3,8 @@ package org.maestro.knowledge;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.sl.Effect;
@@ -42,7 +44,9 @@ final class Lesson {
       bindings.putAll(run.outputs());
       Snapshot read = feature.learns().isPresent() ? present : before;
       Effect effect = feature.learns().orElse(feature.effect());
-      return EffectReader.facts(effect, bindings, read, present);
+      return EffectReader.facts(effect, bindings, read, present).stream()
+          .filter(fact -> !isMeasuredAlready(fact, before))
+          .toList();
     }
     EffectReader.touched(feature.effect(), bindings, before).stream()
         .filter(atom -> isUncertain(atom.predicate()))
@@ -50,6 +54,32 @@ final class Lesson {
         .filter(variable -> !isOwnWord(variable))
         .forEach(forget);
     return run.refs().stream().map(ref -> FactReader.read(ref, run.member())).toList();
+  }
+
+  /**
+   * Whether an expected number is one that a sensor, reading while the step ran, already shows:
+   * then to add the step's share again would count it twice. A reading that shows less than half of
+   * the share was taken before the step had its effect.
+   */
+  private boolean isMeasuredAlready(Fact fact, Snapshot before) {
+    if (!(fact instanceof Fact.Equation equation)
+        || !(equation.value() instanceof Term.Number expected)
+        || run.feature().learns().isPresent()) {
+      return false;
+    }
+    Optional<Belief> measured =
+        present
+            .belief(equation.fluent())
+            .filter(belief -> belief.source().kind() == Source.Kind.OBSERVED)
+            .filter(belief -> !before.belief(equation.fluent()).equals(Optional.of(belief)));
+    OptionalDouble then = before.number(equation.fluent());
+    OptionalDouble now = present.number(equation.fluent());
+    if (measured.isEmpty() || then.isEmpty() || now.isEmpty()) {
+      return false;
+    }
+    double share = expected.value() - now.getAsDouble();
+    double shown = now.getAsDouble() - then.getAsDouble();
+    return share * shown > 0 && Math.abs(shown) >= Math.abs(share) / 2;
   }
 
   /** Whether a step that failed leaves it open; plain closed-world facts stay as they are. */

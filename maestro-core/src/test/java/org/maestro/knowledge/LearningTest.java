@@ -120,6 +120,38 @@ class LearningTest {
   }
 
   @Test
+  void whatASensorShowsAlreadyIsNotCountedTwice() {
+    Snapshot before = home.knowledge.snapshot();
+    home.state(new Source(Source.Kind.OBSERVED, "lux-b"), "(= (illuminance zone-b) 109)");
+
+    lit(before);
+
+    assertThat(home.number("(illuminance zone-b)")).hasValue(109);
+  }
+
+  @Test
+  void aReadingFromBeforeTheLampLitDoesNotHideItsShare() {
+    Snapshot before = home.knowledge.snapshot();
+    home.state(new Source(Source.Kind.OBSERVED, "lux-b"), "(= (illuminance zone-b) 81)");
+
+    lit(before);
+
+    assertThat(home.number("(illuminance zone-b)")).hasValue(111);
+  }
+
+  private void lit(Snapshot before) {
+    home.knowledge.learn(
+        new FeatureRun(
+            "lamp-b1",
+            LIGHT,
+            Map.of("level", new Term.Number(1)),
+            true,
+            Map.of(),
+            List.of(),
+            Optional.of(before)));
+  }
+
+  @Test
   void anUnknownNumberStaysUnknownWhenIncreased() {
     home.state(Household.CAMERA, "(unknown (illuminance zone-b))");
     succeed("lamp-b1", LIGHT, Map.of("level", new Term.Number(1)), Map.of());
