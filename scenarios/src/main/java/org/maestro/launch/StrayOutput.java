@@ -8,8 +8,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Stands in for stdout and stderr, to which libraries print what people cannot use: it goes to the log. Lines that begin like our own
- * warnings pass.
+ * Stands in for stdout and stderr, to which libraries print what people cannot use: it goes to the
+ * log. Lines that begin like our own warnings pass.
  */
 final class StrayOutput extends OutputStream {
   private static final String OWN = "maestro: ";

@@ -8,7 +8,10 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Names beside their symbols, each on the first side that is free; those asked for first choose first. */
+/**
+ * Names beside their symbols, each on the first side that is free; those asked for first choose
+ * first.
+ */
 final class Labels {
   private static final double GAP = 24;
   private static final double SYMBOL = 18;
@@ -43,8 +46,7 @@ final class Labels {
     for (Label label : labels) {
       Rectangle2D box = place(canvas, label);
       taken.add(box);
-      Texts.draw(
-          canvas, label.text(), box.getX(), box.getMaxY() - 6, label.font(), Palette.INK);
+      Texts.draw(canvas, label.text(), box.getX(), box.getMaxY() - 6, label.font(), Palette.INK);
     }
   }
 

@@ -140,12 +140,12 @@ public final class TopView {
     outlines("Room").forEach(outline -> canvas.draw(scale.shape(outline)));
     outlines("Wall").forEach(outline -> canvas.fill(scale.shape(outline)));
     for (Individual individual : home.individuals().values()) {
-      Geometry.opening(individual).ifPresent(opening -> drawDoor(canvas, labels, individual, opening));
+      Geometry.opening(individual)
+          .ifPresent(opening -> drawDoor(canvas, labels, individual, opening));
     }
   }
 
-  private void drawDoor(
-      Graphics2D canvas, Labels labels, Individual door, Segment opening) {
+  private void drawDoor(Graphics2D canvas, Labels labels, Individual door, Segment opening) {
     Shape line = new Line2D.Double(scale.at(opening.from()), scale.at(opening.to()));
     boolean open = world.isOpen(door.name());
     canvas.setStroke(new BasicStroke(11, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER));
@@ -154,10 +154,7 @@ public final class TopView {
     canvas.setStroke(new BasicStroke(3));
     canvas.setColor(Palette.DOOR);
     canvas.draw(line);
-    labels.add(
-        door.name() + (open ? ", open" : ", closed"),
-        scale.at(opening.from()),
-        Texts.SMALL);
+    labels.add(door.name() + (open ? ", open" : ", closed"), scale.at(opening.from()), Texts.SMALL);
   }
 
   private void drawWays(Graphics2D canvas, Labels labels) {
@@ -221,9 +218,8 @@ public final class TopView {
       Point2D at = scale.at(place.get());
       if (home.devices().containsKey(name)) {
         Symbols.robot(canvas, at, scale.pixels(0.22));
-        labels.add(name + world.held(name).map(held -> " with " + held).orElse(""),
-            at,
-            Texts.NORMAL);
+        labels.add(
+            name + world.held(name).map(held -> " with " + held).orElse(""), at, Texts.NORMAL);
       } else if (individual.classes().contains("Person")) {
         Symbols.person(canvas, at, scale.pixels(0.2));
         labels.add(name, at, Texts.NORMAL);

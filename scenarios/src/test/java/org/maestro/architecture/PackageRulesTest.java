@@ -1,0 +1,176 @@
+package org.maestro.architecture;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.junit.AnalyzeClasses;
+import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchRule;
+import java.util.Arrays;
+
+/** Who may know whom. The reasons stand in docs/decisions/0002-package-rules.md. */
+@AnalyzeClasses(packages = "org.maestro", importOptions = ImportOption.DoNotIncludeTests.class)
+class PackageRulesTest {
+  private static final String[] ONTOLOGY = {"org.maestro.sl..", "org.maestro.ontology.."};
+  private static final String[] BRIDGE = {"org.maestro.rats.."};
+  private static final String[] DEVICES = {
+    "org.maestro.hal..", "org.maestro.device..", "org.maestro.sim.."
+  };
+  private static final String[] CORE = {
+    "org.maestro.knowledge..",
+    "org.maestro.planning..",
+    "org.maestro.coordination..",
+    "org.maestro.agents..",
+    "org.maestro.platform.."
+  };
+  private static final String[] TOP = {
+    "org.maestro.assembly..",
+    "org.maestro.launch..",
+    "org.maestro.junit..",
+    "org.maestro.experiment..",
+    "org.maestro.bench.."
+  };
+
+  @ArchTest
+  static final ArchRule ONTOLOGY_KNOWS_NO_MODULE = from(ONTOLOGY, BRIDGE, DEVICES, CORE, TOP);
+
+  @ArchTest
+  static final ArchRule BRIDGE_KNOWS_NO_MODULE = from(BRIDGE, ONTOLOGY, DEVICES, CORE, TOP);
+
+  @ArchTest static final ArchRule DEVICES_DO_NOT_KNOW_THE_CONTROL_LAYER = from(DEVICES, CORE, TOP);
+
+  /** Neighbours only: hardware and its simulation are invisible to the control layer. */
+  @ArchTest static final ArchRule CONTROL_LAYER_SEES_NO_HARDWARE = from(CORE, DEVICES, TOP);
+
+  /**
+   * The control layer talks to members by the link alone; the member's own side is not its
+   * business.
+   */
+  @ArchTest
+  static final ArchRule CONTROL_LAYER_SEES_ONLY_THE_LINK =
+      noClasses()
+          .that()
+          .resideInAnyPackage(CORE)
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage(
+              "org.maestro.rats.member..",
+              "org.maestro.rats.transport..",
+              "org.maestro.rats.broker..",
+              "org.maestro.rats.gateway..");
+
+  /** Devices are members made of drivers: they do not see MAESTRO's side of the bus. */
+  @ArchTest
+  static final ArchRule DEVICES_SEE_NO_LINK =
+      noClasses()
+          .that()
+          .resideInAnyPackage(DEVICES)
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("org.maestro.rats.link..", "org.maestro.rats.broker..");
+
+  /**
+   * A real driver can take the simulated one's place, because nobody below knows the simulation.
+   */
+  @ArchTest
+  static final ArchRule DEVICES_ARE_IGNORANT_OF_THE_SIMULATION =
+      noClasses()
+          .that()
+          .resideInAnyPackage("org.maestro.hal..", "org.maestro.device..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("org.maestro.sim..");
+
+  @ArchTest
+  static final ArchRule JADE_STAYS_IN_PLATFORM_AND_AGENTS =
+      noClasses()
+          .that()
+          .resideOutsideOfPackages(
+              "org.maestro.platform..",
+              "org.maestro.agents..",
+              "org.maestro.launch..",
+              "org.maestro.bench..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("jade..");
+
+  @ArchTest
+  static final ArchRule PAHO_STAYS_IN_THE_TRANSPORT =
+      noClasses()
+          .that()
+          .resideOutsideOfPackages("org.maestro.rats.transport..", "org.maestro.bench..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("org.eclipse.paho..");
+
+  @ArchTest
+  static final ArchRule ARTEMIS_STAYS_IN_THE_BROKER =
+      noClasses()
+          .that()
+          .resideOutsideOfPackages("org.maestro.rats.broker..", "org.maestro.bench..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("org.apache.activemq..", "org.apache.artemis..");
+
+  @ArchTest
+  static final ArchRule THE_HEART_IS_FREE_OF_JENA =
+      noClasses()
+          .that()
+          .resideInAnyPackage(
+              "org.maestro.sl..",
+              "org.maestro.planning..",
+              "org.maestro.coordination..",
+              "org.maestro.agents..",
+              "org.maestro.platform..",
+              "org.maestro.rats..",
+              "org.maestro.hal..",
+              "org.maestro.device..",
+              "org.maestro.launch..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("org.apache.jena..");
+
+  @ArchTest
+  static final ArchRule THE_LANGUAGE_STANDS_ALONE =
+      noClasses()
+          .that()
+          .resideInAnyPackage("org.maestro.sl..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("org.maestro.ontology..");
+
+  /** The heart is driven by a unit test without agents. */
+  @ArchTest
+  static final ArchRule THE_HEART_KNOWS_NO_AGENTS =
+      noClasses()
+          .that()
+          .resideInAnyPackage(
+              "org.maestro.knowledge..", "org.maestro.planning..", "org.maestro.coordination..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("org.maestro.agents..", "org.maestro.platform..");
+
+  @ArchTest
+  static final ArchRule THE_COMMAND_LINE_IS_KNOWN_TO_NOBODY =
+      noClasses()
+          .that()
+          .resideOutsideOfPackage("org.maestro.launch..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("org.maestro.launch..");
+
+  @ArchTest
+  static final ArchRule PACKAGES_FORM_NO_CIRCLE =
+      slices().matching("org.maestro.(**)").should().beFreeOfCycles();
+
+  private static ArchRule from(String[] packages, String[]... forbidden) {
+    return noClasses()
+        .that()
+        .resideInAnyPackage(packages)
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage(Arrays.stream(forbidden).flatMap(Arrays::stream).toArray(String[]::new))
+        .allowEmptyShould(true);
+  }
+}
