@@ -33,6 +33,8 @@ import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Formula;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * A running platform in this process: a JADE main container with CCA, knowledge agent, supervisor
@@ -40,6 +42,7 @@ import org.maestro.sl.Formula;
  * M68-M72). Any thread may use it.
  */
 public final class MaestroPlatform implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(MaestroPlatform.class);
   private static final String DEFAULT_TOPIC = "devices";
   private static final String DESK = "desk";
 
@@ -146,13 +149,26 @@ public final class MaestroPlatform implements AutoCloseable {
         && member.description().isPresent()
         && !topics.places().containsKey(member.id())
         && !knowledge.home().devices().containsKey(member.id())) {
-      String description = member.description().get();
+      Clock.Ticket untilItHasStarted = time.clock().hold("the start of " + member.id());
       Thread starter =
           new Thread(
-              () -> place(member.id(), topic(describedBy.apply(description, member.id()))),
+              () -> {
+                try (untilItHasStarted) {
+                  receive(member.id(), member.description().get());
+                }
+              },
               "agent-starter");
       starter.setDaemon(true);
       starter.start();
+    }
+  }
+
+  /** One whose description cannot be understood stays without an agent; the others go on. */
+  private void receive(String member, String description) {
+    try {
+      place(member, topic(describedBy.apply(description, member)));
+    } catch (RuntimeException e) {
+      LOG.warn("The member {} gets no agent: {}", member, e.getMessage());
     }
   }
 
