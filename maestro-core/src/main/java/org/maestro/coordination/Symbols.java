@@ -3,8 +3,8 @@ package org.maestro.coordination;
 import java.util.Set;
 import java.util.TreeSet;
 import org.maestro.sl.Effect;
-import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Leaves;
 
 /** The names of the predicates and fluents that formulas and effects speak of. */
 final class Symbols {
@@ -31,39 +31,7 @@ final class Symbols {
   }
 
   private void add(Formula formula) {
-    if (formula instanceof Formula.Atom atom) {
-      names.add(atom.predicate());
-    } else if (formula instanceof Formula.And and) {
-      and.operands().forEach(this::add);
-    } else if (formula instanceof Formula.Or or) {
-      or.operands().forEach(this::add);
-    } else if (formula instanceof Formula.Not not) {
-      add(not.operand());
-    } else if (formula instanceof Formula.Imply imply) {
-      add(imply.premise());
-      add(imply.conclusion());
-    } else if (formula instanceof Formula.Exists exists) {
-      add(exists.body());
-    } else if (formula instanceof Formula.Forall forall) {
-      add(forall.body());
-    } else if (formula instanceof Formula.Comparison comparison) {
-      add(comparison.left());
-      add(comparison.right());
-    } else if (formula instanceof Formula.UnknownAtom unknown) {
-      names.add(unknown.atom().predicate());
-    } else if (formula instanceof Formula.UnknownNumber unknown) {
-      names.add(unknown.fluent().name());
-    } else if (formula instanceof Formula.Keep keep) {
-      add(keep.body());
-    }
-  }
-
-  private void add(Expression expression) {
-    if (expression instanceof Expression.Fluent fluent) {
-      names.add(fluent.name());
-    } else if (expression instanceof Expression.Arithmetic arithmetic) {
-      arithmetic.operands().forEach(this::add);
-    }
+    Leaves.of(formula, atom -> names.add(atom.predicate()), fluent -> names.add(fluent.name()));
   }
 
   private void addChanged(Effect effect) {
@@ -95,7 +63,7 @@ final class Symbols {
     } else if (effect instanceof Effect.Forall forall) {
       addRead(forall.effect());
     } else if (effect instanceof Effect.Change change) {
-      add(change.value());
+      Leaves.of(change.value(), fluent -> names.add(fluent.name()));
     }
   }
 }
