@@ -89,6 +89,11 @@ final class Conversations extends CyclicBehaviour {
     }
   }
 
+  /** Whether nobody replied in time; such a reply is our own, and has no sender. */
+  static boolean isOverdue(ACLMessage reply) {
+    return reply.getSender() == null;
+  }
+
   private static boolean isFinal(ACLMessage message) {
     return message.getPerformative() != ACLMessage.AGREE;
   }

@@ -38,7 +38,7 @@ import org.slf4j.LoggerFactory;
 public final class GenericAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
   private static final Logger LOG = LoggerFactory.getLogger(GenericAgent.class);
-  private static final Duration ANSWER_WITHIN = Duration.ofSeconds(5);
+  private static final Duration ANSWER_WITHIN = Duration.ofSeconds(30);
 
   private final String member;
   private final transient RatsLink link;
@@ -97,6 +97,11 @@ public final class GenericAgent extends MaestroAgent {
     }
     view.ready(true);
     register();
+    introduce(description);
+  }
+
+  /** Tells the knowledge agent, and tells it again while it is too busy to answer in time. */
+  private void introduce(String description) {
     ask(
         message(
             ACLMessage.REQUEST,
@@ -109,6 +114,10 @@ public final class GenericAgent extends MaestroAgent {
         reply -> {
           if (reply.getPerformative() == ACLMessage.INFORM && view.isReady()) {
             announce("ready", "described");
+          } else if (Conversations.isOverdue(reply)) {
+            if (view.isReady() && lastDescription.equals(Optional.of(description))) {
+              introduce(description);
+            }
           } else if (reply.getPerformative() != ACLMessage.AGREE) {
             LOG.warn("{} is not used: {}", member, reply.getContent());
           }

@@ -1,5 +1,8 @@
 package org.maestro.assembly;
 
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.Socket;
 import java.net.URI;
 import java.time.Duration;
 import java.util.ArrayDeque;
@@ -33,7 +36,12 @@ import org.maestro.sim.World;
  */
 public final class LocalSite implements AutoCloseable {
   private static final Duration DECISION_ON_STEPPED_CLOCK = Duration.ofMillis(20);
-  private static final Duration OPENING = Duration.ofSeconds(60);
+  private static final Duration STEPPED_OPENING = Duration.ofSeconds(60);
+
+  /** Wall time, which is what the opening of a site on the real bus takes. */
+  private static final Duration PACED_OPENING = Duration.ofSeconds(20);
+
+  private static final int BROKER_ANSWERS_WITHIN_MILLIS = 2_000;
   private static final String CONTROLLER = "maestro";
 
   /**
@@ -71,15 +79,17 @@ public final class LocalSite implements AutoCloseable {
     LocalSite site =
         new LocalSite(
             settings, clock, clock::runUntil, Optional.empty(), new InProcessBus(clock)::client);
-    return site.opened(DECISION_ON_STEPPED_CLOCK);
+    return site.opened(DECISION_ON_STEPPED_CLOCK, STEPPED_OPENING);
   }
 
   /**
    * On the paced clock, over MQTT.
    *
    * @param speed simulated seconds per second of wall time
+   * @throws SiteException when no broker answers, or devices stay away
    */
   public static LocalSite paced(SiteSettings settings, double speed) {
+    settings.broker().ifPresent(LocalSite::requireBroker);
     Optional<EmbeddedBroker> own =
         settings.broker().isPresent() ? Optional.empty() : Optional.of(EmbeddedBroker.start());
     URI uri = settings.broker().orElseGet(() -> own.orElseThrow().uri());
@@ -93,12 +103,23 @@ public final class LocalSite implements AutoCloseable {
             id -> new PahoTransport(uri, settings.name() + "-" + id));
     own.ifPresent(site.parts::addFirst);
     site.parts.addFirst(clock);
-    return site.opened(Duration.ZERO);
+    return site.opened(Duration.ZERO, Duration.ofMillis((long) (PACED_OPENING.toMillis() * speed)));
   }
 
-  private LocalSite opened(Duration decisionTime) {
+  /** A transport tries for ever, as it should in a site that runs. */
+  private static void requireBroker(URI broker) {
+    try (Socket socket = new Socket()) {
+      socket.connect(
+          new InetSocketAddress(broker.getHost(), broker.getPort()), BROKER_ANSWERS_WITHIN_MILLIS);
+    } catch (IOException | IllegalArgumentException e) {
+      throw new SiteException(
+          "No MQTT broker answers at %s; start one there, or name another.".formatted(broker), e);
+    }
+  }
+
+  private LocalSite opened(Duration decisionTime, Duration opening) {
     try {
-      open(decisionTime);
+      open(decisionTime, opening);
       return this;
     } catch (RuntimeException e) {
       close();
@@ -106,7 +127,7 @@ public final class LocalSite implements AutoCloseable {
     }
   }
 
-  private void open(Duration decisionTime) {
+  private void open(Duration decisionTime, Duration opening) {
     simulated =
         settings
             .scene()
@@ -141,19 +162,19 @@ public final class LocalSite implements AutoCloseable {
             clock,
             new DescriptionReader(settings.home().vocabulary())::read);
     parts.addFirst(platform);
-    awaitMembers();
+    awaitMembers(opening);
   }
 
-  private void awaitMembers() {
+  private void awaitMembers(Duration opening) {
     List<String> expected =
         simulated.stream()
             .flatMap(home -> home.devices().stream().filter(home.world()::isAlive))
             .toList();
-    if (!runUntil(() -> platform.presentMembers().containsAll(expected), OPENING)) {
+    if (!runUntil(() -> platform.presentMembers().containsAll(expected), opening)) {
       throw new SiteException(
           "Within %d simulated seconds only these devices came: %s; expected were %s."
               .formatted(
-                  OPENING.toSeconds(),
+                  opening.toSeconds(),
                   String.join(", ", platform.presentMembers()),
                   String.join(", ", expected)));
     }

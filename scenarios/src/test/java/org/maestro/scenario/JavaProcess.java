@@ -1,0 +1,90 @@
+package org.maestro.scenario;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Another Java process with the class path of the tests; ended with everything it started when
+ * closed.
+ */
+public final class JavaProcess implements AutoCloseable {
+
+  /** How a process ended, and what it said. */
+  public record Ended(int exitCode, String output, String errors) {}
+
+  private final Process process;
+  private final Path output;
+  private final Path errors;
+
+  private JavaProcess(Process process, Path output, Path errors) {
+    this.process = process;
+    this.output = output;
+    this.errors = errors;
+  }
+
+  /** Starts a main class. */
+  public static JavaProcess start(String mainClass, List<String> arguments) throws IOException {
+    return start(mainClass, arguments, Map.of());
+  }
+
+  /**
+   * @param environment what differs from this process's; an empty value removes the variable
+   */
+  public static JavaProcess start(
+      String mainClass, List<String> arguments, Map<String, String> environment)
+      throws IOException {
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xshare:auto"));
+    command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));
+    command.addAll(arguments);
+    Path output = Files.createTempFile("maestro-process", ".out");
+    Path errors = Files.createTempFile("maestro-process", ".err");
+    ProcessBuilder builder =
+        new ProcessBuilder(command)
+            .redirectOutput(output.toFile())
+            .redirectError(errors.toFile())
+            .redirectInput(ProcessBuilder.Redirect.from(Path.of("/dev/null").toFile()));
+    environment.forEach(
+        (name, value) -> {
+          if (value.isEmpty()) {
+            builder.environment().remove(name);
+          } else {
+            builder.environment().put(name, value);
+          }
+        });
+    return new JavaProcess(builder.start(), output, errors);
+  }
+
+  /** Waits for its end; one that does not end in time has failed the test. */
+  public Ended await(Duration limit) throws IOException, InterruptedException {
+    if (!process.waitFor(limit.toMillis(), TimeUnit.MILLISECONDS)) {
+      throw new AssertionError(
+          "The process did not end within %d s; it said: %s%s"
+              .formatted(limit.toSeconds(), output(), Files.readString(errors)));
+    }
+    return new Ended(process.exitValue(), output(), Files.readString(errors));
+  }
+
+  public boolean isAlive() {
+    return process.isAlive();
+  }
+
+  public String output() throws IOException {
+    return Files.readString(output);
+  }
+
+  @Override
+  public void close() throws IOException {
+    process.descendants().forEach(ProcessHandle::destroyForcibly);
+    process.destroyForcibly().onExit().join();
+    Files.deleteIfExists(output);
+    Files.deleteIfExists(errors);
+  }
+}

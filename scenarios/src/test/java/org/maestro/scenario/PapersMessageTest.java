@@ -1,0 +1,182 @@
+package org.maestro.scenario;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import jade.core.AID;
+import jade.lang.acl.ACLMessage;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.maestro.assembly.LocalSite;
+import org.maestro.assembly.SiteSettings;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+import org.maestro.sim.Scene;
+import org.maestro.sim.SceneLoader;
+
+/**
+ * The message that the paper prints in section 3.3.3, from an agent of another container that knows
+ * JADE only (M74-M77). The platform is called MC as there, so that the receiver's name is right as
+ * printed.
+ */
+class PapersMessageTest {
+
+  private static final String GOAL = "(initCNP (:goal (canSee ?agent GreenObject)))";
+  private static final String AS_PRINTED =
+      """
+      (request
+        :sender (agent-identifier :name Guest@GAC)
+        :receiver (set (agent-identifier :name %s))
+        :ontology WorldModel
+        :language MAESTRO-SL
+        :protocol fipa-request
+        :content "%s")
+      """;
+
+  /** The goal with the agent filled in, and the same agent as its binding. */
+  private static final Pattern ANSWER =
+      Pattern.compile("\\(canSee (cam-[1-3]) GreenObject\\)\\) \\(:binding \\(:agent \\1\\)\\)");
+
+  private static LocalSite site;
+  private static PlainAgent.Guest guest;
+
+  @BeforeAll
+  static void startSite() throws Exception {
+    Home home = new HomeLoader().load(text("/homes/arena.ttl"), "arena.ttl");
+    Scene scene =
+        SceneLoader.load(
+            "arena-dark.ttl",
+            PapersMessageTest.class.getResourceAsStream("/scenes/arena-dark.ttl"),
+            home);
+    site =
+        LocalSite.paced(
+            new SiteSettings(
+                "MC", home, Optional.of(scene), 1, Optional.empty(), 0, false, Optional.empty()),
+            20);
+    guest = PlainAgent.join(Optional.of("MC"), site.platform().port(), "GAC", "Guest");
+  }
+
+  @AfterAll
+  static void end() throws Exception {
+    guest.close();
+    site.close();
+  }
+
+  @Test
+  void theMessageIsAgreedToAndAnsweredWithTheAgentThatSees() throws Exception {
+    guest.agent().say(request(new AID("CCA", AID.ISLOCALNAME), GOAL));
+
+    assertAnswered();
+  }
+
+  @Test
+  void doubledQuotesAsPrintedAreNoObstacle() throws Exception {
+    guest.agent().say(request(new AID("CCA", AID.ISLOCALNAME), "\"\"" + GOAL + "\"\""));
+
+    assertAnswered();
+  }
+
+  @Test
+  void theWrittenFormIsUnderstood() throws Exception {
+    guest.agent().say(PlainAgent.written(AS_PRINTED.formatted("CCA@MC", GOAL)));
+
+    assertAnswered();
+  }
+
+  @Test
+  void anotherProcessMayAsk() throws Exception {
+    try (JavaProcess process =
+        JavaProcess.start(
+            PlainAgentProcess.class.getName(),
+            List.of(
+                String.valueOf(site.platform().port()), AS_PRINTED.formatted("CCA@MC", GOAL)))) {
+      JavaProcess.Ended ended = process.await(Duration.ofSeconds(40));
+
+      assertThat(ended.exitCode()).as(ended.errors()).isZero();
+      assertThat(ended.output().lines().filter(line -> line.matches("[A-Z]+ \\(.*")))
+          .satisfiesExactly(
+              agree -> assertThat(agree).startsWith("AGREE (initCNP (:goal G"),
+              inform -> assertThat(inform).startsWith("INFORM ").containsPattern(ANSWER));
+    }
+  }
+
+  @Test
+  void malformedContentIsNotUnderstoodAndItsColumnTold() throws Exception {
+    guest.agent().say(request(new AID("CCA", AID.ISLOCALNAME), "(initCNP (:goal (canSee ?agent"));
+
+    ACLMessage reply = guest.agent().heard();
+    assertThat(reply.getPerformative()).isEqualTo(ACLMessage.NOT_UNDERSTOOD);
+    assertThat(reply.getContent()).contains("At column 31");
+    assertThat(reply.getLanguage()).isEqualTo("MAESTRO-SL");
+  }
+
+  @Test
+  void missingContentIsNotUnderstood() throws Exception {
+    guest.agent().say(request(new AID("CCA", AID.ISLOCALNAME), null));
+
+    assertThat(guest.agent().heard().getPerformative()).isEqualTo(ACLMessage.NOT_UNDERSTOOD);
+  }
+
+  @Test
+  void anUnknownThingIsRefusedWithTheReason() throws Exception {
+    guest
+        .agent()
+        .say(
+            request(
+                new AID("CCA", AID.ISLOCALNAME), "(initCNP (:goal (canSee ?agent BlueObject)))"));
+
+    ACLMessage reply = guest.agent().heard();
+    assertThat(reply.getPerformative()).isEqualTo(ACLMessage.REFUSE);
+    assertThat(reply.getContent()).contains("BlueObject");
+  }
+
+  @Test
+  void anUnknownOperatorIsNotUnderstoodAndTheKnownOnesTold() throws Exception {
+    guest
+        .agent()
+        .say(
+            request(
+                new AID("CCA", AID.ISLOCALNAME), "(startCNP (:goal (canSee cam-1 GreenObject)))"));
+
+    ACLMessage reply = guest.agent().heard();
+    assertThat(reply.getPerformative()).isEqualTo(ACLMessage.NOT_UNDERSTOOD);
+    assertThat(reply.getContent()).contains("startCNP").contains("initCNP");
+  }
+
+  private void assertAnswered() throws InterruptedException {
+    ACLMessage agree = guest.agent().heard();
+    assertThat(agree.getPerformative()).as(agree.toString()).isEqualTo(ACLMessage.AGREE);
+    assertThat(agree.getProtocol()).isEqualTo("fipa-request");
+    ACLMessage inform = guest.agent().heard();
+    assertThat(inform.getPerformative()).as(inform.toString()).isEqualTo(ACLMessage.INFORM);
+    assertThat(inform.getContent()).containsPattern(ANSWER);
+    assertThat(inform.getLanguage()).isEqualTo("MAESTRO-SL");
+    assertThat(inform.getOntology()).isEqualTo("WorldModel");
+  }
+
+  private static ACLMessage request(AID receiver, String content) {
+    ACLMessage request = new ACLMessage(ACLMessage.REQUEST);
+    request.addReceiver(receiver);
+    request.setOntology("WorldModel");
+    request.setLanguage("MAESTRO-SL");
+    request.setProtocol("fipa-request");
+    request.setContent(content);
+    return request;
+  }
+
+  private static String text(String resource) {
+    try (InputStream stream = PapersMessageTest.class.getResourceAsStream(resource)) {
+      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

@@ -1,0 +1,108 @@
+package org.maestro.scenario;
+
+import jade.core.Agent;
+import jade.core.Profile;
+import jade.core.ProfileImpl;
+import jade.core.Runtime;
+import jade.core.behaviours.CyclicBehaviour;
+import jade.core.behaviours.OneShotBehaviour;
+import jade.lang.acl.ACLCodec;
+import jade.lang.acl.ACLMessage;
+import jade.lang.acl.StringACLCodec;
+import jade.util.leap.Properties;
+import jade.wrapper.AgentContainer;
+import jade.wrapper.StaleProxyException;
+import java.io.StringReader;
+import java.io.StringWriter;
+import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * An agent of JADE alone, in a container of its own that has none of MAESTRO's services: what a
+ * guest brings along.
+ */
+public final class PlainAgent extends Agent {
+
+  private static final long serialVersionUID = 1L;
+  private static final long PATIENCE_SECONDS = 30;
+
+  private final transient BlockingQueue<ACLMessage> replies = new LinkedBlockingQueue<>();
+
+  /** The container of one plain agent. */
+  record Guest(AgentContainer container, PlainAgent agent) implements AutoCloseable {
+    @Override
+    public void close() throws StaleProxyException {
+      container.kill();
+    }
+  }
+
+  /**
+   * Joins a platform.
+   *
+   * @param platformName needed in the platform's own process only
+   */
+  static Guest join(Optional<String> platformName, int port, String container, String name)
+      throws StaleProxyException {
+    Properties properties = new Properties();
+    properties.setProperty(Profile.MAIN, "false");
+    properties.setProperty(Profile.MAIN_HOST, "127.0.0.1");
+    properties.setProperty(Profile.LOCAL_HOST, "127.0.0.1");
+    properties.setProperty(Profile.MAIN_PORT, String.valueOf(port));
+    properties.setProperty(Profile.LOCAL_PORT, "0");
+    properties.setProperty(Profile.CONTAINER_NAME, container);
+    properties.setProperty(Profile.NO_MTP, "true");
+    platformName.ifPresent(id -> properties.setProperty(Profile.PLATFORM_ID, id));
+    AgentContainer joined = Runtime.instance().createAgentContainer(new ProfileImpl(properties));
+    PlainAgent agent = new PlainAgent();
+    joined.acceptNewAgent(name, agent).start();
+    return new Guest(joined, agent);
+  }
+
+  /** What a person types: FIPA's string form of a message. */
+  static ACLMessage written(String text) throws ACLCodec.CodecException {
+    return new StringACLCodec(new StringReader(text), new StringWriter()).decode();
+  }
+
+  @Override
+  protected void setup() {
+    addBehaviour(
+        new CyclicBehaviour(this) {
+          private static final long serialVersionUID = 1L;
+
+          @Override
+          public void action() {
+            ACLMessage message = receive();
+            if (message == null) {
+              block();
+            } else {
+              replies.add(message);
+            }
+          }
+        });
+  }
+
+  /** Sends the message as it is, but from this agent. */
+  void say(ACLMessage message) {
+    addBehaviour(
+        new OneShotBehaviour(this) {
+          private static final long serialVersionUID = 1L;
+
+          @Override
+          public void action() {
+            message.setSender(getAID());
+            send(message);
+          }
+        });
+  }
+
+  /** The next message that came, waited for. */
+  ACLMessage heard() throws InterruptedException {
+    ACLMessage reply = replies.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+    if (reply == null) {
+      throw new AssertionError("No reply came within " + PATIENCE_SECONDS + " s.");
+    }
+    return reply;
+  }
+}
