@@ -89,6 +89,19 @@ public final class CoordinatorAgent extends MaestroAgent {
     return List.copyOf(present);
   }
 
+  /**
+   * The member's agent ended here and is to begin elsewhere, where it announces itself. Any thread
+   * may call.
+   */
+  public void agentMoves(String member) {
+    tell(() -> gone(member, "its agent moves to another container"));
+  }
+
+  private void gone(String member, String reason) {
+    present.remove(member);
+    coordinator.memberLost(member, reason);
+  }
+
   @Override
   protected void setup() {
     super.setup();
@@ -190,8 +203,7 @@ public final class CoordinatorAgent extends MaestroAgent {
         coordinator.memberPresent(member.get());
         present.add(member.get());
       } else {
-        present.remove(member.get());
-        coordinator.memberLost(member.get(), words.string("reason").orElse("lost"));
+        gone(member.get(), words.string("reason").orElse("lost"));
       }
     }
   }

@@ -28,7 +28,7 @@ public final class SupervisorAgent extends MaestroAgent {
      * Ends the topic's container here; empty when there is none, or the bus cannot be reached from
      * elsewhere.
      */
-    Optional<Handover> release(String topic, String holder);
+    Optional<Handover> release(String topic);
 
     List<String> topics();
 
@@ -84,11 +84,10 @@ public final class SupervisorAgent extends MaestroAgent {
   /** Ending a container waits for JADE, which an agent must not. */
   private void handOver(ACLMessage message, Words words) {
     String topic = words.string("topic").orElse("");
-    String holder = message.getSender().getLocalName();
     Thread hand =
         new Thread(
             () -> {
-              Optional<Handover> handover = containers.release(topic, holder);
+              Optional<Handover> handover = containers.release(topic);
               tell(() -> answer(message, topic, handover));
             },
             "hand-over");

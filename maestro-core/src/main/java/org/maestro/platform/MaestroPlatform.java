@@ -268,16 +268,14 @@ public final class MaestroPlatform implements AutoCloseable {
   /** What the supervisor may do here. */
   private final class Supervision implements SupervisorAgent.Containers {
     @Override
-    public Optional<SupervisorAgent.Handover> release(String topic, String holder) {
-      return settings
-          .brokerUri()
-          .flatMap(
-              broker ->
-                  topics
-                      .release(topic, holder)
-                      .map(
-                          members ->
-                              new SupervisorAgent.Handover(broker, settings.site(), members)));
+    public Optional<SupervisorAgent.Handover> release(String topic) {
+      return settings.brokerUri().flatMap(broker -> release(topic, broker));
+    }
+
+    private Optional<SupervisorAgent.Handover> release(String topic, String broker) {
+      Optional<List<String>> members = topics.release(topic);
+      members.ifPresent(gone -> gone.forEach(coordinator::agentMoves));
+      return members.map(gone -> new SupervisorAgent.Handover(broker, settings.site(), gone));
     }
 
     @Override

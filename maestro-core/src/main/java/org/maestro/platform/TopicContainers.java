@@ -5,9 +5,11 @@ import jade.wrapper.AgentController;
 import jade.wrapper.StaleProxyException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import org.maestro.agents.MaestroAgent;
 
@@ -19,7 +21,8 @@ final class TopicContainers {
   private final Function<String, AgentContainer> newContainer;
   private final Map<String, AgentContainer> containerByTopic = new LinkedHashMap<>();
   private final Map<String, Placed> placedByMember = new LinkedHashMap<>();
-  private final Map<String, String> elsewhere = new LinkedHashMap<>();
+  private final Map<String, String> topicByMemberElsewhere = new LinkedHashMap<>();
+  private final Set<String> topicsElsewhere = new LinkedHashSet<>();
 
   private record Placed(String topic, AgentController agent) {}
 
@@ -32,7 +35,7 @@ final class TopicContainers {
    * held elsewhere.
    */
   synchronized boolean place(String member, String topic, Function<String, MaestroAgent> newAgent) {
-    if (placedByMember.containsKey(member) || elsewhere.containsKey(topic)) {
+    if (placedByMember.containsKey(member) || topicsElsewhere.contains(topic)) {
       return false;
     }
     AgentContainer container = containerByTopic.computeIfAbsent(topic, newContainer);
@@ -44,7 +47,7 @@ final class TopicContainers {
   /**
    * Ends the topic's container here, so that another process can take its members; returns them.
    */
-  synchronized Optional<List<String>> release(String topic, String holder) {
+  synchronized Optional<List<String>> release(String topic) {
     AgentContainer container = containerByTopic.remove(topic);
     if (container == null) {
       return Optional.empty();
@@ -57,13 +60,14 @@ final class TopicContainers {
           }
         });
     for (String member : members) {
+      topicByMemberElsewhere.put(member, topic);
       try {
         placedByMember.remove(member).agent().kill();
       } catch (StaleProxyException e) {
         // It is gone already.
       }
     }
-    elsewhere.put(topic, holder);
+    topicsElsewhere.add(topic);
     JadeRuntime.end(container);
     return Optional.of(members);
   }
@@ -72,10 +76,11 @@ final class TopicContainers {
     return List.copyOf(containerByTopic.keySet());
   }
 
-  /** Container name by member. */
+  /** Container name by member, also of those that another process has taken. */
   synchronized Map<String, String> places() {
     Map<String, String> places = new LinkedHashMap<>();
     placedByMember.forEach((member, placed) -> places.put(member, placed.topic()));
+    places.putAll(topicByMemberElsewhere);
     return places;
   }
 

@@ -1,6 +1,7 @@
 package org.maestro.scenario;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -63,21 +64,29 @@ public final class JavaProcess implements AutoCloseable {
   }
 
   /** Waits for its end; one that does not end in time has failed the test. */
-  public Ended await(Duration limit) throws IOException, InterruptedException {
+  public Ended await(Duration limit) throws InterruptedException {
     if (!process.waitFor(limit.toMillis(), TimeUnit.MILLISECONDS)) {
       throw new AssertionError(
           "The process did not end within %d s; it said: %s%s"
-              .formatted(limit.toSeconds(), output(), Files.readString(errors)));
+              .formatted(limit.toSeconds(), output(), read(errors)));
     }
-    return new Ended(process.exitValue(), output(), Files.readString(errors));
+    return new Ended(process.exitValue(), output(), read(errors));
   }
 
   public boolean isAlive() {
     return process.isAlive();
   }
 
-  public String output() throws IOException {
-    return Files.readString(output);
+  public String output() {
+    return read(output);
+  }
+
+  private static String read(Path file) {
+    try {
+      return Files.readString(file);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   @Override

@@ -1,11 +1,16 @@
 package org.maestro.scenario;
 
+import jade.content.lang.sl.SLCodec;
+import jade.content.onto.basic.Action;
 import jade.core.Agent;
 import jade.core.Profile;
 import jade.core.ProfileImpl;
 import jade.core.Runtime;
 import jade.core.behaviours.CyclicBehaviour;
 import jade.core.behaviours.OneShotBehaviour;
+import jade.domain.FIPANames;
+import jade.domain.JADEAgentManagement.JADEManagementOntology;
+import jade.domain.JADEAgentManagement.WhereIsAgentAction;
 import jade.lang.acl.ACLCodec;
 import jade.lang.acl.ACLMessage;
 import jade.lang.acl.StringACLCodec;
@@ -95,6 +100,24 @@ public final class PlainAgent extends Agent {
             send(message);
           }
         });
+  }
+
+  /** What the AMS knows of where an agent lives: the answer's text. */
+  String whereIs(String localName) throws Exception {
+    WhereIsAgentAction where = new WhereIsAgentAction();
+    where.setAgentIdentifier(getAID(localName));
+    ACLMessage question = new ACLMessage(ACLMessage.REQUEST);
+    question.addReceiver(getAMS());
+    question.setLanguage(FIPANames.ContentLanguage.FIPA_SL0);
+    question.setOntology(JADEManagementOntology.NAME);
+    getContentManager().registerLanguage(new SLCodec(), FIPANames.ContentLanguage.FIPA_SL0);
+    getContentManager().registerOntology(JADEManagementOntology.getInstance());
+    getContentManager().fillContent(question, new Action(getAMS(), where));
+    say(question);
+    ACLMessage answer = heard();
+    return answer.getPerformative() == ACLMessage.AGREE
+        ? heard().getContent()
+        : answer.getContent();
   }
 
   /** The next message that came, waited for. */

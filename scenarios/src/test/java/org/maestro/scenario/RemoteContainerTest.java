@@ -1,0 +1,63 @@
+package org.maestro.scenario;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.maestro.junit.MaestroAssertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.maestro.junit.ClockKind;
+import org.maestro.junit.MaestroTest;
+import org.maestro.junit.Stage;
+import org.maestro.platform.AgentRow;
+
+/** A topic's agents live in another process (M64, M70). */
+@MaestroTest(home = "bob", scene = "bob-dark", clock = ClockKind.PACED, speed = 10)
+class RemoteContainerTest {
+
+  private static final String LAMP = "lamp-b1";
+
+  @Test
+  void theLightsOfBobsCupMayLiveInAnotherProcess(Stage stage, @TempDir Path directory)
+      throws Exception {
+    List<String> lamps =
+        stage.platform().agents().stream()
+            .filter(row -> row.container().equals("lights"))
+            .map(AgentRow::agent)
+            .toList();
+    assertThat(lamps).contains(LAMP);
+    try (JavaProcess process = lights(stage, directory)) {
+      stage.await(
+          "the other process has the lights",
+          () -> process.output().contains("The container lights runs here"));
+      stage.await(
+          "the lights are back", () -> stage.platform().presentMembers().containsAll(lamps));
+
+      assertThat(whereIs(stage, LAMP)).contains("lights").doesNotContain("Main-Container");
+      assertThat(stage.platform().agents())
+          .filteredOn(row -> row.agent().equals(LAMP))
+          .singleElement()
+          .satisfies(row -> assertThat(row.container()).isEqualTo("lights"));
+      assertThat(stage.goal("(nextTo Cup Bob)")).isReached().tells("is set to");
+      assertThat(stage.world()).hasNextTo("Cup", "Bob").hasLuxAtLeast("zone-b", 72);
+    }
+  }
+
+  private static JavaProcess lights(Stage stage, Path directory) throws Exception {
+    return JavaProcess.start(
+        "org.maestro.launch.Maestro",
+        List.of("container", "--main", "127.0.0.1:" + stage.platform().port(), "--name", "lights"),
+        Map.of("XDG_RUNTIME_DIR", directory.toString()));
+  }
+
+  private static String whereIs(Stage stage, String agent) throws Exception {
+    Optional<String> platform = Optional.of(stage.platform().desk().getHap());
+    try (PlainAgent.Guest guest =
+        PlainAgent.join(platform, stage.platform().port(), "guests", "Guest")) {
+      return guest.agent().whereIs(agent);
+    }
+  }
+}
