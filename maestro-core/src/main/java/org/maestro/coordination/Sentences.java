@@ -80,10 +80,10 @@ public final class Sentences {
         .collect(Collectors.joining("; "));
   }
 
+  /** What stands in the way: who needs it, the condition as it is stated, and the best there is. */
   public String obstacle(PlanningResult.Obstacle obstacle) {
-    return "%s: %s needed, possible: %s (needed by %s)"
-        .formatted(
-            obstacle.condition(), obstacle.needed(), obstacle.possible(), obstacle.neededBy());
+    return "%s needs %s; possible: %s."
+        .formatted(obstacle.neededBy(), obstacle.condition(), obstacle.possible());
   }
 
   public String binding(Map<String, Term> binding) {

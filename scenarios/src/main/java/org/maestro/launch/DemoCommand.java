@@ -188,7 +188,7 @@ final class DemoCommand implements Callable<Integer> {
     report.reasons().forEach(reason -> out.println("  " + reason));
     out.printf(
         Locale.ROOT,
-        "%.1f simulated seconds%s, %d calls, %d replans; %.0f ms from the goal to the first call; %.1f s of wall time.%n",
+        "%.1f simulated seconds%s, calls: %d, replans: %d; %.0f ms from the goal to the first call; %.1f s of wall time.%n",
         report.duration().toMillis() / 1000.0,
         summary
             .lowerBound()
@@ -206,7 +206,7 @@ final class DemoCommand implements Callable<Integer> {
     out.println("A picture of it, from above: " + summary.picture());
     out.println();
     out.println("Try next:");
-    out.printf("  ./maestro why %-22s the whole story again%n", report.id().orElse("G1"));
+    out.printf("  ./maestro why %-17s the whole story again%n", report.id().orElse("G1"));
     out.printf("  ./maestro demo bob-weak-lamps   lamps weaker than they claim%n");
     out.printf(
         "  ./maestro run bob --gui         a platform that stays, to talk to from another terminal%n");

@@ -95,7 +95,7 @@ final class GoalCommand implements Callable<Integer> {
     } else {
       out.printf(
           Locale.ROOT,
-          "%s in %.1f simulated seconds, with %d calls and %d replans.%n",
+          "%s in %.1f simulated seconds; calls: %d, replans: %d.%n",
           reached ? "Reached" : "Not reached",
           words.number("seconds", 0),
           (int) words.number("calls", 0),
