@@ -6,6 +6,8 @@ import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
+import java.util.List;
+import java.util.Locale;
 
 /** Title above, what the symbols mean and the scale bar below. */
 final class Legend {
@@ -24,13 +26,14 @@ final class Legend {
   }
 
   void draw(Graphics2D canvas, String title) {
-    Texts.draw(canvas, title + ", from above", Scale.MARGIN, 58, Texts.TITLE, Palette.INK);
+    String capital = title.substring(0, 1).toUpperCase(Locale.ROOT) + title.substring(1);
+    Texts.draw(canvas, capital + ", from above", Scale.MARGIN, 58, Texts.TITLE, Palette.INK);
     entry(canvas, "camera and what it sees", Legend::field);
     entry(canvas, "lamp, filled as lit", (c, at) -> Symbols.lamp(c, at, 0.75));
     entry(canvas, "light sensor", Symbols::sensor);
     entry(canvas, "floor: dark to bright", Legend::floor);
-    entry(canvas, "robot and its way", Legend::way);
-    entry(canvas, "person", (c, at) -> Symbols.person(c, at, 30));
+    entry(canvas, "robot, its way, its start", Legend::way);
+    entry(canvas, "person", Symbols::person);
     entry(canvas, "thing", Symbols::thing);
     bar(canvas);
   }
@@ -62,10 +65,12 @@ final class Legend {
   }
 
   private static void way(Graphics2D canvas, Point2D at) {
-    canvas.setColor(Palette.ROBOT);
-    canvas.setStroke(new BasicStroke(5));
-    canvas.draw(new Line2D.Double(at.getX() - 34, at.getY(), at.getX() + 10, at.getY()));
-    Symbols.robot(canvas, new Point2D.Double(at.getX() + 12, at.getY()), 30);
+    Way.draw(
+        canvas,
+        List.of(
+            new Point2D.Double(at.getX() - 38, at.getY()),
+            new Point2D.Double(at.getX() + 12, at.getY())));
+    Symbols.robot(canvas, new Point2D.Double(at.getX() + 12, at.getY()));
   }
 
   private void bar(Graphics2D canvas) {

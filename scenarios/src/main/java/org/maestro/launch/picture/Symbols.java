@@ -13,7 +13,14 @@ import java.awt.geom.RoundRectangle2D;
 
 /** What stands for what. */
 final class Symbols {
+  /** Room around a lamp, camera, sensor or thing; pixels. */
+  static final double SMALL = 18;
+
+  /** Room around a robot or person; pixels. */
+  static final double LARGE = 26;
+
   private static final double LAMP_RADIUS = 15;
+  private static final double ROBOT_SIDE = 44;
 
   private Symbols() {}
 
@@ -61,22 +68,22 @@ final class Symbols {
   }
 
   /** A square. */
-  static void robot(Graphics2D canvas, Point2D at, double halfSide) {
-    double half = Math.min(halfSide, 40);
+  static void robot(Graphics2D canvas, Point2D at) {
     Shape square =
-        new RoundRectangle2D.Double(at.getX() - half / 2, at.getY() - half / 2, half, half, 8, 8);
+        new RoundRectangle2D.Double(
+            at.getX() - ROBOT_SIDE / 2, at.getY() - ROBOT_SIDE / 2, ROBOT_SIDE, ROBOT_SIDE, 8, 8);
     canvas.setColor(Palette.ROBOT);
     canvas.fill(square);
     edge(canvas, square, 3);
   }
 
   /** A large disc with a small one in it: head and shoulders. */
-  static void person(Graphics2D canvas, Point2D at, double radius) {
-    Shape shoulders = disc(at, Math.min(radius, 34) * 0.7);
+  static void person(Graphics2D canvas, Point2D at) {
+    Shape shoulders = disc(at, LARGE - 2);
     canvas.setColor(Palette.PERSON);
     canvas.fill(shoulders);
     edge(canvas, shoulders, 3);
-    Shape head = disc(at, Math.min(radius, 34) * 0.32);
+    Shape head = disc(at, LARGE / 2.4);
     canvas.setColor(Color.WHITE);
     canvas.fill(head);
     edge(canvas, head, 2);

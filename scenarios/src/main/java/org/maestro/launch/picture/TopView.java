@@ -7,9 +7,7 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.Shape;
 import java.awt.geom.Area;
-import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -17,6 +15,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -30,7 +29,6 @@ import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Polygon;
 import org.maestro.ontology.home.Pose;
 import org.maestro.ontology.home.Segment;
-import org.maestro.sim.PathPoint;
 import org.maestro.sim.World;
 import org.maestro.sl.Term;
 
@@ -43,8 +41,7 @@ public final class TopView {
   private static final int WIDTH = 1600;
   private static final double BRIGHT_LUX = 100;
   private static final double MOVED_METRES = 0.3;
-  private static final int CLEAR_OF_CORNER = 120;
-  private static final int CLEAR_OF_WALL = 30;
+  private static final int CLEAR_OF_WALL = 70;
 
   private final Home home;
   private final World world;
@@ -98,16 +95,18 @@ public final class TopView {
       canvas.setStroke(Palette.dashed(2));
       canvas.setColor(Palette.ZONE);
       canvas.draw(scale.shape(outline));
-      Point2D corner = scale.at(lowerLeft(outline));
-      Point2D clear =
-          new Point2D.Double(corner.getX() + CLEAR_OF_CORNER, corner.getY() - CLEAR_OF_WALL);
-      labels.add("%s, %.0f lux".formatted(zone.name(), lux), clear, Texts.NORMAL);
+      Point2D edge = scale.at(lowerEdge(outline));
+      Point2D clear = new Point2D.Double(edge.getX(), edge.getY() - CLEAR_OF_WALL);
+      labels.add(
+          String.format(Locale.ROOT, "%s, %.0f lux", zone.name(), lux), clear, 0, Texts.NORMAL);
     }
   }
 
-  private static Point2 lowerLeft(Polygon outline) {
-    return outline.corners().stream()
-        .min(Comparator.comparingDouble((Point2 p) -> p.x() + p.y()))
+  /** The middle of the edge that is lowest in the picture. */
+  private static Point2 lowerEdge(Polygon outline) {
+    return outline.edges().stream()
+        .map(Segment::middle)
+        .min(Comparator.comparingDouble(Point2::y))
         .orElseThrow();
   }
 
@@ -120,7 +119,7 @@ public final class TopView {
         double radius = pose.get().z() * Math.tan(Math.toRadians(angle.get() / 2));
         Area field = new Area(scale.circle(pose.get().floor(), radius));
         room(pose.get().floor()).ifPresent(room -> field.intersect(new Area(scale.shape(room))));
-        canvas.setComposite(AlphaComposite.getInstance(AlphaComposite.SRC_OVER, 0.22f));
+        canvas.setComposite(AlphaComposite.getInstance(AlphaComposite.SRC_OVER, 0.14f));
         canvas.setColor(Palette.CAMERA);
         canvas.fill(field);
         canvas.setComposite(AlphaComposite.SrcOver);
@@ -154,32 +153,22 @@ public final class TopView {
     canvas.setStroke(new BasicStroke(3));
     canvas.setColor(Palette.DOOR);
     canvas.draw(line);
-    labels.add(door.name() + (open ? ", open" : ", closed"), scale.at(opening.from()), Texts.SMALL);
+    labels.add(
+        door.name() + (open ? ", open" : ", closed"),
+        scale.at(opening.from()),
+        Symbols.SMALL,
+        Texts.SMALL);
   }
 
   private void drawWays(Graphics2D canvas, Labels labels) {
     for (Device device : inOrder()) {
-      List<PathPoint> way = world.path(device.id());
+      List<Point2D> way = world.path(device.id()).stream().map(p -> scale.at(p.point())).toList();
       if (way.size() > 1) {
-        Path2D line = new Path2D.Double();
-        Point2D first = scale.at(way.get(0).point());
-        line.moveTo(first.getX(), first.getY());
-        for (PathPoint point : way) {
-          Point2D next = scale.at(point.point());
-          line.lineTo(next.getX(), next.getY());
+        Way.draw(canvas, way);
+        for (int i = 1; i < way.size(); i++) {
+          labels.avoid(new Line2D.Double(way.get(i - 1), way.get(i)));
         }
-        canvas.setColor(Color.WHITE);
-        canvas.setStroke(new BasicStroke(9, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-        canvas.draw(line);
-        canvas.setColor(Palette.ROBOT);
-        canvas.setStroke(new BasicStroke(5, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-        canvas.draw(line);
-        Shape start = new Ellipse2D.Double(first.getX() - 11, first.getY() - 11, 22, 22);
-        canvas.setColor(Color.WHITE);
-        canvas.fill(start);
-        canvas.setColor(Palette.ROBOT);
-        canvas.draw(start);
-        labels.add(device.id() + " at first", first, Texts.SMALL);
+        labels.add(device.id() + " at first", way.get(0), Symbols.SMALL, Texts.SMALL);
       }
     }
   }
@@ -195,15 +184,15 @@ public final class TopView {
         Symbols.lamp(canvas, at, world.lampLevel(device.id()));
         String state =
             world.isAlive(device.id())
-                ? "%.0f %%".formatted(world.lampLevel(device.id()) * 100)
+                ? String.format(Locale.ROOT, "%.0f %%", world.lampLevel(device.id()) * 100)
                 : "dead";
-        labels.add(device.id() + " " + state, at, Texts.SMALL);
+        labels.add(device.id() + " " + state, at, Symbols.SMALL, Texts.SMALL);
       } else if (number(device, "viewAngle").isPresent()) {
         Symbols.camera(canvas, at);
-        labels.add(device.id(), at, Texts.SMALL);
+        labels.add(device.id(), at, Symbols.SMALL, Texts.SMALL);
       } else {
         Symbols.sensor(canvas, at);
-        labels.add(device.id(), at, Texts.SMALL);
+        labels.add(device.id(), at, Symbols.SMALL, Texts.SMALL);
       }
     }
   }
@@ -217,16 +206,19 @@ public final class TopView {
       }
       Point2D at = scale.at(place.get());
       if (home.devices().containsKey(name)) {
-        Symbols.robot(canvas, at, scale.pixels(0.22));
+        Symbols.robot(canvas, at);
         labels.add(
-            name + world.held(name).map(held -> " with " + held).orElse(""), at, Texts.NORMAL);
+            name + world.held(name).map(held -> " with " + held).orElse(""),
+            at,
+            Symbols.LARGE,
+            Texts.NORMAL);
       } else if (individual.classes().contains("Person")) {
-        Symbols.person(canvas, at, scale.pixels(0.2));
-        labels.add(name, at, Texts.NORMAL);
+        Symbols.person(canvas, at);
+        labels.add(name, at, Symbols.LARGE, Texts.NORMAL);
       } else {
         drawFirstPlace(canvas, labels, name, place.get());
         Symbols.thing(canvas, at);
-        labels.add(name, at, Texts.NORMAL);
+        labels.add(name, at, Symbols.SMALL, Texts.NORMAL);
       }
     }
   }
@@ -236,7 +228,7 @@ public final class TopView {
     if (first.distance(now) > MOVED_METRES) {
       Point2D at = scale.at(first);
       Symbols.formerThing(canvas, at);
-      labels.add(name + " at first", at, Texts.SMALL);
+      labels.add(name + " at first", at, Symbols.SMALL, Texts.SMALL);
     }
   }
 
