@@ -30,11 +30,16 @@ import org.maestro.sl.SlSyntaxException;
 final class ContractNetRound extends ContractNetInitiator {
   private static final long serialVersionUID = 1L;
   private static final long ANSWER_WITHIN_MILLIS = 10_000;
+
+  /** Wall time has no meaning on a stepped clock; this is only for the case that an agent died. */
+  private static final long ANSWER_WITHIN_MILLIS_STEPPED = 60_000;
+
   private static final long RESULT_WITHIN_MILLIS = 10_000;
 
   private final transient CallForPrices call;
   private final transient Map<String, AID> agents;
   private final transient Consumer<Market.Tender> closed;
+  private final long answerWithinMillis;
 
   ContractNetRound(
       MaestroAgent agent,
@@ -45,6 +50,8 @@ final class ContractNetRound extends ContractNetInitiator {
     this.call = call;
     this.agents = agents;
     this.closed = closed;
+    this.answerWithinMillis =
+        agent.clock().isStepped() ? ANSWER_WITHIN_MILLIS_STEPPED : ANSWER_WITHIN_MILLIS;
     registerHandleAllResponses(new Deal());
   }
 
@@ -58,7 +65,7 @@ final class ContractNetRound extends ContractNetInitiator {
           cfp.setProtocol(FIPANames.InteractionProtocol.FIPA_CONTRACT_NET);
           cfp.setLanguage(MaestroAgent.LANGUAGE);
           cfp.setOntology(MaestroAgent.ONTOLOGY);
-          cfp.setReplyByDate(new Date(System.currentTimeMillis() + ANSWER_WITHIN_MILLIS));
+          cfp.setReplyByDate(new Date(System.currentTimeMillis() + answerWithinMillis));
           cfp.setContent(Words.print(question(member)));
           cfps.add(cfp);
         });

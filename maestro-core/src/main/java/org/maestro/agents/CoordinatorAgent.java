@@ -265,6 +265,9 @@ public final class CoordinatorAgent extends MaestroAgent {
     subscriptions.stream()
         .filter(s -> s.goalId().equals(entry.goalId()))
         .forEach(s -> inform(s.request(), entry));
+    if (entry.kind() == StoryEntry.Kind.END) {
+      subscriptions.removeIf(s -> s.goalId().equals(entry.goalId()));
+    }
   }
 
   private void inform(ACLMessage subscription, StoryEntry entry) {
