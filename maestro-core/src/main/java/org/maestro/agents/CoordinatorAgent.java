@@ -235,8 +235,11 @@ public final class CoordinatorAgent extends MaestroAgent {
 
   private void subscribe(ACLMessage message, Words words) {
     String id = words.string("story").orElse("");
-    subscriptions.add(new Subscription(id, message));
-    stories.getOrDefault(id, List.of()).forEach(entry -> inform(message, entry));
+    List<StoryEntry> told = stories.getOrDefault(id, List.of());
+    told.forEach(entry -> inform(message, entry));
+    if (told.isEmpty() || told.get(told.size() - 1).kind() != StoryEntry.Kind.END) {
+      subscriptions.add(new Subscription(id, message));
+    }
   }
 
   private void goals(ACLMessage message) {
