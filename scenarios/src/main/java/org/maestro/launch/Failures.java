@@ -20,7 +20,11 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
 
   @Override
   public int handleExecutionException(Exception failure, CommandLine command, ParseResult parsed) {
-    report(failure, command, parsed.hasMatchedOption("--debug"));
+    boolean debug =
+        parsed.hasMatchedOption("--debug")
+            || command.getParseResult() != null
+                && command.getParseResult().hasMatchedOption("--debug");
+    report(failure, command, debug);
     return exitCode(failure);
   }
 
@@ -28,12 +32,20 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
   public int handleParseException(ParameterException failure, String[] arguments) {
     CommandLine command = failure.getCommandLine();
     PrintWriter err = command.getErr();
-    String sentence = failure.getMessage();
+    String sentence = wording(failure);
     err.println("maestro: " + sentence + (sentence.endsWith(".") ? "" : "."));
     if (!UnmatchedArgumentException.printSuggestions(failure, err)) {
       err.println("Try: ./" + command.getCommandSpec().qualifiedName() + " --help");
     }
     return ExitCode.BAD_INPUT;
+  }
+
+  private static String wording(ParameterException failure) {
+    if (failure instanceof UnmatchedArgumentException unmatched
+        && failure.getCommandLine().getParent() == null) {
+      return "There is no command " + unmatched.getUnmatched().get(0);
+    }
+    return failure.getMessage();
   }
 
   private static void report(Exception failure, CommandLine command, boolean debug) {

@@ -26,7 +26,11 @@ final class Reply {
   }
 
   static List<Words> words(ACLMessage reply) {
-    List<Content> contents = Words.parse(reply.getContent());
+    String text = reply.getContent();
+    if (text == null || text.isBlank()) {
+      return List.of();
+    }
+    List<Content> contents = Words.parse(text);
     return contents.stream().map(Words::of).toList();
   }
 

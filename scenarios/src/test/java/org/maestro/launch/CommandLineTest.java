@@ -1,0 +1,108 @@
+package org.maestro.launch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What people type wrongly, or at a bad moment: one sentence and the right exit code. */
+class CommandLineTest {
+  @TempDir Path directory;
+
+  private record Said(int exitCode, String out, String err) {
+    private long sentences() {
+      return err.lines().filter(line -> line.startsWith("maestro: ")).count();
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "dance | 2 | There is no command dance",
+        "demo bob-bright | 2 | There is no demo bob-bright",
+        "demo --speed 0 | 2 | --speed is above 0",
+        "run | 2 | Missing required parameter",
+        "run nowhere.ttl | 2 | There is no home file nowhere.ttl",
+        "run bob --speed fast | 2 | Invalid value for option '--speed'",
+        "run bob --name B! | 2 | is no name for a platform",
+        "run bob --no-sim | 2 | --no-sim needs --broker",
+        "run bob --scene nowhere.ttl | 2 | There is no scene file",
+        "run bob --broker localhost | 2 | is no broker",
+        "run bob --gui --name tested | 3 | There is no display for the JADE GUI",
+        "devices bob --only rose,tim --broker tcp://127.0.0.1:1 | 2 | no device tim",
+        "devices bob --broker tcp://127.0.0.1:1 | 3 | No MQTT broker answers",
+        "goal --main nowhere x | 2 | is no address",
+        "container --main 127.0.0.1:1 --name lights | 3 | No platform answers at 127.0.0.1:1",
+        "check nowhere.ttl | 2 | There is no home file nowhere.ttl"
+      })
+  void saysWhatIsWrong(String arguments, int exitCode, String sentence) {
+    Said said = maestro(arguments.split(" "));
+
+    assertThat(said.exitCode()).isEqualTo(exitCode);
+    assertThat(said.err()).contains(sentence).doesNotContain("\tat ");
+    assertThat(said.sentences()).isEqualTo(1);
+    assertThat(said.out()).isEmpty();
+  }
+
+  @Test
+  void aBusyPortIsASentence() throws IOException {
+    try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
+      Said said =
+          maestro("run", "bob", "--name", "busy", "--port", String.valueOf(taken.getLocalPort()));
+
+      assertThat(said.exitCode()).isEqualTo(3);
+      assertThat(said.err()).contains("Port " + taken.getLocalPort() + " is in use");
+    }
+  }
+
+  @Test
+  void debugShowsTheStackTrace() {
+    assertThat(maestro("demo", "bob-bright", "--debug").err()).contains("\tat ");
+  }
+
+  @Test
+  void checkFindsNoFaultInTheShippedHomes() {
+    assertThat(Shipped.HOMES)
+        .allSatisfy(home -> assertThat(maestro("check", home).exitCode()).isZero());
+  }
+
+  @Test
+  void checkTellsEveryFaultWithItsLine() throws IOException {
+    Path home = directory.resolve("bad.ttl");
+    Files.writeString(
+        home, "@prefix maestro: <https://w3id.org/maestro#> .\n<#a> a maestro:Room ;\n");
+
+    Said said = maestro("check", home.toString());
+
+    assertThat(said.exitCode()).isEqualTo(1);
+    assertThat(said.out()).contains("bad.ttl:").containsPattern("\\d+ faults?\\.");
+  }
+
+  @Test
+  void helpListsWhatWorks() {
+    Said said = maestro("--help");
+
+    assertThat(said.exitCode()).isZero();
+    assertThat(said.out()).contains("demo", "run", "goal", "why", "check");
+  }
+
+  private static Said maestro(String... arguments) {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    ByteArrayOutputStream err = new ByteArrayOutputStream();
+    int exitCode =
+        Maestro.commandLine(new PrintStream(out), new PrintStream(err)).execute(arguments);
+    return new Said(
+        exitCode, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
+  }
+}
