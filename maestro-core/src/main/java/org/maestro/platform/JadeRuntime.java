@@ -15,7 +15,9 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.locks.LockSupport;
 import org.maestro.agents.MaestroAgent;
 import org.maestro.agents.stepping.SteppedMailService;
 
@@ -25,6 +27,11 @@ import org.maestro.agents.stepping.SteppedMailService;
  */
 final class JadeRuntime {
   private static final String LOOPBACK = "127.0.0.1";
+
+  /** JADE counts its containers without guarding the count. */
+  private static final Object ONE_AT_A_TIME = new Object();
+
+  private static final Duration LEAST_AGE = Duration.ofMillis(3_100);
   private static final Duration START_WITHIN = Duration.ofSeconds(20);
   private static final String SERVICES =
       String.join(
@@ -45,7 +52,10 @@ final class JadeRuntime {
     properties.setProperty(Profile.LOCAL_PORT, String.valueOf(port));
     properties.setProperty(Profile.MAIN_PORT, String.valueOf(port));
     properties.setProperty(Profile.MAIN_HOST, LOOPBACK);
-    AgentContainer container = Runtime.instance().createMainContainer(new ProfileImpl(properties));
+    AgentContainer container;
+    synchronized (ONE_AT_A_TIME) {
+      container = Runtime.instance().createMainContainer(new ProfileImpl(properties));
+    }
     if (container == null) {
       throw new PlatformStartException(
           "JADE could not start on port " + port + "; choose another with --port.");
@@ -72,7 +82,10 @@ final class JadeRuntime {
     properties.setProperty(Profile.MAIN_PORT, String.valueOf(mainPort));
     properties.setProperty(Profile.LOCAL_PORT, String.valueOf(freePort()));
     properties.setProperty(Profile.CONTAINER_NAME, containerName);
-    AgentContainer container = Runtime.instance().createAgentContainer(new ProfileImpl(properties));
+    AgentContainer container;
+    synchronized (ONE_AT_A_TIME) {
+      container = Runtime.instance().createAgentContainer(new ProfileImpl(properties));
+    }
     if (container == null) {
       throw new PlatformStartException(
           "The container %s could not join the platform at %s:%d; its log says why."
@@ -117,23 +130,40 @@ final class JadeRuntime {
     }
   }
 
-  /**
-   * Ends a container. JADE makes containers younger than three seconds wait for that age, so it is
-   * done beside the caller; the threads it leaves are daemons and end with it.
-   */
+  /** Ends a container beside the caller; the threads it leaves are daemons. */
   static void end(AgentContainer container) {
-    Thread ending =
-        new Thread(
-            () -> {
-              try {
-                container.kill();
-              } catch (StaleProxyException e) {
-                // It is gone already, which is what was wanted.
-              }
-            },
-            "maestro-container-end");
+    endBeside(() -> kill(container));
+  }
+
+  /**
+   * Ends the containers of a platform one after the other beside the caller, the main one last, as
+   * the others need it to say goodbye. JADE makes containers younger than three seconds wait for
+   * that age.
+   *
+   * @param sinceNanos when the platform started
+   */
+  static void end(List<AgentContainer> containers, long sinceNanos) {
+    endBeside(
+        () -> {
+          LockSupport.parkNanos(sinceNanos + LEAST_AGE.toNanos() - System.nanoTime());
+          containers.forEach(JadeRuntime::kill);
+        });
+  }
+
+  private static void endBeside(Runnable deed) {
+    Thread ending = new Thread(deed, "maestro-container-end");
     ending.setDaemon(true);
     ending.start();
+  }
+
+  private static void kill(AgentContainer container) {
+    synchronized (ONE_AT_A_TIME) {
+      try {
+        container.kill();
+      } catch (StaleProxyException e) {
+        // It is gone already, which is what was wanted.
+      }
+    }
   }
 
   /** The port asked for if it is free, any free one for 0. */

@@ -46,6 +46,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private static final String DEFAULT_TOPIC = "devices";
   private static final String DESK = "desk";
 
+  private final long sinceNanos = System.nanoTime();
   private final PlatformSettings settings;
   private final AgentTime time;
   private final RatsLink link;
@@ -247,8 +248,9 @@ public final class MaestroPlatform implements AutoCloseable {
 
   @Override
   public void close() {
-    topics.close();
-    JadeRuntime.end(main);
+    List<AgentContainer> containers = new ArrayList<>(topics.close());
+    containers.add(main);
+    JadeRuntime.end(containers, sinceNanos);
     knowledge.close();
     try (var files = Files.walk(fileDirectory)) {
       files.sorted(Comparator.reverseOrder()).forEach(file -> file.toFile().delete());

@@ -84,9 +84,11 @@ final class TopicContainers {
     return places;
   }
 
-  synchronized void close() {
-    containerByTopic.values().forEach(JadeRuntime::end);
+  /** No agent is placed any more; returns the containers of this process, which are to be ended. */
+  synchronized List<AgentContainer> close() {
+    List<AgentContainer> containers = List.copyOf(containerByTopic.values());
     containerByTopic.clear();
     placedByMember.clear();
+    return containers;
   }
 }

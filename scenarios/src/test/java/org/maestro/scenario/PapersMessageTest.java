@@ -15,6 +15,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.ontology.home.Home;
@@ -27,6 +28,7 @@ import org.maestro.sim.SceneLoader;
  * JADE only (M74-M77). The platform is called MC as there, so that the receiver's name is right as
  * printed.
  */
+@Isolated("its time is wall time, which others beside it would take")
 class PapersMessageTest {
 
   private static final String GOAL = "(initCNP (:goal (canSee ?agent GreenObject)))";
@@ -72,14 +74,14 @@ class PapersMessageTest {
 
   @Test
   void theMessageIsAgreedToAndAnsweredWithTheAgentThatSees() throws Exception {
-    guest.agent().say(request(new AID("CCA", AID.ISLOCALNAME), GOAL));
+    guest.agent().say(request(new AID("CCA@MC", AID.ISGUID), GOAL));
 
     assertAnswered();
   }
 
   @Test
   void doubledQuotesAsPrintedAreNoObstacle() throws Exception {
-    guest.agent().say(request(new AID("CCA", AID.ISLOCALNAME), "\"\"" + GOAL + "\"\""));
+    guest.agent().say(request(new AID("CCA@MC", AID.ISGUID), "\"\"" + GOAL + "\"\""));
 
     assertAnswered();
   }
@@ -110,7 +112,7 @@ class PapersMessageTest {
 
   @Test
   void malformedContentIsNotUnderstoodAndItsColumnTold() throws Exception {
-    guest.agent().say(request(new AID("CCA", AID.ISLOCALNAME), "(initCNP (:goal (canSee ?agent"));
+    guest.agent().say(request(new AID("CCA@MC", AID.ISGUID), "(initCNP (:goal (canSee ?agent"));
 
     ACLMessage reply = guest.agent().heard();
     assertThat(reply.getPerformative()).isEqualTo(ACLMessage.NOT_UNDERSTOOD);
@@ -120,7 +122,7 @@ class PapersMessageTest {
 
   @Test
   void missingContentIsNotUnderstood() throws Exception {
-    guest.agent().say(request(new AID("CCA", AID.ISLOCALNAME), null));
+    guest.agent().say(request(new AID("CCA@MC", AID.ISGUID), null));
 
     assertThat(guest.agent().heard().getPerformative()).isEqualTo(ACLMessage.NOT_UNDERSTOOD);
   }
@@ -130,8 +132,7 @@ class PapersMessageTest {
     guest
         .agent()
         .say(
-            request(
-                new AID("CCA", AID.ISLOCALNAME), "(initCNP (:goal (canSee ?agent BlueObject)))"));
+            request(new AID("CCA@MC", AID.ISGUID), "(initCNP (:goal (canSee ?agent BlueObject)))"));
 
     ACLMessage reply = guest.agent().heard();
     assertThat(reply.getPerformative()).isEqualTo(ACLMessage.REFUSE);
@@ -144,7 +145,7 @@ class PapersMessageTest {
         .agent()
         .say(
             request(
-                new AID("CCA", AID.ISLOCALNAME), "(startCNP (:goal (canSee cam-1 GreenObject)))"));
+                new AID("CCA@MC", AID.ISGUID), "(startCNP (:goal (canSee cam-1 GreenObject)))"));
 
     ACLMessage reply = guest.agent().heard();
     assertThat(reply.getPerformative()).isEqualTo(ACLMessage.NOT_UNDERSTOOD);

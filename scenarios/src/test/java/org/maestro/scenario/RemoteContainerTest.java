@@ -9,12 +9,14 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.junit.ClockKind;
 import org.maestro.junit.MaestroTest;
 import org.maestro.junit.Stage;
 import org.maestro.platform.AgentRow;
 
 /** A topic's agents live in another process (M64, M70). */
+@Isolated("its time is wall time, which others beside it would take")
 @MaestroTest(home = "bob", scene = "bob-dark", clock = ClockKind.PACED, speed = 10)
 class RemoteContainerTest {
 

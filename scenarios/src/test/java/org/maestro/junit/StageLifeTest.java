@@ -1,0 +1,100 @@
+package org.maestro.junit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import org.awaitility.Awaitility;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
+import org.maestro.assembly.LocalSite;
+import org.maestro.rats.broker.EmbeddedBroker;
+
+/** What a stage costs and leaves, measured without others beside it. */
+@Isolated("counts the threads of the process")
+class StageLifeTest {
+
+  private static final Set<String> AGENTS =
+      Set.of("CCA", "knowledge", "supervisor", "desk", "rose", "cam-a", "lamp-a1", "lux-a");
+
+  @MaestroTest(home = "bob", scene = "bob-dark")
+  private static final class Dark {}
+
+  @MaestroTest(home = "bob", scene = "bob-dark", clock = ClockKind.PACED, speed = 20)
+  private static final class PacedDark {}
+
+  @Test
+  void theSameSeedTellsTheSameStory() {
+    String first = story();
+
+    assertThat(first).contains("Reached");
+    assertThat(story()).isEqualTo(first);
+  }
+
+  @Test
+  void theSecondStageIsSetWithinTwoSeconds() {
+    stepped().close();
+    long before = System.nanoTime();
+
+    Stage second = stepped();
+
+    long millis = TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - before);
+    second.close();
+    assertThat(millis).isLessThan(2_000);
+  }
+
+  @Test
+  void nothingIsLeftBehind() {
+    try (EmbeddedBroker broker = EmbeddedBroker.start()) {
+      Stage stepped = stepped();
+      Stage paced = paced(broker);
+      assertThat(ourThreads()).contains("CCA", "rose").anyMatch(name -> name.contains("paceddark"));
+
+      stepped.close();
+      paced.close();
+
+      // JADE lets no container end that is younger than three seconds.
+      Awaitility.await()
+          .atMost(Duration.ofSeconds(20))
+          .untilAsserted(() -> assertThat(ourThreads()).isEmpty());
+    }
+  }
+
+  /** Those of agents, clocks, closing containers, and of connections to the bus. */
+  private static Set<String> ourThreads() {
+    return Thread.getAllStackTraces().keySet().stream()
+        .map(Thread::getName)
+        .filter(
+            name ->
+                AGENTS.contains(name)
+                    || name.toLowerCase(Locale.ROOT).contains("maestro")
+                    || name.contains("paceddark"))
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  private static String story() {
+    try (Stage stage = stepped()) {
+      return stage.goal("(nextTo Cup Bob)").storyText();
+    }
+  }
+
+  private static Stage stepped() {
+    return new Stage(
+        LocalSite.stepped(wanted(Dark.class).settings(Optional.empty())), Duration.ofMinutes(10));
+  }
+
+  private static Stage paced(EmbeddedBroker broker) {
+    return new Stage(
+        LocalSite.paced(wanted(PacedDark.class).settings(Optional.of(broker.uri())), 20),
+        Duration.ofMinutes(10));
+  }
+
+  private static SiteWanted wanted(Class<?> like) {
+    return new SiteWanted(like, like.getAnnotation(MaestroTest.class));
+  }
+}
