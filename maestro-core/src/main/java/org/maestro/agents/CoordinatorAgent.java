@@ -137,6 +137,15 @@ public final class CoordinatorAgent extends MaestroAgent {
   }
 
   private void goal(ACLMessage message, Words words) {
+    if (message.getPerformative() != ACLMessage.REQUEST) {
+      refuse(
+          message,
+          ACLMessage.NOT_UNDERSTOOD,
+          "initCNP is understood in a request only, and this message is another: "
+              + ACLMessage.getPerformative(message.getPerformative())
+              + ".");
+      return;
+    }
     Formula goal = words.find("goal").map(this::formula).orElse(null);
     if (goal == null) {
       refuse(

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
+import org.maestro.launch.JavaProcess;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.sim.Scene;
@@ -150,6 +151,17 @@ class PapersMessageTest {
     ACLMessage reply = guest.agent().heard();
     assertThat(reply.getPerformative()).isEqualTo(ACLMessage.NOT_UNDERSTOOD);
     assertThat(reply.getContent()).contains("startCNP").contains("initCNP");
+  }
+
+  @Test
+  void aGoalThatIsNotRequestedIsNotUnderstood() throws Exception {
+    ACLMessage rejection = request(new AID("CCA", AID.ISLOCALNAME), GOAL);
+    rejection.setPerformative(ACLMessage.REJECT_PROPOSAL);
+    guest.agent().say(rejection);
+
+    ACLMessage reply = guest.agent().heard();
+    assertThat(reply.getPerformative()).isEqualTo(ACLMessage.NOT_UNDERSTOOD);
+    assertThat(reply.getContent()).contains("REJECT-PROPOSAL");
   }
 
   private void assertAnswered() throws InterruptedException {

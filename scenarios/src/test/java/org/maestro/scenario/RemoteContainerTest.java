@@ -13,6 +13,7 @@ import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.junit.ClockKind;
 import org.maestro.junit.MaestroTest;
 import org.maestro.junit.Stage;
+import org.maestro.launch.JavaProcess;
 import org.maestro.platform.AgentRow;
 
 /** A topic's agents live in another process (M64, M70). */
