@@ -29,12 +29,16 @@ final class Conversations extends CyclicBehaviour {
     this.clock = clock;
   }
 
-  /** Sends the request; AGREE and the final reply go to the listener. */
+  /**
+   * Sends the request; AGREE and the final reply go to the listener.
+   *
+   * @param timeout of wall time on a fast clock: messages do not travel faster on it
+   */
   String ask(ACLMessage request, Duration timeout, Consumer<ACLMessage> listener) {
     String id = begin(request);
+    Duration limit = Duration.ofMillis((long) (timeout.toMillis() * Math.max(1, clock.speed())));
     Clock.Timer timer =
-        clock.schedule(
-            timeout, agent.getLocalName(), () -> agent.tell(() -> timedOut(id, timeout)));
+        clock.schedule(limit, agent.getLocalName(), () -> agent.tell(() -> timedOut(id, timeout)));
     open.put(id, new Open(listener, false, timer));
     agent.send(request);
     return id;
