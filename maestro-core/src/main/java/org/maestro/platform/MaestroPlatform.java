@@ -131,6 +131,9 @@ public final class MaestroPlatform implements AutoCloseable {
         .sorted(Comparator.comparingDouble(Device::order).thenComparing(Device::id))
         .forEach(device -> place(device.id(), topic(device)));
     link.watch(this::memberChanged);
+    if (settings.brokerUri().isPresent()) {
+      AgentDeaths.watch(main, this::agentDied);
+    }
     if (settings.gui()) {
       try {
         main.createNewAgent("rma", "jade.tools.rma.rma", new Object[0]).start();
@@ -174,7 +177,21 @@ public final class MaestroPlatform implements AutoCloseable {
   }
 
   private void place(String member, String topic) {
-    topics.place(member, topic, id -> new GenericAgent(time, link, id, describedBy));
+    topics.place(member, topic, this::agentFor);
+  }
+
+  private GenericAgent agentFor(String member) {
+    return new GenericAgent(time, link, member, describedBy);
+  }
+
+  /** A process that had taken a topic ended or was killed: its members get agents here again. */
+  private void agentDied(String member) {
+    if (topics.isElsewhere(member)) {
+      coordinator.agentMoves(member);
+      Thread starter = new Thread(() -> topics.reclaim(member, this::agentFor), "agent-starter");
+      starter.setDaemon(true);
+      starter.start();
+    }
   }
 
   private void accept(String name, MaestroAgent agent) {

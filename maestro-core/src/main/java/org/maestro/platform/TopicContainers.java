@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.function.Function;
 import org.maestro.agents.MaestroAgent;
 
@@ -21,7 +22,7 @@ final class TopicContainers {
   private final Function<String, AgentContainer> newContainer;
   private final Map<String, AgentContainer> containerByTopic = new LinkedHashMap<>();
   private final Map<String, Placed> placedByMember = new LinkedHashMap<>();
-  private final Map<String, String> topicByMemberElsewhere = new LinkedHashMap<>();
+  private final Map<String, String> topicByMemberElsewhere = new ConcurrentSkipListMap<>();
   private final Set<String> topicsElsewhere = new LinkedHashSet<>();
 
   private record Placed(String topic, AgentController agent) {}
@@ -60,7 +61,6 @@ final class TopicContainers {
           }
         });
     for (String member : members) {
-      topicByMemberElsewhere.put(member, topic);
       try {
         placedByMember.remove(member).agent().kill();
       } catch (StaleProxyException e) {
@@ -69,7 +69,23 @@ final class TopicContainers {
     }
     topicsElsewhere.add(topic);
     JadeRuntime.end(container);
+    // Only now: until here the agents that end are the ones of this process.
+    members.forEach(member -> topicByMemberElsewhere.put(member, topic));
     return Optional.of(members);
+  }
+
+  /** Whether another process has the member's agent. Any thread may ask at any time. */
+  boolean isElsewhere(String member) {
+    return topicByMemberElsewhere.containsKey(member);
+  }
+
+  /** The process that had the member's agent has lost it: the agent and its topic come back. */
+  synchronized void reclaim(String member, Function<String, MaestroAgent> newAgent) {
+    String topic = topicByMemberElsewhere.remove(member);
+    if (topic != null) {
+      topicsElsewhere.remove(topic);
+      place(member, topic, newAgent);
+    }
   }
 
   synchronized List<String> topics() {
@@ -89,6 +105,7 @@ final class TopicContainers {
     List<AgentContainer> containers = List.copyOf(containerByTopic.values());
     containerByTopic.clear();
     placedByMember.clear();
+    topicByMemberElsewhere.clear();
     return containers;
   }
 }
