@@ -58,8 +58,7 @@ class RemoteContainerTest {
               () -> guest.agent().whereIs(LAMP),
               place -> place.contains("lights") && !place.contains(TAKEN));
       stage.await(
-          "all lights are back here",
-          () -> stage.platform().presentMembers().containsAll(lamps));
+          "all lights are back here", () -> stage.platform().presentMembers().containsAll(lamps));
     }
   }
 
