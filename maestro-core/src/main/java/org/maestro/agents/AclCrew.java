@@ -17,7 +17,8 @@ import org.maestro.sl.Term;
 
 /** Orders to the generic agents by FIPA request. */
 final class AclCrew implements Crew {
-  private static final Duration GRACE = Duration.ofSeconds(5);
+  /** Wall time in which the agent reports a timeout that it has noticed itself. */
+  private static final Duration GRACE = Duration.ofSeconds(10);
 
   private final MaestroAgent agent;
   private final Function<String, Optional<AID>> agentOf;
@@ -41,7 +42,7 @@ final class AclCrew implements Crew {
             .conversations()
             .ask(
                 request,
-                order.timeout().plus(GRACE),
+                order.timeout().plus(agent.patience(GRACE)),
                 reply -> {
                   if (reply.getPerformative() != ACLMessage.AGREE) {
                     reported.accept(report(reply));

@@ -80,6 +80,11 @@ public abstract class MaestroAgent extends Agent {
     return time.clock();
   }
 
+  /** So much wall time, as simulated time. */
+  final Duration patience(Duration wallTime) {
+    return Duration.ofMillis(Math.round(wallTime.toMillis() * clock().speed()));
+  }
+
   final Conversations conversations() {
     return conversations;
   }
