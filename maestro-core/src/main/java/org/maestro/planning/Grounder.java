@@ -135,7 +135,7 @@ final class Grounder {
   private static Operator barred(Operator operator) {
     Condition reason =
         new Condition.Fixed(
-            StepSentence.of(operator), "success", "failed twice with the same facts");
+            StepSentence.of(operator), "success", "declined, or failed twice with the same facts");
     return operator.withPrecondition(Condition.all(List.of(operator.precondition(), reason)));
   }
 }

@@ -11,7 +11,8 @@ import org.maestro.sl.Formula;
  *
  * @param facts what is known now; immutable while planning
  * @param goal free variables are existential, and bound in the plan
- * @param barred steps that failed twice with unchanged facts: they may not be used
+ * @param barred steps that their member declined, or that failed twice with unchanged facts: not to
+ *     be used
  */
 public record PlanningTask(
     Vocabulary vocabulary,

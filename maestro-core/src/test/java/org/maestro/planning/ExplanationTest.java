@@ -83,7 +83,8 @@ class ExplanationTest {
         .singleElement()
         .satisfies(
             obstacle ->
-                assertThat(obstacle.possible()).isEqualTo("failed twice with the same facts"));
+                assertThat(obstacle.possible())
+                    .isEqualTo("declined, or failed twice with the same facts"));
   }
 
   @Test
