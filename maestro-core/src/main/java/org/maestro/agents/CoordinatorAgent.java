@@ -225,7 +225,10 @@ public final class CoordinatorAgent extends MaestroAgent {
           ACLMessage.INFORM,
           Words.content("inform", Words.named("cancelled", Words.name(id))));
     } else {
-      refuse(message, ACLMessage.REFUSE, noSuchGoal(id));
+      refuse(
+          message,
+          ACLMessage.REFUSE,
+          stories.containsKey(id) ? "The goal " + id + " has ended already." : noSuchGoal(id));
     }
   }
 

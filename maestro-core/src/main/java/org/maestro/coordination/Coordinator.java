@@ -52,10 +52,10 @@ public final class Coordinator {
     return id;
   }
 
-  /** Returns whether there is such a goal. */
+  /** Returns whether there is such a goal, and it had not ended yet. */
   public boolean cancel(String goalId, String who) {
     GoalPursuit pursuit = pursuits.get(goalId);
-    if (pursuit == null) {
+    if (pursuit == null || pursuit.status().state().isFinal()) {
       return false;
     }
     pursuit.cancel(who);

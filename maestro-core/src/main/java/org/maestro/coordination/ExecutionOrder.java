@@ -7,7 +7,6 @@ import java.util.Set;
 import java.util.TreeMap;
 import org.maestro.planning.Plan;
 import org.maestro.planning.Step;
-import org.maestro.sl.Effect;
 
 /**
  * Which steps of a plan may start. A step waits for those before it. As plans hope that sensing
@@ -33,7 +32,7 @@ final class ExecutionOrder {
   List<Step> startable(Set<Integer> done) {
     List<Step> sensingLeft =
         plan.steps().stream()
-            .filter(step -> !done.contains(step.number()) && isSensing(step.feature().effect()))
+            .filter(step -> !done.contains(step.number()) && Sensing.isIn(step.feature().effect()))
             .toList();
     return plan.steps().stream()
         .filter(step -> !done.contains(step.number()) && done.containsAll(step.after()))
@@ -47,12 +46,5 @@ final class ExecutionOrder {
             sensing ->
                 sensing.number() == step.number()
                     || before.get(sensing.number()).contains(step.number()));
-  }
-
-  private static boolean isSensing(Effect effect) {
-    if (effect instanceof Effect.All all) {
-      return all.effects().stream().anyMatch(ExecutionOrder::isSensing);
-    }
-    return effect instanceof Effect.SenseAtom || effect instanceof Effect.SenseNumber;
   }
 }

@@ -4,10 +4,16 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.TreeMap;
 import org.maestro.knowledge.Snapshot;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.Step;
+import org.maestro.sl.Change;
+import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
@@ -15,38 +21,71 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * What is known, with the things that steps under way are handling as they were when these steps
- * began. While a robot grasps a cup, a camera loses sight of it: that is the step at work, not
- * news. The step's own report will say how it ended.
+ * What is known, with what steps under way are changing as it was when these steps began. While a
+ * robot grasps a cup, a camera loses sight of it: that is the step at work, not news. The step's
+ * own report will say how it ended.
  */
 final class FactsBesideSteps implements Facts {
   private final Snapshot now;
+  private final Vocabulary vocabulary;
   private final List<Handled> handled = new ArrayList<>();
 
-  private record Handled(Set<String> changed, Set<Term> things, Snapshot before) {
-    boolean covers(String name, List<Term> arguments) {
-      return changed.contains(name) && arguments.stream().anyMatch(things::contains);
-    }
-  }
+  /** A name with arguments; of a state variable, without its value. */
+  private record Subject(String name, List<Term> arguments) {}
 
-  FactsBesideSteps(Snapshot now) {
+  private record Handled(Set<Subject> subjects, Snapshot before) {}
+
+  FactsBesideSteps(Snapshot now, Vocabulary vocabulary) {
     this.now = now;
+    this.vocabulary = vocabulary;
   }
 
   /** The step is under way since the given moment. */
   void add(Step step, Snapshot before) {
-    Set<Term> things = new HashSet<>();
-    things.add(new Term.Name(step.member()));
-    step.feature().inputs().stream()
-        .map(input -> step.bindings().get(input.name()))
-        .filter(Term.Name.class::isInstance)
-        .forEach(things::add);
-    handled.add(new Handled(Symbols.changedBy(step.feature().effect()), things, before));
+    Map<String, Term> bindings = new TreeMap<>(step.bindings());
+    bindings.put("self", new Term.Name(step.member()));
+    Set<Subject> subjects = new HashSet<>();
+    for (Change change : new Evaluation(before).changes(step.feature().effect(), bindings)) {
+      if (change instanceof Change.OfTruth truth) {
+        subjects.add(subject(truth.atom()));
+        subjects.add(subject(mirrored(truth.atom())));
+      } else if (change instanceof Change.OfNumber number
+          && number.fluent().arguments().contains(new Term.Name(step.member()))) {
+        subjects.add(subject(number.fluent()));
+      }
+    }
+    handled.add(new Handled(subjects, before));
   }
 
-  private Snapshot source(String name, List<Term> arguments) {
+  private Subject subject(Formula.Atom atom) {
+    boolean functional =
+        vocabulary.predicate(atom.predicate()).filter(PredicateDeclaration::functional).isPresent();
+    List<Term> arguments = atom.arguments();
+    return new Subject(
+        atom.predicate(), functional ? arguments.subList(0, arguments.size() - 1) : arguments);
+  }
+
+  /** A symmetric predicate may be asked for the other way round. */
+  private Formula.Atom mirrored(Formula.Atom atom) {
+    boolean symmetric =
+        vocabulary.predicate(atom.predicate()).filter(PredicateDeclaration::symmetric).isPresent();
+    return symmetric
+        ? new Formula.Atom(
+            atom.predicate(), List.of(atom.arguments().get(1), atom.arguments().get(0)))
+        : atom;
+  }
+
+  /**
+   * Numbers that several steps add to are told as they are; only a member's own wait for its
+   * report.
+   */
+  private static Subject subject(Expression.Fluent fluent) {
+    return new Subject(fluent.name(), fluent.arguments());
+  }
+
+  private Snapshot source(Subject subject) {
     return handled.stream()
-        .filter(h -> h.covers(name, arguments))
+        .filter(h -> h.subjects().contains(subject))
         .map(Handled::before)
         .findFirst()
         .orElse(now);
@@ -54,12 +93,12 @@ final class FactsBesideSteps implements Facts {
 
   @Override
   public Truth truth(Formula.Atom atom) {
-    return source(atom.predicate(), atom.arguments()).truth(atom);
+    return source(subject(atom)).truth(atom);
   }
 
   @Override
   public OptionalDouble number(Expression.Fluent fluent) {
-    return source(fluent.name(), fluent.arguments()).number(fluent);
+    return source(subject(fluent)).number(fluent);
   }
 
   @Override

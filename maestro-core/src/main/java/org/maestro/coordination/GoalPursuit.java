@@ -242,6 +242,15 @@ final class GoalPursuit {
     underway.begun(step, before, performance[0]);
   }
 
+  /** Sight is kept until the goal ends; one reading of a number is enough while it is valid. */
+  private void keepOrEnd(Step step, Crew.Performance performance) {
+    if (Sensing.isOfAtoms(step.feature().effect())) {
+      established.add(performance);
+    } else {
+      performance.cancel();
+    }
+  }
+
   /** Thrice the expected time, and what the bus may take, which no fast clock makes shorter. */
   private Duration timeout(Step step) {
     double busMillis = 15_000 * Math.max(1, ports.clock().speed());
@@ -261,7 +270,7 @@ final class GoalPursuit {
     if (report.succeeded()) {
       done(step);
       if (step.feature().continuous()) {
-        established.add(performance);
+        keepOrEnd(step, performance);
       }
       story.done(step, change);
     } else if (!calledOff) {
@@ -418,7 +427,7 @@ final class GoalPursuit {
   }
 
   private FactsBesideSteps presentFacts() {
-    return underway.facts(ports.knowledge().snapshot());
+    return underway.facts(ports.knowledge().snapshot(), ports.knowledge().home().vocabulary());
   }
 
   private Set<StepKey> barred() {

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.knowledge.Snapshot;
+import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
 
@@ -59,8 +60,8 @@ final class StepsUnderway {
   }
 
   /** What is known, without what these steps are just changing. */
-  FactsBesideSteps facts(Snapshot now) {
-    FactsBesideSteps facts = new FactsBesideSteps(now);
+  FactsBesideSteps facts(Snapshot now, Vocabulary vocabulary) {
+    FactsBesideSteps facts = new FactsBesideSteps(now, vocabulary);
     underway.values().forEach(u -> facts.add(u.step(), u.before()));
     return facts;
   }
