@@ -128,7 +128,7 @@ class SimulatedHomeTest {
               .orElseThrow()
               .error()
               .orElseThrow();
-      assertThat((double) error.refs().get(0).have()).isCloseTo(62.5, within(2.0));
+      assertThat((double) error.refs().get(0).have()).isCloseTo(49.5, within(2.0));
       succeed(homes, "lamp-b3", "adjustLight", Map.of("level", 1));
       assertThat(homes.call("cam-b", "observeObject", Map.of("object", Homes.ref("Bob"))).values())
           .containsEntry("found", false);
