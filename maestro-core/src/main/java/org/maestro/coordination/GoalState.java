@@ -4,8 +4,14 @@ package org.maestro.coordination;
 public enum GoalState {
   SUBMITTED,
   PLANNING,
+  /** For something that another goal holds, or for its own steps to end; the detail says which. */
   WAITING,
   RUNNING,
+  REPLANNING,
+  /** It has given way to a goal that goes first, and goes on afterwards. */
+  SUSPENDED,
+  /** What is to be kept is so now. */
+  HOLDING,
   CONFIRMING,
   ACHIEVED,
   FAILED,

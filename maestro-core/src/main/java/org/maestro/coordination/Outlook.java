@@ -1,0 +1,118 @@
+package org.maestro.coordination;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import org.maestro.planning.Plan;
+import org.maestro.planning.PlanningTask;
+import org.maestro.planning.PricedFeature;
+import org.maestro.planning.Step;
+import org.maestro.planning.StepKey;
+import org.maestro.sl.Term;
+
+/** What is known now, as it looks to one goal: whether it holds, and whether steps lead to it. */
+final class Outlook {
+  private final String goalId;
+  private final GoalRequest request;
+  private final Ports ports;
+  private final StepsUnderway underway;
+  private final PlanCheck check;
+  private final FailureMemory failures = new FailureMemory();
+  private List<PricedFeature> features = List.of();
+  private Optional<Confirmation> confirmation = Optional.empty();
+
+  Outlook(String goalId, GoalRequest request, Ports ports, StepsUnderway underway) {
+    this.goalId = goalId;
+    this.request = request;
+    this.ports = ports;
+    this.underway = underway;
+    this.check = new PlanCheck(ports.planner());
+  }
+
+  /** Features at the prices of the latest round. */
+  void offered(List<PricedFeature> offered) {
+    features = offered;
+  }
+
+  boolean isConfirming() {
+    return confirmation.isPresent();
+  }
+
+  /** What has to be seen from now on, besides the goal itself. */
+  void confirm(Optional<Confirmation> needed) {
+    confirmation = needed;
+  }
+
+  /** What would have to be seen if the goal were called reached with these values. */
+  Optional<Confirmation> toBeSeen(Map<String, Term> binding) {
+    return Confirmation.needed(
+        request.goal(),
+        binding,
+        ports.knowledge().snapshot(),
+        ports.knowledge().home().vocabulary());
+  }
+
+  /** The goal itself, by what is known now, without what would have to be seen. */
+  Optional<Plan> holds() {
+    return check.holds(
+        new PlanningTask(
+            ports.knowledge().home().vocabulary(),
+            ports.knowledge().snapshot(),
+            features,
+            request.goal(),
+            Set.of()));
+  }
+
+  /** Whether the steps lead to the goal, at no higher cost than planned. */
+  boolean isGood(List<Step> steps) {
+    return check.isGood(task(), steps);
+  }
+
+  /** The first of the steps that cannot be done any more. */
+  Optional<Step> blocked(List<Step> steps) {
+    return check.blocked(task(), steps);
+  }
+
+  PlanningRound.Subject subject() {
+    return new PlanningRound.Subject(goalId, request.goal(), confirmation);
+  }
+
+  FactsBesideSteps presentFacts() {
+    return underway.facts(ports.knowledge().snapshot(), ports.knowledge().home().vocabulary());
+  }
+
+  void failed(Step step, String factsBefore) {
+    failures.note(step.key(), factsBefore);
+  }
+
+  /** Steps that failed too often with facts as they are. */
+  Set<StepKey> barred() {
+    return failures.barred(this::factsUnder);
+  }
+
+  /** The facts on which the step's precondition rests, as text to be compared. */
+  String factsUnder(StepKey key) {
+    return Optional.ofNullable(ports.knowledge().home().devices().get(key.member())).stream()
+        .flatMap(device -> device.features().stream())
+        .filter(feature -> feature.name().equals(key.feature()))
+        .findFirst()
+        .map(
+            feature -> {
+              Map<String, Term> bindings = new TreeMap<>(key.bindings());
+              bindings.put("self", new Term.Name(key.member()));
+              return FactsUnder.of(feature.precondition(), bindings, ports.knowledge().snapshot());
+            })
+        .orElse("");
+  }
+
+  private PlanningTask task() {
+    return new PlanningTask(
+        subject().vocabulary(ports.knowledge().home()),
+        presentFacts(),
+        features,
+        subject().planned(),
+        barred());
+  }
+}

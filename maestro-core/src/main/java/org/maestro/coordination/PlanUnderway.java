@@ -1,0 +1,53 @@
+package org.maestro.coordination;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.maestro.planning.Plan;
+import org.maestro.planning.Step;
+
+/** The plan that a goal follows now, and which of its steps are done. */
+final class PlanUnderway {
+  private Optional<Plan> plan = Optional.empty();
+  private final Set<Integer> done = new LinkedHashSet<>();
+
+  void adopt(Plan adopted) {
+    plan = Optional.of(adopted);
+    done.clear();
+  }
+
+  void drop() {
+    plan = Optional.empty();
+    done.clear();
+  }
+
+  boolean exists() {
+    return plan.isPresent();
+  }
+
+  int size() {
+    return steps().size();
+  }
+
+  /** Those whose predecessors are done, begun or not. */
+  List<Step> startable() {
+    return plan.map(p -> new ExecutionOrder(p).startable(done)).orElse(List.of());
+  }
+
+  List<Step> remaining() {
+    return steps().stream().filter(step -> !done.contains(step.number())).toList();
+  }
+
+  /** A plan made meanwhile may want a step that an earlier one began. */
+  void done(Step ended) {
+    remaining().stream()
+        .filter(step -> step.key().equals(ended.key()))
+        .findFirst()
+        .ifPresent(step -> done.add(step.number()));
+  }
+
+  private List<Step> steps() {
+    return plan.map(Plan::steps).orElse(List.of());
+  }
+}

@@ -1,0 +1,147 @@
+package org.maestro.coordination;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.maestro.knowledge.FeatureRun;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.knowledge.Snapshot;
+import org.maestro.planning.Step;
+import org.maestro.planning.StepKey;
+import org.maestro.sl.Term;
+
+/** Has one goal's steps done: takes what they occupy, orders them, learns from their reports. */
+final class StepExecution {
+  private final String goalId;
+  private final Ports ports;
+  private final Occupancy occupancy;
+  private final ExactPrices exactPrices;
+  private final GoalStory story;
+  private final StepsUnderway underway;
+  private final Function<StepKey, String> factsUnder;
+  private final Consumer<Ended> ended;
+  private final List<Crew.Performance> established = new ArrayList<>();
+  private boolean goalOver;
+
+  /**
+   * A step ended.
+   *
+   * @param calledOff by the coordinator itself, so that its failure says nothing
+   * @param factsBefore on which it rested, before its report taught anything
+   * @param change what its report taught
+   */
+  record Ended(
+      Step step,
+      Crew.Report report,
+      boolean calledOff,
+      String factsBefore,
+      KnowledgeBase.Change change) {}
+
+  StepExecution(
+      String goalId,
+      Ports ports,
+      Occupancy occupancy,
+      ExactPrices exactPrices,
+      GoalStory story,
+      StepsUnderway underway,
+      Function<StepKey, String> factsUnder,
+      Consumer<Ended> ended) {
+    this.goalId = goalId;
+    this.ports = ports;
+    this.occupancy = occupancy;
+    this.exactPrices = exactPrices;
+    this.story = story;
+    this.underway = underway;
+    this.factsUnder = factsUnder;
+    this.ended = ended;
+  }
+
+  boolean mayBegin(Step step) {
+    return occupancy.isFree(step.member(), step.feature().occupies())
+        && !underway.clashesWith(step);
+  }
+
+  /** What the step waits for, for people. */
+  String obstacle(Step step) {
+    return occupancy.holders(step.member(), step.feature().occupies());
+  }
+
+  void begin(Step step) {
+    occupancy.take(step.member(), step.feature().occupies(), goalId);
+    Snapshot before = ports.knowledge().snapshot();
+    Map<String, Argument> arguments =
+        new CallArguments(ports.knowledge().home(), before).of(step.feature(), step.bindings());
+    Crew.Performance[] performance = new Crew.Performance[1];
+    performance[0] =
+        ports
+            .crew()
+            .perform(
+                new Crew.Order(goalId, step, arguments, timeout(step)),
+                report -> reported(step, before, report, performance[0]));
+    underway.begun(step, before, performance[0]);
+  }
+
+  /** Steps under way that the new plan does not want are called off. */
+  void callOffAllBut(List<Step> wanted) {
+    Set<StepKey> keys = wanted.stream().map(Step::key).collect(Collectors.toSet());
+    underway.callOffAllBut(keys, story::cancelled);
+  }
+
+  /** The goal is over: nothing that runs for it goes on. */
+  void release() {
+    goalOver = true;
+    underway.callOffAllBut(Set.of(), step -> {});
+    established.forEach(Crew.Performance::cancel);
+  }
+
+  /** Thrice the expected time, and what the bus may take, which no fast clock makes shorter. */
+  private Duration timeout(Step step) {
+    double busMillis = 15_000 * Math.max(1, ports.clock().speed());
+    return Duration.ofMillis((long) (step.seconds() * 3_000 + busMillis));
+  }
+
+  private void reported(
+      Step step, Snapshot before, Crew.Report report, Crew.Performance performance) {
+    boolean calledOff = underway.ended(step);
+    occupancy.release(step.member(), step.feature().occupies(), goalId);
+    exactPrices.forget(step.member());
+    String factsBefore = factsUnder.apply(step.key());
+    KnowledgeBase.Change change = ports.knowledge().learn(run(step, before, report));
+    if (goalOver) {
+      return;
+    }
+    if (report.succeeded() && step.feature().continuous()) {
+      keepOrEnd(step, performance);
+    }
+    ended.accept(new Ended(step, report, calledOff, factsBefore, change));
+  }
+
+  /** Sight is kept until the goal ends; one reading of a number is enough while it is valid. */
+  private void keepOrEnd(Step step, Crew.Performance performance) {
+    if (Sensing.isOfAtoms(step.feature().effect())) {
+      established.add(performance);
+    } else {
+      performance.cancel();
+    }
+  }
+
+  private static FeatureRun run(Step step, Snapshot before, Crew.Report report) {
+    Map<String, Term> bindings = new TreeMap<>(step.bindings());
+    bindings.put("self", new Term.Name(step.member()));
+    return new FeatureRun(
+        step.member(),
+        step.feature(),
+        bindings,
+        report.succeeded(),
+        report.outputs(),
+        report.refs(),
+        Optional.of(before));
+  }
+}
