@@ -14,16 +14,17 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.BiFunction;
 import org.maestro.coordination.Argument;
+import org.maestro.coordination.Crew;
+import org.maestro.knowledge.FeatureRun;
+import org.maestro.members.CallReporter;
+import org.maestro.members.JsonTerms;
+import org.maestro.members.MemberNews;
+import org.maestro.members.MemberView;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.CostAnswer;
-import org.maestro.rats.protocol.MemberStatus;
-import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Outcome;
-import org.maestro.rats.protocol.Progress;
-import org.maestro.rats.protocol.RatsError;
-import org.maestro.rats.protocol.Result;
 import org.maestro.sl.Content;
 import org.maestro.sl.Term;
 import org.slf4j.Logger;
@@ -42,10 +43,9 @@ public final class GenericAgent extends MaestroAgent {
 
   private final String member;
   private final transient RatsLink link;
-  private final transient BiFunction<String, String, Device> describedBy;
   private final transient MemberView view = new MemberView();
+  private final transient MemberNews news;
   private final transient Map<String, RatsLink.CallHandle> handles = new TreeMap<>();
-  private transient Optional<String> lastDescription = Optional.empty();
 
   /**
    * @param describedBy reads a description (first argument) that a member (second) sent; throws a
@@ -59,7 +59,7 @@ public final class GenericAgent extends MaestroAgent {
     super(time);
     this.member = member;
     this.link = link;
-    this.describedBy = describedBy;
+    this.news = new MemberNews(member, view, describedBy, new Teller());
   }
 
   @Override
@@ -69,35 +69,28 @@ public final class GenericAgent extends MaestroAgent {
     link.watch(
         changed -> {
           if (changed.id().equals(member)) {
-            tell(() -> memberChanged(changed));
+            tell(() -> news.changed(changed));
           }
         });
   }
 
-  private void memberChanged(RatsLink.Member changed) {
-    if (changed.phase() == MemberStatus.Phase.READY) {
-      if (changed.description().isPresent()
-          && (!view.isReady() || !changed.description().equals(lastDescription))) {
-        described(changed.description().get());
-      }
-      changed.state().ifPresent(state -> say(view.said(state.values())));
-    } else if (changed.phase() != MemberStatus.Phase.INIT && view.isReady()) {
-      view.ready(false);
-      announce("lost", member + " is " + changed.phase().name().toLowerCase());
+  /** What the member tells, told on. */
+  private final class Teller implements MemberNews.Listener {
+    @Override
+    public void described(String description) {
+      register();
+      introduce(description);
     }
-  }
 
-  private void described(String description) {
-    lastDescription = Optional.of(description);
-    try {
-      view.describedAs(describedBy.apply(description, member));
-    } catch (RuntimeException e) {
-      LOG.warn("The description of {} is refused: {}", member, e.getMessage());
-      return;
+    @Override
+    public void said(List<String> facts) {
+      say(facts);
     }
-    view.ready(true);
-    register();
-    introduce(description);
+
+    @Override
+    public void lost(String reason) {
+      announce("lost", reason);
+    }
   }
 
   /** Tells the knowledge agent, and tells it again while it is too busy to answer in time. */
@@ -115,7 +108,7 @@ public final class GenericAgent extends MaestroAgent {
           if (reply.getPerformative() == ACLMessage.INFORM && view.isReady()) {
             announce("ready", "described");
           } else if (Conversations.isOverdue(reply)) {
-            if (view.isReady() && lastDescription.equals(Optional.of(description))) {
+            if (view.isReady() && news.isCurrent(description)) {
               introduce(description);
             }
           } else if (reply.getPerformative() != ACLMessage.AGREE) {
@@ -228,7 +221,7 @@ public final class GenericAgent extends MaestroAgent {
             parameters,
             timeout,
             words.string("goal"),
-            new Reporter(message, conversation, feature.get())));
+            new CallReporter(this::tell, new Reporter(message, conversation, feature.get()))));
   }
 
   private static String conversation(ACLMessage message) {
@@ -276,15 +269,11 @@ public final class GenericAgent extends MaestroAgent {
     words.string("order").map(handles::get).ifPresent(RatsLink.CallHandle::cancel);
   }
 
-  /**
-   * Turns what happens to one call into messages. Called on the link's thread, works on the
-   * agent's.
-   */
-  private final class Reporter implements RatsLink.CallListener {
+  /** Turns what becomes of one call into messages. */
+  private final class Reporter implements CallReporter.Listener {
     private final ACLMessage order;
     private final String conversation;
     private final FeatureType feature;
-    private boolean answered;
 
     Reporter(ACLMessage order, String conversation, FeatureType feature) {
       this.order = order;
@@ -293,67 +282,35 @@ public final class GenericAgent extends MaestroAgent {
     }
 
     @Override
-    public void progressed(Progress progress) {
-      if (progress.kind() == Progress.Kind.ESTABLISHED) {
-        tell(() -> succeeded(progress.values()));
-      }
-    }
-
-    @Override
-    public void observed(Observation observation) {
-      tell(() -> learnt(observation.values()));
-    }
-
-    @Override
-    public void ended(Result result) {
-      tell(
-          () -> {
-            if (result.outcome() == Outcome.SUCCEEDED) {
-              succeeded(result.values());
-            } else {
-              failed(result);
-            }
-            handles.remove(conversation);
-            view.forget(conversation);
-          });
-    }
-
-    private void succeeded(Map<String, Object> values) {
-      if (!answered) {
-        answered = true;
+    public void reported(Outcome outcome, Crew.Report report) {
+      if (report.succeeded()) {
         reply(
             order,
             ACLMessage.INFORM,
-            Words.content("inform", Words.terms("outputs", JsonTerms.terms(values))));
-        say(view.over());
+            Words.content("inform", Words.terms("outputs", report.outputs())));
+      } else {
+        failed(outcome, report);
       }
+      say(view.over());
     }
 
-    private void failed(Result result) {
-      if (answered) {
-        return;
-      }
-      answered = true;
+    private void failed(Outcome outcome, Crew.Report report) {
       List<Content.Argument> refs = new ArrayList<>();
-      String problem =
-          result.error().map(RatsError::message).orElse(result.outcome().name().toLowerCase());
-      for (RatsError.Reference ref : result.error().map(RatsError::refs).orElse(List.of())) {
-        refs.add(
-            Words.named("fact", Words.text(ref.fact()), Words.term(JsonTerms.term(ref.have()))));
+      for (FeatureRun.Learnt ref : report.refs()) {
+        refs.add(Words.named("fact", Words.text(ref.fact()), Words.term(ref.value())));
       }
       reply(
           order,
           ACLMessage.FAILURE,
           Words.content(
               "inform",
-              Words.named("outcome", Words.name(result.outcome().name().toLowerCase())),
-              Words.named("problem", Words.text(problem)),
+              Words.named("outcome", Words.name(outcome.name().toLowerCase())),
+              Words.named("problem", Words.text(report.problem().orElse("no reason given"))),
               Words.named("refs", refs)));
-      say(view.over());
     }
 
-    /** Each value set of a stream teaches, as the first did. */
-    private void learnt(Map<String, Object> values) {
+    @Override
+    public void learnt(Map<String, Term> outputs) {
       send(
           message(
               ACLMessage.INFORM,
@@ -363,7 +320,13 @@ public final class GenericAgent extends MaestroAgent {
                   Words.named("member", Words.name(member)),
                   Words.named("feature", Words.name(feature.name())),
                   Words.terms("bindings", view.bindings(conversation)),
-                  Words.terms("outputs", JsonTerms.terms(values)))));
+                  Words.terms("outputs", outputs))));
+    }
+
+    @Override
+    public void over() {
+      handles.remove(conversation);
+      view.forget(conversation);
     }
   }
 }

@@ -9,6 +9,7 @@ import jade.proto.SSResponderDispatcher;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.maestro.members.MemberView;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.sl.Content;

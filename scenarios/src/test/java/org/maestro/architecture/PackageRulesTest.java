@@ -21,6 +21,7 @@ class PackageRulesTest {
     "org.maestro.knowledge..",
     "org.maestro.planning..",
     "org.maestro.coordination..",
+    "org.maestro.members..",
     "org.maestro.agents..",
     "org.maestro.platform.."
   };
@@ -121,6 +122,7 @@ class PackageRulesTest {
               "org.maestro.sl..",
               "org.maestro.planning..",
               "org.maestro.coordination..",
+              "org.maestro.members..",
               "org.maestro.agents..",
               "org.maestro.platform..",
               "org.maestro.rats..",

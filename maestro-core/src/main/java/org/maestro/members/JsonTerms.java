@@ -1,4 +1,4 @@
-package org.maestro.agents;
+package org.maestro.members;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -12,12 +12,12 @@ import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
 /** Translates between terms of MAESTRO-SL and the JSON values of the bus. */
-final class JsonTerms {
+public final class JsonTerms {
 
   private JsonTerms() {}
 
   /** A parameter: a plain value, or a pointer with the properties that travel along. */
-  static Object json(Argument argument) {
+  public static Object json(Argument argument) {
     if (argument.iri().isEmpty()) {
       return json(argument.value());
     }
@@ -35,7 +35,7 @@ final class JsonTerms {
     return pointer;
   }
 
-  static Object json(Term term) {
+  public static Object json(Term term) {
     if (term instanceof Term.Number number) {
       return number.value();
     }
@@ -45,7 +45,9 @@ final class JsonTerms {
     if (term instanceof Term.Text text) {
       return json(text.value());
     }
-    return Words.plain(term);
+    return term instanceof Term.Name name
+        ? name.text()
+        : term instanceof Term.Iri iri ? iri.text() : SlPrinter.print(term);
   }
 
   /**
@@ -68,7 +70,7 @@ final class JsonTerms {
     return cell.matches("[-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?");
   }
 
-  static Map<String, Term> terms(Map<String, Object> values) {
+  public static Map<String, Term> terms(Map<String, Object> values) {
     Map<String, Term> terms = new TreeMap<>();
     values.forEach(
         (name, value) -> {
@@ -79,7 +81,7 @@ final class JsonTerms {
     return terms;
   }
 
-  static Term term(Object value) {
+  public static Term term(Object value) {
     if (value instanceof Number number) {
       return new Term.Number(number.doubleValue());
     }

@@ -1,4 +1,4 @@
-package org.maestro.agents;
+package org.maestro.members;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -13,43 +13,43 @@ import org.maestro.sl.Term;
  * What a generic agent knows of the member it stands for: what it described, and what runs on it.
  * Agent thread only.
  */
-final class MemberView {
+public final class MemberView {
   private Optional<Device> device = Optional.empty();
   private boolean ready;
   private int running;
   private final List<String> heldBack = new ArrayList<>();
   private final Map<String, Map<String, Term>> bindingsByConversation = new TreeMap<>();
 
-  Optional<Device> device() {
+  public Optional<Device> device() {
     return device;
   }
 
-  void describedAs(Device described) {
+  public void describedAs(Device described) {
     device = Optional.of(described);
   }
 
-  boolean isReady() {
+  public boolean isReady() {
     return ready && device.isPresent();
   }
 
-  void ready(boolean now) {
+  public void ready(boolean now) {
     ready = now;
   }
 
-  Optional<FeatureType> feature(String name) {
+  public Optional<FeatureType> feature(String name) {
     return device.stream()
         .flatMap(d -> d.features().stream())
         .filter(f -> f.name().equals(name))
         .findFirst();
   }
 
-  void begun(String conversation, Map<String, Term> bindings) {
+  public void begun(String conversation, Map<String, Term> bindings) {
     running++;
     bindingsByConversation.put(conversation, bindings);
   }
 
   /** The call is over, or established; returns what the member said of itself meanwhile. */
-  List<String> over() {
+  public List<String> over() {
     running--;
     List<String> facts = List.copyOf(heldBack);
     if (running == 0) {
@@ -59,11 +59,11 @@ final class MemberView {
     return List.of();
   }
 
-  void forget(String conversation) {
+  public void forget(String conversation) {
     bindingsByConversation.remove(conversation);
   }
 
-  Map<String, Term> bindings(String conversation) {
+  public Map<String, Term> bindings(String conversation) {
     return bindingsByConversation.getOrDefault(conversation, Map.of());
   }
 
@@ -73,7 +73,7 @@ final class MemberView {
    *
    * @return the facts that may be told now
    */
-  List<String> said(List<String> facts) {
+  public List<String> said(List<String> facts) {
     if (running == 0) {
       return facts;
     }

@@ -1,4 +1,4 @@
-package org.maestro.agents;
+package org.maestro.members;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,0 +1,95 @@
+package org.maestro.members;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import org.maestro.coordination.Crew;
+import org.maestro.knowledge.FeatureRun;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.Observation;
+import org.maestro.rats.protocol.Outcome;
+import org.maestro.rats.protocol.Progress;
+import org.maestro.rats.protocol.RatsError;
+import org.maestro.rats.protocol.Result;
+import org.maestro.sl.Term;
+
+/**
+ * Turns what happens to one call into one report, then lessons: a continuous feature is reported
+ * when it is established, and each later observation teaches. The link tells it on the link's
+ * thread; it works on the one of the given executor.
+ */
+public final class CallReporter implements RatsLink.CallListener {
+
+  /** What becomes of a call. */
+  public interface Listener {
+
+    /** Exactly once: succeeded, established or failed. */
+    void reported(Outcome outcome, Crew.Report report);
+
+    /** Each value set of a stream teaches, as the first did. */
+    void learnt(Map<String, Term> outputs);
+
+    /** Nothing more will come. */
+    void over();
+  }
+
+  private final Executor worker;
+  private final Listener listener;
+  private boolean reported;
+
+  public CallReporter(Executor worker, Listener listener) {
+    this.worker = worker;
+    this.listener = listener;
+  }
+
+  @Override
+  public void progressed(Progress progress) {
+    if (progress.kind() == Progress.Kind.ESTABLISHED) {
+      worker.execute(() -> report(Outcome.SUCCEEDED, succeeded(progress.values())));
+    }
+  }
+
+  @Override
+  public void observed(Observation observation) {
+    worker.execute(() -> listener.learnt(JsonTerms.terms(observation.values())));
+  }
+
+  @Override
+  public void ended(Result result) {
+    worker.execute(
+        () -> {
+          report(
+              result.outcome(),
+              result.outcome() == Outcome.SUCCEEDED ? succeeded(result.values()) : failed(result));
+          listener.over();
+        });
+  }
+
+  private void report(Outcome outcome, Crew.Report report) {
+    if (!reported) {
+      reported = true;
+      listener.reported(outcome, report);
+    }
+  }
+
+  private static Crew.Report succeeded(Map<String, Object> values) {
+    return new Crew.Report(true, JsonTerms.terms(values), Optional.empty(), List.of());
+  }
+
+  private static Crew.Report failed(Result result) {
+    List<FeatureRun.Learnt> refs = new ArrayList<>();
+    for (RatsError.Reference ref : result.error().map(RatsError::refs).orElse(List.of())) {
+      refs.add(new FeatureRun.Learnt(ref.fact(), JsonTerms.term(ref.have())));
+    }
+    return new Crew.Report(
+        false,
+        Map.of(),
+        result
+            .error()
+            .map(RatsError::message)
+            .or(() -> Optional.of(result.outcome().name().toLowerCase())),
+        refs);
+  }
+}

@@ -1,0 +1,87 @@
+package org.maestro.members;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import org.maestro.ontology.home.Device;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.MemberStatus;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Reads what the link tells of one member: that it described itself, what it says of itself, that
+ * it was lost. One thread only: the one of whoever speaks for the member.
+ */
+public final class MemberNews {
+  private static final Logger LOG = LoggerFactory.getLogger(MemberNews.class);
+
+  /** Who wants to know. */
+  public interface Listener {
+
+    /** It is there, and can be used as described. */
+    void described(String description);
+
+    /** Facts about itself, none of them told while a call runs that may be changing them. */
+    void said(List<String> facts);
+
+    void lost(String reason);
+  }
+
+  private final String member;
+  private final MemberView view;
+  private final BiFunction<String, String, Device> describedBy;
+  private final Listener listener;
+  private Optional<String> lastDescription = Optional.empty();
+
+  /**
+   * @param describedBy reads a description (first argument) that a member (second) sent; throws a
+   *     RuntimeException with one sentence when it is faulty
+   */
+  public MemberNews(
+      String member,
+      MemberView view,
+      BiFunction<String, String, Device> describedBy,
+      Listener listener) {
+    this.member = member;
+    this.view = view;
+    this.describedBy = describedBy;
+    this.listener = listener;
+  }
+
+  public void changed(RatsLink.Member now) {
+    if (now.phase() == MemberStatus.Phase.READY) {
+      now.description()
+          .filter(text -> !view.isReady() || !isCurrent(text))
+          .ifPresent(this::describedAs);
+      now.state().ifPresent(state -> say(view.said(state.values())));
+    } else if (now.phase() != MemberStatus.Phase.INIT && view.isReady()) {
+      view.ready(false);
+      listener.lost(member + " is " + now.phase().name().toLowerCase(Locale.ROOT));
+    }
+  }
+
+  /** Whether this is how the member describes itself now. */
+  public boolean isCurrent(String description) {
+    return lastDescription.equals(Optional.of(description));
+  }
+
+  private void describedAs(String description) {
+    lastDescription = Optional.of(description);
+    try {
+      view.describedAs(describedBy.apply(description, member));
+    } catch (RuntimeException e) {
+      LOG.warn("The description of {} is refused: {}", member, e.getMessage());
+      return;
+    }
+    view.ready(true);
+    listener.described(description);
+  }
+
+  private void say(List<String> facts) {
+    if (!facts.isEmpty()) {
+      listener.said(facts);
+    }
+  }
+}
