@@ -17,14 +17,16 @@ import org.maestro.ontology.vocabulary.VocabularyCheck;
 
 /**
  * Reads the description that a member sends of itself. A feature that the vocabulary knows needs
- * its type's name and what differs; any other is described whole. Never uses the network.
- * Stateless, safe for threads.
+ * its type's name and what differs; any other is described whole. Words of other vocabularies are
+ * understood as far as the alignments tell (M7). A description that offers nothing has what its
+ * classes offer. Never uses the network. Safe for threads.
  */
 public final class DescriptionReader {
 
   private static final String BASE = "https://w3id.org/maestro/member/";
 
   private final Vocabulary vocabulary;
+  private final Background background = new Background();
 
   public DescriptionReader(Vocabulary vocabulary) {
     this.vocabulary = vocabulary;
@@ -42,6 +44,7 @@ public final class DescriptionReader {
     new SourceReader(graph, member, BASE + "#").readJsonLd(jsonLd);
     refuseFaults(graph);
     Node node = memberNode(graph, member);
+    background.explain(graph, node);
     refuseStrangers(graph, node, member);
     refuseFaults(graph);
     HomeLoader.readMetaVocabulary(graph);

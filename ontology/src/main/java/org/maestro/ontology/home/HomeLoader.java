@@ -27,6 +27,13 @@ public final class HomeLoader {
   private static final String META_RESOURCE = "maestro.ttl";
   private static final String DOMAIN_RESOURCE = "domain.ttl";
   private static final String SHAPES_RESOURCE = "shapes.ttl";
+  private static final List<String> ALIGNMENTS =
+      List.of(
+          "alignment/bot.ttl",
+          "alignment/css.ttl",
+          "alignment/saref.ttl",
+          "alignment/sosa.ttl",
+          "alignment/td.ttl");
   private static final String VOCABULARY_BASE = "https://w3id.org/maestro";
   private static final String HOMES_BASE = "https://w3id.org/maestro/home/";
 
@@ -116,6 +123,8 @@ public final class HomeLoader {
     if (domainTexts.isEmpty()) {
       new SourceReader(graph, DOMAIN_RESOURCE, VOCABULARY_BASE + "/domain")
           .readTurtle(resource(DOMAIN_RESOURCE));
+      ALIGNMENTS.forEach(
+          name -> new SourceReader(graph, name, VOCABULARY_BASE).readTurtle(resource(name)));
       return;
     }
     int number = 1;
@@ -123,6 +132,14 @@ public final class HomeLoader {
       new SourceReader(graph, "vocabulary " + number++, VOCABULARY_BASE + "/domain")
           .readTurtle(text);
     }
+  }
+
+  /** The shipped vocabulary and its alignments, with what follows from them. */
+  static SourceGraph shippedStatements() {
+    SourceGraph graph = new SourceGraph();
+    new HomeLoader().readVocabulary(graph);
+    new Inference(graph).run();
+    return graph;
   }
 
   static void readMetaVocabulary(SourceGraph graph) {

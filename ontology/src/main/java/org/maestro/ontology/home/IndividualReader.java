@@ -46,7 +46,7 @@ final class IndividualReader {
   Individual read(Node node) {
     Set<String> classes = new TreeSet<>();
     for (Node type : graph.objects(node, RDF.type.asNode())) {
-      if (isOurs(type)) {
+      if (isClassOf(node, type)) {
         classes.add(Literals.name(type));
         if (vocabulary.classes().containsKey(Literals.name(type))) {
           classes.addAll(vocabulary.classes().get(Literals.name(type)).ancestors());
@@ -66,7 +66,21 @@ final class IndividualReader {
         Literals.name(node), node.getURI(), literals.label(node), classes, properties);
   }
 
-  private static boolean isOurs(Node type) {
+  /**
+   * Whether the class counts: one of the vocabulary, or one that the text itself names and nobody
+   * declares. What only an alignment adds, and what shares no more than a name, does not.
+   */
+  private boolean isClassOf(Node node, Node type) {
+    if (!isNamed(type)) {
+      return false;
+    }
+    return vocabulary
+        .iri(Literals.name(type))
+        .map(type.getURI()::equals)
+        .orElseGet(() -> graph.isStated(node, RDF.type.asNode(), type));
+  }
+
+  private static boolean isNamed(Node type) {
     return type.isURI()
         && !type.getURI().startsWith("http://www.w3.org/2002/07/owl#")
         && !type.getURI().startsWith(RDFS.getURI());

@@ -12,8 +12,8 @@ import org.apache.jena.vocabulary.RDFS;
 
 /**
  * Adds to a graph what follows from subclass, subproperty, equivalent, inverse, symmetric and
- * transitive declarations, until nothing new follows. New statements come in a stable order; their
- * origin is the statement that they follow from.
+ * transitive declarations and from restrictions to a value, until nothing new follows. New
+ * statements come in a stable order; their origin is the statement that they follow from.
  */
 public final class Inference {
 
@@ -33,7 +33,7 @@ public final class Inference {
   public void run() {
     List<Derived> fresh = round();
     while (!fresh.isEmpty()) {
-      fresh.forEach(derived -> graph.add(derived.triple(), derived.origin()));
+      fresh.forEach(derived -> graph.infer(derived.triple(), derived.origin()));
       fresh = round();
     }
   }
@@ -64,6 +64,11 @@ public final class Inference {
     }
     for (Node wider : graph.objects(p, SUBPROPERTY)) {
       derived.add(derived(s, wider, o, origin));
+    }
+    for (Node restriction : graph.subjects(OWL.onProperty.asNode(), p)) {
+      if (graph.objects(restriction, OWL.hasValue.asNode()).contains(o)) {
+        derived.add(derived(s, TYPE, restriction, origin));
+      }
     }
     if (o.isLiteral()) {
       return;

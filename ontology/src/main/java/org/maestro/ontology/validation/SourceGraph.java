@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
+import java.util.function.Predicate;
 import org.apache.jena.graph.Graph;
 import org.apache.jena.graph.Node;
 import org.apache.jena.graph.Triple;
@@ -28,7 +29,43 @@ public final class SourceGraph {
   private final Map<Node, Map<Node, List<Node>>> bySubject = new LinkedHashMap<>();
   private final Map<Node, Map<Node, List<Node>>> byObject = new LinkedHashMap<>();
   private final Map<String, String> prefixes = new LinkedHashMap<>();
+  private final Set<Triple> inferred = new LinkedHashSet<>();
   private final Set<Fault> faults = new LinkedHashSet<>();
+
+  /** Adds what follows from a statement of this origin. */
+  void infer(Triple triple, Origin origin) {
+    if (!origins.containsKey(triple)) {
+      inferred.add(triple);
+      add(triple, origin);
+    }
+  }
+
+  /** Whether a text states it, rather than that it follows from others. */
+  public boolean isStated(Node subject, Node predicate, Node object) {
+    Triple triple = Triple.create(subject, predicate, object);
+    return origins.containsKey(triple) && !inferred.contains(triple);
+  }
+
+  /** Copies the other graph's statements that pass, with their origins. */
+  public void copy(SourceGraph other, Predicate<Triple> wanted) {
+    other.origins.forEach(
+        (triple, origin) -> {
+          if (wanted.test(triple)) {
+            add(triple, origin);
+          }
+        });
+  }
+
+  /** Copies what the other graph says of a subject, and of the blank nodes that belong to it. */
+  public void copyAbout(Node subject, SourceGraph other) {
+    if (!bySubject.containsKey(subject) || !subject.isBlank()) {
+      copy(other, triple -> triple.getSubject().equals(subject));
+      other.bySubject.getOrDefault(subject, Map.of()).values().stream()
+          .flatMap(List::stream)
+          .filter(Node::isBlank)
+          .forEach(blank -> copyAbout(blank, other));
+    }
+  }
 
   void add(Triple triple, Origin origin) {
     if (origins.putIfAbsent(triple, origin) == null) {

@@ -1,0 +1,52 @@
+package org.maestro.ontology.home;
+
+import java.util.List;
+import java.util.Set;
+import org.apache.jena.graph.Node;
+import org.apache.jena.vocabulary.OWL;
+import org.apache.jena.vocabulary.RDF;
+import org.apache.jena.vocabulary.RDFS;
+import org.maestro.ontology.validation.Inference;
+import org.maestro.ontology.validation.Maestro;
+import org.maestro.ontology.validation.SourceGraph;
+
+/**
+ * What the shipped vocabulary and the alignments say of the words that a description uses: read
+ * when first needed, then kept. Safe for threads.
+ */
+final class Background {
+
+  private static final Set<Node> ABOUT_WORDS =
+      Set.of(
+          RDFS.subClassOf.asNode(),
+          RDFS.subPropertyOf.asNode(),
+          OWL.equivalentClass.asNode(),
+          OWL.equivalentProperty.asNode(),
+          OWL.onProperty.asNode(),
+          OWL.hasValue.asNode());
+  private static final Node OFFERS = Maestro.term("offers");
+
+  private SourceGraph statements;
+
+  /**
+   * Adds to the description what follows from its words, and, when it offers nothing, what its
+   * classes offer.
+   */
+  void explain(SourceGraph description, Node member) {
+    SourceGraph known = statements();
+    description.copy(known, triple -> ABOUT_WORDS.contains(triple.getPredicate()));
+    new Inference(description).run();
+    if (description.objects(member, OFFERS).isEmpty()) {
+      for (Node type : List.copyOf(description.objects(member, RDF.type.asNode()))) {
+        description.copyAbout(type, known);
+      }
+    }
+  }
+
+  private synchronized SourceGraph statements() {
+    if (statements == null) {
+      statements = HomeLoader.shippedStatements();
+    }
+    return statements;
+  }
+}
