@@ -16,9 +16,11 @@ import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.PricedFeature;
 import org.maestro.sl.Effect;
+import org.maestro.sl.Evaluation;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
 import org.maestro.sl.TypedVariable;
 
 /**
@@ -47,6 +49,15 @@ final class Confirmation {
       Formula formula, Snapshot snapshot, Vocabulary vocabulary, SortedSet<String> things) {
     if (formula instanceof Formula.And and) {
       and.operands().forEach(operand -> collect(operand, snapshot, vocabulary, things));
+    } else if (formula instanceof Formula.Or or) {
+      or.operands().stream()
+          .filter(operand -> new Evaluation(snapshot).truth(operand, Map.of()) == Truth.TRUE)
+          .findFirst()
+          .ifPresent(operand -> collect(operand, snapshot, vocabulary, things));
+    } else if (formula instanceof Formula.Atom atom
+        && atom.isGround()
+        && derivation(atom, vocabulary).isPresent()) {
+      collect(derivation(atom, vocabulary).get(), snapshot, vocabulary, things);
     } else if (formula instanceof Formula.Atom atom
         && atom.isGround()
         && vocabulary
@@ -60,6 +71,21 @@ final class Confirmation {
         }
       }
     }
+  }
+
+  /** What a derived atom says in the words that it is derived from. */
+  private static Optional<Formula> derivation(Formula.Atom atom, Vocabulary vocabulary) {
+    return vocabulary
+        .predicate(atom.predicate())
+        .filter(declared -> declared.parameters().size() == atom.arguments().size())
+        .flatMap(
+            declared -> {
+              Map<String, Term> bindings = new TreeMap<>();
+              for (int i = 0; i < atom.arguments().size(); i++) {
+                bindings.put(declared.parameters().get(i).name(), atom.arguments().get(i));
+              }
+              return declared.derivedWhen().map(new Substitution(bindings)::apply);
+            });
   }
 
   private static boolean onlyExpected(Belief belief) {

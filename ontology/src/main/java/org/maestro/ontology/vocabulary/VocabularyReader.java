@@ -17,6 +17,7 @@ import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceGraph;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
+import org.maestro.sl.Term;
 import org.maestro.sl.TypedVariable;
 
 /** Reads classes, predicates and feature types from a graph to which inference was applied. */
@@ -123,7 +124,7 @@ public final class VocabularyReader {
         graph.isA(node, OWL.SymmetricProperty.asNode()),
         validFor(node),
         validForByClass(node),
-        formula(node, "derivedWhen", fluents),
+        formula(node, "derivedWhen", fluents).or(() -> underIt(node)),
         formula(node, "observedWhen", fluents),
         formula(node, "likelyWhen", fluents),
         graph.isA(node, Maestro.term("GeometryFunction"))
@@ -143,6 +144,25 @@ public final class VocabularyReader {
         .map(value -> literals.parsed(node, property, value, SlParser::variable))
         .flatMap(Optional::stream)
         .toList();
+  }
+
+  /**
+   * A property without a rule of its own holds when one of the properties under it does, so that a
+   * goal over it is met by them.
+   */
+  private Optional<Formula> underIt(Node node) {
+    List<Term> variables =
+        arguments(node).stream().<Term>map(p -> new Term.Variable(p.name())).toList();
+    List<Formula> narrower =
+        graph.subjects(RDFS.subPropertyOf.asNode(), node).stream()
+            .filter(other -> !other.equals(node) && graph.isA(other, Maestro.term("Predicate")))
+            .filter(other -> arguments(other).size() == variables.size())
+            .<Formula>map(other -> new Formula.Atom(Literals.name(other), variables))
+            .toList();
+    boolean ruled =
+        List.of("observedWhen", "computedBy").stream()
+            .anyMatch(rule -> graph.object(node, Maestro.term(rule)).isPresent());
+    return narrower.isEmpty() || ruled ? Optional.empty() : Optional.of(new Formula.Or(narrower));
   }
 
   private Optional<Formula> formula(Node node, String property, Set<String> fluents) {
