@@ -99,26 +99,20 @@ public final class BusLink implements RatsLink {
   }
 
   @Override
-  public CallHandle call(
-      String member,
-      String feature,
-      Map<String, Object> parameters,
-      Duration timeout,
-      Optional<String> task,
-      CallListener listener) {
+  public CallHandle call(Order order, CallListener listener) {
     Call call =
         new Call(
-            nextId(),
-            Optional.of(member),
-            Optional.empty(),
-            feature,
-            parameters,
-            timeout,
+            order.id().orElseGet(this::nextId),
+            Optional.of(order.member()),
+            order.boot(),
+            order.feature(),
+            order.parameters(),
+            order.timeout(),
             controller,
-            task);
+            order.task());
     // Parameters that JSON cannot hold are the caller's fault, and are told to the caller's face.
     wire.encode(call);
-    perform(() -> calls.begin(call, roster.readyBoot(member), listener));
+    perform(() -> calls.begin(call, roster.readyBoot(order.member()), listener));
     return new CallHandle() {
       @Override
       public String callId() {
@@ -131,6 +125,12 @@ public final class BusLink implements RatsLink {
         perform(() -> calls.cancel(call.id(), cancelId));
       }
     };
+  }
+
+  @Override
+  public void cancel(String member, String boot, String callId) {
+    String cancelId = nextId();
+    perform(() -> calls.sendCancel(member, Optional.of(boot), callId, cancelId));
   }
 
   @Override

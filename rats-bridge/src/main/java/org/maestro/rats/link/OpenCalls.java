@@ -55,28 +55,38 @@ final class OpenCalls {
   }
 
   /**
-   * @param boot the life of the member that is meant; empty: it is not there, and the call fails
+   * @param call names the life of the member that is meant, or means the present one
+   * @param boot the member's present life; empty: it is not there, and the call fails
    */
   void begin(Call call, Optional<String> boot, RatsLink.CallListener listener) {
-    Call addressed =
-        new Call(
-            call.id(),
-            call.member(),
-            boot,
-            call.feature(),
-            call.parameters(),
-            call.timeout(),
-            call.from(),
-            call.task());
-    Open begun = new Open(addressed, listener);
+    Open begun = new Open(addressed(call, boot), listener);
+    if (open.containsKey(call.id())) {
+      String message = "A call of the id " + call.id() + " is under way; each call needs its own";
+      listener.ended(result(begun, Outcome.FAILED, ErrorCode.DUPLICATE_ID, message));
+      return;
+    }
     open.put(call.id(), begun);
     if (boot.isEmpty()) {
       end(begun, ErrorCode.MEMBER_LOST, member(call) + " is not there");
-      return;
+    } else if (!begun.call.boot().equals(boot)) {
+      end(begun, ErrorCode.RESTARTED, member(call) + " was started again since it was asked");
+    } else {
+      begun.deadline = clock.now().plus(call.timeout());
+      watch(begun, call.timeout());
+      send(begun);
     }
-    begun.deadline = clock.now().plus(call.timeout());
-    watch(begun, call.timeout());
-    send(begun);
+  }
+
+  private static Call addressed(Call call, Optional<String> boot) {
+    return new Call(
+        call.id(),
+        call.member(),
+        call.boot().or(() -> boot),
+        call.feature(),
+        call.parameters(),
+        call.timeout(),
+        call.from(),
+        call.task());
   }
 
   /** To whomever it concerns; nobody waits for what they answer. */
@@ -93,6 +103,20 @@ final class OpenCalls {
       }
       sendCancel(call);
     }
+  }
+
+  /** A call need not be among these: one of a former life of the controller may be meant. */
+  void sendCancel(String member, Optional<String> boot, String callId, String cancelId) {
+    sendUnwatched(
+        new Call(
+            cancelId,
+            Optional.of(member),
+            boot,
+            ReservedFeature.CANCEL.word(),
+            Map.of("id", callId),
+            CANCEL_LIMIT,
+            controller,
+            Optional.empty()));
   }
 
   /**
@@ -169,17 +193,7 @@ final class OpenCalls {
 
   private void sendCancel(Open call) {
     call.cancelId.ifPresent(
-        id ->
-            sendUnwatched(
-                new Call(
-                    id,
-                    call.call.member(),
-                    call.call.boot(),
-                    ReservedFeature.CANCEL.word(),
-                    Map.of("id", call.call.id()),
-                    CANCEL_LIMIT,
-                    controller,
-                    call.call.task())));
+        id -> sendCancel(member(call.call), call.call.boot(), call.call.id(), id));
   }
 
   private void publish(Call call, Duration left, Transport.Completion completion) {

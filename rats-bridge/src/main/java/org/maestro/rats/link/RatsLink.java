@@ -27,17 +27,36 @@ public interface RatsLink extends AutoCloseable {
 
   /**
    * Calls a member's feature; exactly one result follows, TIMED_OUT or FAILED with MEMBER_LOST at
-   * the latest.
+   * the latest. A call that a former link of the same controller id has made already, in the same
+   * words, is taken up again: the member answers what it has answered, or says how far it is;
+   * nothing is done twice.
+   */
+  CallHandle call(Order order, CallListener listener);
+
+  /**
+   * Calls a member's feature in the life that it lives now, by an id of the link's own.
    *
    * @param parameters JSON values
    */
-  CallHandle call(
+  default CallHandle call(
       String member,
       String feature,
       Map<String, Object> parameters,
       Duration timeout,
       Optional<String> task,
-      CallListener listener);
+      CallListener listener) {
+    return call(
+        new Order(Optional.empty(), member, Optional.empty(), feature, parameters, timeout, task),
+        listener);
+  }
+
+  /**
+   * Ends a call that a former link of the same controller id has made, and whose outcome nobody
+   * waits for.
+   *
+   * @param boot the life of the member that was meant
+   */
+  void cancel(String member, String boot, String callId);
 
   /**
    * Asks the member for the price of parameter sets ({@code $cost}); one answer for each set, in
@@ -54,6 +73,25 @@ public interface RatsLink extends AutoCloseable {
 
   @Override
   void close();
+
+  /**
+   * What a member is to do.
+   *
+   * @param id no other call of this controller may have it, now or before; empty: the link chooses
+   * @param boot the life of the member that is meant, any other fails with RESTARTED; empty: the
+   *     present one
+   * @param parameters JSON values
+   * @param timeout simulated time for queueing and execution
+   * @param task the goal it serves
+   */
+  record Order(
+      Optional<String> id,
+      String member,
+      Optional<String> boot,
+      String feature,
+      Map<String, Object> parameters,
+      Duration timeout,
+      Optional<String> task) {}
 
   /** A member as the link knows it. */
   record Member(

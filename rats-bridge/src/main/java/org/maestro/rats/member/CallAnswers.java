@@ -10,12 +10,15 @@ import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.RatsError;
+import org.maestro.rats.protocol.ReservedFeature;
 import org.maestro.rats.protocol.Result;
 import org.maestro.rats.time.Clock;
 
 /**
  * Gives each call its one answer, and gives it again when the same call comes again, so that
- * nothing is executed twice. It remembers a call for t, and at least for ten minutes. Clock thread
+ * nothing is executed twice. It remembers a call until it is answered, and from then on for t, at
+ * least for ten minutes: so long a controller may be away that asks for its calls again. Questions
+ * have a memory of their own, so that many of them push out nothing that was done. Clock thread
  * only.
  */
 final class CallAnswers {
@@ -26,7 +29,10 @@ final class CallAnswers {
   /** What is known of a call that arrived. */
   enum Known {
     NEW,
-    REPEATED,
+    /** Its answer was sent again. */
+    ANSWERED,
+    /** It waits or runs; its answer comes at its end. */
+    UNDERWAY,
     OTHER_BODY
   }
 
@@ -34,7 +40,8 @@ final class CallAnswers {
   private final MemberVoice voice;
   private final MemberCondition condition;
   private final Clock clock;
-  private final Map<Key, Remembered> remembered = new LinkedHashMap<>();
+  private final Map<Key, Remembered> deeds = new LinkedHashMap<>();
+  private final Map<Key, Remembered> questions = new LinkedHashMap<>();
 
   CallAnswers(String member, MemberVoice voice, MemberCondition condition, Clock clock) {
     this.member = member;
@@ -45,19 +52,19 @@ final class CallAnswers {
 
   /** Remembers a new call; answers a repeated one again if it was answered. */
   Known register(Call call) {
-    forget();
+    Map<Key, Remembered> remembered = memoryFor(call);
+    forget(remembered);
     Key key = new Key(call);
-    Remembered former = remembered.get(key);
+    Remembered former = deeds.getOrDefault(key, questions.get(key));
     if (former == null) {
-      Duration memory = max(call.timeout(), SHORTEST_MEMORY);
-      remembered.put(key, new Remembered(call, clock.now().plus(memory), Optional.empty()));
+      remembered.put(key, new Remembered(call, Optional.empty()));
       return Known.NEW;
     }
     if (!former.call.equals(call)) {
       return Known.OTHER_BODY;
     }
-    former.answer.ifPresent(result -> voice.result(call.from(), result));
-    return Known.REPEATED;
+    former.answer.ifPresent(answer -> voice.result(call.from(), answer.result));
+    return former.answer.isPresent() ? Known.ANSWERED : Known.UNDERWAY;
   }
 
   void succeeded(Call call, Map<String, Object> values) {
@@ -83,9 +90,11 @@ final class CallAnswers {
 
   void answer(Call call, Outcome outcome, Map<String, Object> values, Optional<RatsError> error) {
     Result result = new Result(call.id(), member, outcome, condition.state(), values, error);
-    remembered.computeIfPresent(
-        new Key(call),
-        (key, known) -> new Remembered(known.call, known.until, Optional.of(result)));
+    Duration until = clock.now().plus(max(call.timeout(), SHORTEST_MEMORY));
+    memoryFor(call)
+        .computeIfPresent(
+            new Key(call),
+            (key, known) -> new Remembered(known.call, Optional.of(new Answer(result, until))));
     voice.result(call.from(), result);
   }
 
@@ -99,11 +108,18 @@ final class CallAnswers {
         code, RatsError.Level.WARNING, message, Optional.empty(), List.of(), worthAnotherTry);
   }
 
-  private void forget() {
+  private Map<Key, Remembered> memoryFor(Call call) {
+    return ReservedFeature.of(call.feature()).filter(ReservedFeature::isQuestion).isPresent()
+        ? questions
+        : deeds;
+  }
+
+  private void forget(Map<Key, Remembered> remembered) {
     Iterator<Remembered> oldest = remembered.values().iterator();
     while (oldest.hasNext()) {
-      boolean outdated = oldest.next().until.compareTo(clock.now()) < 0;
-      if (outdated || remembered.size() >= MOST_REMEMBERED) {
+      Optional<Answer> answer = oldest.next().answer;
+      boolean outdated = answer.filter(a -> a.until.compareTo(clock.now()) < 0).isPresent();
+      if (outdated || answer.isPresent() && remembered.size() >= MOST_REMEMBERED) {
         oldest.remove();
       }
     }
@@ -119,5 +135,7 @@ final class CallAnswers {
     }
   }
 
-  private record Remembered(Call call, Duration until, Optional<Result> answer) {}
+  private record Remembered(Call call, Optional<Answer> answer) {}
+
+  private record Answer(Result result, Duration until) {}
 }

@@ -104,7 +104,8 @@ final class Reception {
       return;
     }
     switch (answers.register(call)) {
-      case REPEATED -> LOG.debug("{} has call {} already", profile.id(), call.id());
+      case ANSWERED -> LOG.debug("{} has answered the call {} before", profile.id(), call.id());
+      case UNDERWAY -> tasks.tellAgain(call);
       case OTHER_BODY ->
           answers.rejectedUnremembered(
               call.id(),

@@ -53,6 +53,7 @@ final class Task implements Execution {
   private final List<Runnable> afterEnd = new ArrayList<>();
   private Phase phase = Phase.WAITING;
   private boolean established;
+  private Map<String, Object> latestValues = Map.of();
   private ExitStrategy strategy = Runnable::run;
 
   /**
@@ -114,6 +115,17 @@ final class Task implements Execution {
     }
   }
 
+  /** Tells how far it is, with the latest values of a stream; on its way out its end is near. */
+  void tellAgain() {
+    if (phase == Phase.WAITING) {
+      keeper.progressed(this, Progress.Kind.ACCEPTED, 0, Map.of());
+    } else if (phase == Phase.RUNNING && established) {
+      keeper.progressed(this, Progress.Kind.ESTABLISHED, 0, latestValues);
+    } else if (phase == Phase.RUNNING) {
+      keeper.progressed(this, Progress.Kind.STARTED, 0, Map.of());
+    }
+  }
+
   /** Runs the action once the task has ended, at once if it has. */
   void afterEnd(Runnable action) {
     if (phase == Phase.ENDED) {
@@ -127,6 +139,7 @@ final class Task implements Execution {
   public void established(Map<String, Object> values) {
     if (phase == Phase.RUNNING && feature.continuous() && !established) {
       established = true;
+      latestValues = values;
       timeout.cancel();
       keeper.progressed(this, Progress.Kind.ESTABLISHED, 0, values);
     }
@@ -135,6 +148,7 @@ final class Task implements Execution {
   @Override
   public void observed(Map<String, Object> values) {
     if (phase == Phase.RUNNING && established && !keeper.gone()) {
+      latestValues = values;
       keeper.observed(this, values);
     }
   }

@@ -63,6 +63,14 @@ final class TaskQueue implements Task.Keeper {
     }
   }
 
+  /**
+   * The caller asks for a call that waits or runs, perhaps after a life of its own ended: it is
+   * told how far the call is.
+   */
+  void tellAgain(Call call) {
+    all().stream().filter(task -> task.call().equals(call)).findFirst().ifPresent(Task::tellAgain);
+  }
+
   /** Cancels a call; false when none of that id waits or runs. */
   boolean cancel(String callId) {
     Optional<Task> task =

@@ -25,6 +25,11 @@ public enum ReservedFeature {
     return word;
   }
 
+  /** Whether it changes nothing on the member. */
+  public boolean isQuestion() {
+    return this == COST || this == DESCRIBE || this == PING;
+  }
+
   public static Optional<ReservedFeature> of(String feature) {
     for (ReservedFeature reserved : values()) {
       if (reserved.word.equals(feature)) {

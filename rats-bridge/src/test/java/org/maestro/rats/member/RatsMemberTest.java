@@ -249,6 +249,48 @@ class RatsMemberTest {
   }
 
   @Test
+  void tellsAgainHowFarACallIsThatItHasAlready() {
+    Call drive = call("c1", "drive", Map.of("to", "a"));
+    Call queued = call("c2", "drive", Map.of("to", "b"));
+    Call watch = call("c3", "watch", Map.of("object", "Cup"));
+    send(drive);
+    send(queued);
+    send(watch);
+    clock.run(Duration.ofMillis(1500));
+    progress.clear();
+    send(drive);
+    send(queued);
+    send(watch);
+    clock.run(Duration.ofMillis(100));
+    assertThat(progress)
+        .extracting(Progress::kind)
+        .containsExactly(Progress.Kind.STARTED, Progress.Kind.ACCEPTED, Progress.Kind.ESTABLISHED);
+    assertThat(progress.get(2).values()).as("the latest ones").containsEntry("n", 1);
+    run(10);
+    assertThat(results).extracting(Result::id).containsExactly("c1", "c2");
+    assertThat(device.log).filteredOn(line -> line.contains("start")).hasSize(3);
+  }
+
+  @Test
+  void remembersACallAsLongAsItIsUnderWayAndTenMinutesMore() {
+    Call watch = call("c1", "watch", Map.of("object", "Cup"));
+    send(watch);
+    run(3600);
+    send(watch);
+    run(1);
+    assertThat(device.log).hasSize(1);
+    send(call("c2", "unwatch", Map.of("object", "Cup")));
+    run(590);
+    for (int question = 0; question < 5000; question++) {
+      send(call("q" + question, "$ping", Map.of()));
+    }
+    run(1);
+    send(watch);
+    run(1);
+    assertThat(device.log).as("one watch, one unwatch").hasSize(2);
+  }
+
+  @Test
   void refusesCallsForAFormerLife() {
     String formerBoot = member.boot();
     member.die();
