@@ -186,7 +186,7 @@ public final class MaestroPlatform implements AutoCloseable {
 
   /** A process that had taken a topic ended or was killed: its members get agents here again. */
   private void agentDied(String member) {
-    if (topics.isElsewhere(member)) {
+    if (topics.endedElsewhere(member)) {
       coordinator.agentMoves(member);
       Thread starter = new Thread(() -> topics.reclaim(member, this::agentFor), "agent-starter");
       starter.setDaemon(true);

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.concurrent.ConcurrentSkipListSet;
 import java.util.function.Function;
 import org.maestro.agents.MaestroAgent;
 
@@ -24,6 +25,9 @@ final class TopicContainers {
   private final Map<String, Placed> placedByMember = new LinkedHashMap<>();
   private final Map<String, String> topicByMemberElsewhere = new ConcurrentSkipListMap<>();
   private final Set<String> topicsElsewhere = new LinkedHashSet<>();
+
+  /** Members whose agents were ended here, until JADE says so: it may say it late. */
+  private final Set<String> endingHere = new ConcurrentSkipListSet<>();
 
   private record Placed(String topic, AgentController agent) {}
 
@@ -61,22 +65,25 @@ final class TopicContainers {
           }
         });
     for (String member : members) {
+      endingHere.add(member);
       try {
         placedByMember.remove(member).agent().kill();
       } catch (StaleProxyException e) {
-        // It is gone already.
+        endingHere.remove(member);
       }
     }
     topicsElsewhere.add(topic);
     JadeRuntime.end(container);
-    // Only now: until here the agents that end are the ones of this process.
     members.forEach(member -> topicByMemberElsewhere.put(member, topic));
     return Optional.of(members);
   }
 
-  /** Whether another process has the member's agent. Any thread may ask at any time. */
-  boolean isElsewhere(String member) {
-    return topicByMemberElsewhere.containsKey(member);
+  /**
+   * Whether the agent that ended, as JADE tells once for each, was the one in another process. Any
+   * thread may ask at any time.
+   */
+  boolean endedElsewhere(String member) {
+    return !endingHere.remove(member) && topicByMemberElsewhere.containsKey(member);
   }
 
   /** The process that had the member's agent has lost it: the agent and its topic come back. */
