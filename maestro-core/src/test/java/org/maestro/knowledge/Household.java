@@ -112,6 +112,7 @@ final class Household {
         Optional.empty(),
         OptionalDouble.empty(),
         Set.of(),
+        List.of(),
         new Price.Stated(SlParser.expression("1")),
         SlParser.expression("1"),
         Optional.empty(),

@@ -102,6 +102,7 @@ final class SmallWorld implements Facts {
             Optional.empty(),
             OptionalDouble.empty(),
             Set.of(),
+            List.of(),
             new Price.Stated(SlParser.expression("1")),
             SlParser.expression("1"),
             Optional.empty(),

@@ -37,7 +37,9 @@ final class Renaming {
           "maestro:cost",
           "maestro:costAtLeast",
           "maestro:seconds",
-          "maestro:fact");
+          "maestro:fact",
+          "maestro:variable",
+          "maestro:when");
 
   private static final Pattern WORD = Pattern.compile("[?]?[A-Za-z][A-Za-z0-9_-]*");
 

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.UnaryOperator;
 import org.maestro.ontology.validation.Maestro;
+import org.maestro.ontology.vocabulary.Claim;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.Price;
@@ -61,6 +62,7 @@ final class FeatureWriter {
     feature.endedBy().ifPresent(name -> json.add("endedBy", featureIri(name)));
     feature.frequencyHertz().ifPresent(hertz -> json.add("frequency", hertz));
     json.add("occupies", Json.createArrayBuilder(feature.occupies()));
+    json.add("claims", claims(feature.claims()));
     if (feature.cost() instanceof Price.Stated stated) {
       json.add("cost", SlPrinter.print(stated.cost()));
     } else if (feature.cost() instanceof Price.Asked asked) {
@@ -76,6 +78,17 @@ final class FeatureWriter {
     JsonArrayBuilder json = Json.createArrayBuilder();
     facts.forEach(
         (name, fact) -> json.add(Json.createObjectBuilder().add("name", name).add("fact", fact)));
+    return json;
+  }
+
+  private static JsonArrayBuilder claims(List<Claim> claims) {
+    JsonArrayBuilder json = Json.createArrayBuilder();
+    for (Claim claim : claims) {
+      json.add(
+          Json.createObjectBuilder()
+              .add("variable", SlPrinter.print(claim.variable()))
+              .add("when", SlPrinter.print(claim.when())));
+    }
     return json;
   }
 

@@ -19,6 +19,7 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
+import org.maestro.sl.TypedVariable;
 
 /**
  * Reads feature types, whole or as what differs from a type. Parameters are told apart by name and
@@ -64,6 +65,7 @@ public final class FeatureReader {
             Optional.empty(),
             OptionalDouble.empty(),
             Set.of(),
+            List.of(),
             new Price.Stated(new Expression.OfTerm(new Term.Number(0))),
             new Expression.OfTerm(new Term.Number(0)),
             Optional.empty(),
@@ -97,6 +99,7 @@ public final class FeatureReader {
         has(node, "occupies")
             ? new LinkedHashSet<>(literals.names(node, "occupies"))
             : type.occupies(),
+        has(node, "claims") ? claims(node) : type.claims(),
         price,
         literals
             .parsed(node, "seconds", SlParser::expression)
@@ -128,6 +131,28 @@ public final class FeatureReader {
       }
     }
     return facts;
+  }
+
+  private List<Claim> claims(Node node) {
+    Map<String, Claim> claims = new TreeMap<>();
+    for (Node entry : graph.objects(node, Maestro.term("claims"))) {
+      Optional<TypedVariable> variable = literals.parsed(entry, "variable", SlParser::variable);
+      Optional<Formula> when =
+          literals.parsed(entry, "when", text -> SlParser.formula(text, fluents));
+      if (variable.isPresent() && when.isPresent()) {
+        claims.put(
+            variable.get().name() + SlPrinter.print(when.get()),
+            new Claim(variable.get(), when.get()));
+      } else if (!has(entry, "variable") || !has(entry, "when")) {
+        graph.fault(
+            node,
+            Maestro.term("claims"),
+            Optional.of(entry),
+            "lacks its maestro:variable or maestro:when",
+            "write [ maestro:variable \"?t - Thing\" ; maestro:when \"(...)\" ]");
+      }
+    }
+    return List.copyOf(claims.values());
   }
 
   private Optional<Effect> effect(Node node, String property) {

@@ -25,6 +25,7 @@ import org.maestro.sl.Formula;
  * @param endedBy the feature that ends a continuous one
  * @param frequencyHertz upper limit or fixed rate of a continuous feature
  * @param occupies components of the member
+ * @param claims what else it needs for itself while it runs
  * @param seconds expected duration, an expression
  * @param procedure the routine in the member's own software that runs it (phi); equals the name
  *     unless stated
@@ -46,6 +47,7 @@ public record FeatureType(
     Optional<String> endedBy,
     OptionalDouble frequencyHertz,
     Set<String> occupies,
+    List<Claim> claims,
     Price cost,
     Expression seconds,
     Optional<String> exit,
@@ -55,6 +57,7 @@ public record FeatureType(
     inputs = List.copyOf(inputs);
     binds = List.copyOf(binds);
     outputs = List.copyOf(outputs);
+    claims = List.copyOf(claims);
     occupies = Collections.unmodifiableSet(new TreeSet<>(occupies));
     refersTo = Collections.unmodifiableMap(new TreeMap<>(refersTo));
   }
@@ -76,6 +79,7 @@ public record FeatureType(
         endedBy,
         frequencyHertz,
         occupies,
+        claims,
         cost,
         seconds,
         exit,

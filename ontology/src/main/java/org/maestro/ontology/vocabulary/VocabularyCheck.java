@@ -110,6 +110,7 @@ public final class VocabularyCheck {
     }
     check(node, "seconds", given, names -> names.check(feature.seconds()));
     checkFacts(node, "refersTo", given);
+    checkClaims(node, feature, given);
     for (String property : List.of("input", "binds", "output")) {
       graph.objects(node, Maestro.term(property)).forEach(this::checkTypes);
     }
@@ -125,6 +126,26 @@ public final class VocabularyCheck {
       graph.object(entry, Maestro.term("name")).map(Literals::name).ifPresent(known::add);
       text.flatMap(VocabularyCheck::fact)
           .ifPresent(fact -> check(entry, "fact", known, names -> names.check(fact)));
+    }
+  }
+
+  private void checkClaims(Node node, FeatureType feature, List<String> given) {
+    for (Claim claim : feature.claims()) {
+      List<String> known = new ArrayList<>(given);
+      known.add(claim.variable().name());
+      check(node, "claims", known, names -> names.check(claim.when()));
+      claim
+          .variable()
+          .className()
+          .filter(name -> !vocabulary.classes().containsKey(name))
+          .ifPresent(
+              name ->
+                  fault(
+                      node,
+                      "claims",
+                      "uses the unknown class " + name,
+                      Nearest.cure(
+                          name, vocabulary.classes().keySet(), "declare it as an owl:Class")));
     }
   }
 

@@ -73,6 +73,12 @@ class HomeLoaderTest {
     assertThat(pick.occupies()).containsExactly("arm", "base");
     assertThat(pick.exit()).contains("place");
     assertThat(pick.cost()).isInstanceOf(Price.Asked.class);
+    FeatureType move = bob.vocabulary().features().get("move");
+    assertThat(move.claims())
+        .extracting(claim -> SlPrinter.print(claim.variable()), c -> SlPrinter.print(c.when()))
+        .containsExactly(
+            org.assertj.core.groups.Tuple.tuple(
+                "?d - Door", "(and (side ?d ?from) (side ?d ?to) (not (= ?from ?to)))"));
     FeatureType place = bob.vocabulary().features().get("place");
     assertThat(place.inputs().get(1).types()).containsExactly("Thing", "Zone");
     FeatureType adjust = bob.vocabulary().features().get("adjustLight");
