@@ -56,6 +56,15 @@ final class AclCrew implements Crew {
                 Words.content("cancel", Words.named("order", Words.text(conversation)))));
   }
 
+  @Override
+  public void callOff(String member, Call call) {
+    agentOf
+        .apply(member)
+        .ifPresent(
+            receiver ->
+                agent.send(agent.message(ACLMessage.CANCEL, receiver, Orders.callOff(call))));
+  }
+
   private static Report report(ACLMessage reply) {
     try {
       Words words =

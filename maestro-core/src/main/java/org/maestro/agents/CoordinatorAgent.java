@@ -209,7 +209,7 @@ public final class CoordinatorAgent extends MaestroAgent {
     if (member.isPresent() && phase.isPresent()) {
       if (phase.get().equals("ready")) {
         agentByMember.put(member.get(), message.getSender());
-        coordinator.memberPresent(member.get());
+        coordinator.memberPresent(member.get(), words.string("life"));
         present.add(member.get());
       } else {
         gone(member.get(), words.string("reason").orElse("lost"));

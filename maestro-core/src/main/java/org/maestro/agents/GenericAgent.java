@@ -126,7 +126,13 @@ public final class GenericAgent extends MaestroAgent {
                 "inform",
                 Words.named("member", Words.name(member)),
                 Words.named("phase", Words.name(phase)),
+                Words.named("life", Words.text(life())),
                 Words.named("reason", Words.text(reason)))));
+  }
+
+  /** A call is known again only in the same life of the member, from the same caller. */
+  private String life() {
+    return news.boot() + "@" + link.controller();
   }
 
   private void say(List<String> facts) {
@@ -197,6 +203,10 @@ public final class GenericAgent extends MaestroAgent {
           view.isReady() ? member + " has no feature " + name : member + " is not there");
       return;
     }
+    if (!words.string("life").orElse(life()).equals(life())) {
+      refuse(message, ACLMessage.REFUSE, member + " was started again since it was asked");
+      return;
+    }
     reply(
         message,
         ACLMessage.AGREE,
@@ -216,11 +226,14 @@ public final class GenericAgent extends MaestroAgent {
     handles.put(
         conversation,
         link.call(
-            member,
-            name,
-            parameters,
-            timeout,
-            words.string("goal"),
+            new RatsLink.Order(
+                words.string("call"),
+                member,
+                Optional.of(news.boot()),
+                name,
+                parameters,
+                timeout,
+                words.string("goal")),
             new CallReporter(this::tell, new Reporter(message, conversation, feature.get()))));
   }
 
@@ -267,6 +280,10 @@ public final class GenericAgent extends MaestroAgent {
 
   private void cancel(Words words) {
     words.string("order").map(handles::get).ifPresent(RatsLink.CallHandle::cancel);
+    words
+        .string("call")
+        .filter(call -> words.string("life").filter(life()::equals).isPresent())
+        .ifPresent(call -> link.cancel(member, news.boot(), call));
   }
 
   /** Turns what becomes of one call into messages. */

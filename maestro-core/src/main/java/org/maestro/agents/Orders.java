@@ -29,12 +29,25 @@ final class Orders {
   }
 
   static Content order(Crew.Order order) {
-    return Words.content(
-        "perform",
-        Words.named("goal", Words.name(order.goalId())),
-        Words.named("feature", Words.name(order.step().feature().name())),
-        Words.named("timeout", Words.number(order.timeout().toMillis())),
-        parameters("parameters", order.parameters()));
+    List<Content.Argument> arguments = new ArrayList<>();
+    arguments.add(Words.named("goal", Words.name(order.goalId())));
+    order.call().ifPresent(call -> arguments.addAll(call(call)));
+    arguments.add(Words.named("feature", Words.name(order.step().feature().name())));
+    arguments.add(Words.named("timeout", Words.number(order.timeout().toMillis())));
+    arguments.add(parameters("parameters", order.parameters()));
+    return new Content("perform", arguments);
+  }
+
+  /** Of a call that was ordered by a coordinator before this one. */
+  static Content callOff(Crew.Call call) {
+    return new Content("cancel", List.copyOf(call(call)));
+  }
+
+  private static List<Content.Argument> call(Crew.Call call) {
+    List<Content.Argument> name = new ArrayList<>();
+    name.add(Words.named("call", Words.text(call.id())));
+    call.life().ifPresent(life -> name.add(Words.named("life", Words.text(life))));
+    return name;
   }
 
   static Content.Argument.Named parameters(String title, Map<String, Argument> parameters) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.knowledge.KnowledgeBase;
 
@@ -15,6 +16,7 @@ import org.maestro.knowledge.KnowledgeBase;
  */
 public final class Coordinator {
   private final Ports ports;
+  private final JournaledCrew crew;
   private final Roster roster = new Roster();
   private final Occupancy occupancy = new Occupancy();
   private final ExactPrices exactPrices = new ExactPrices();
@@ -22,7 +24,8 @@ public final class Coordinator {
   private int lastNumber;
 
   public Coordinator(Ports ports) {
-    this.ports = ports;
+    this.crew = new JournaledCrew(ports.crew(), ports.journal(), roster, ports.clock().instant());
+    this.ports = ports.with(crew);
   }
 
   /**
@@ -44,10 +47,11 @@ public final class Coordinator {
             occupancy,
             exactPrices,
             outcome -> {
-              ended.accept(outcome);
+              ports.journal().afterwards(() -> ended.accept(outcome));
               advanceAll();
             });
     pursuits.put(id, pursuit);
+    ports.journal().write(new JournalEntry.Submitted(id, request));
     ports.thinking().think(() -> id, started -> pursuit.start());
     return id;
   }
@@ -63,7 +67,18 @@ public final class Coordinator {
   }
 
   public void memberPresent(String member) {
-    roster.present(member);
+    memberPresent(member, Optional.empty());
+  }
+
+  /**
+   * The member can be used.
+   *
+   * @param life names the life that it lives, and the way in which it is called: calls of another
+   *     life are unknown to it
+   */
+  public void memberPresent(String member, Optional<String> life) {
+    roster.present(member, life);
+    ports.journal().write(new JournalEntry.MemberCame(member, life));
   }
 
   /**
@@ -75,6 +90,7 @@ public final class Coordinator {
       return;
     }
     roster.absent(member, reason);
+    ports.journal().write(new JournalEntry.MemberWent(member, reason));
     exactPrices.forget(member);
     ports.knowledge().lost(member);
     List.copyOf(pursuits.values()).forEach(pursuit -> pursuit.memberLost(member));

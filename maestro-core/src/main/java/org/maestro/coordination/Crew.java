@@ -17,8 +17,41 @@ public interface Crew {
 
   Performance perform(Order order, Consumer<Report> reported);
 
-  /** A step to be done now. */
-  record Order(String goalId, Step step, Map<String, Argument> parameters, Duration timeout) {}
+  /**
+   * Ends a call that a coordinator before this one has ordered and nobody wants any more; nobody
+   * waits for its outcome. A crew that has no calls but its own has nothing to do.
+   */
+  default void callOff(String member, Call call) {}
+
+  /**
+   * A step to be done now.
+   *
+   * @param call names it for good: ordered again, also by another coordinator, it is not done
+   *     twice; empty: it is a new one each time
+   */
+  record Order(
+      String goalId,
+      Step step,
+      Map<String, Argument> parameters,
+      Duration timeout,
+      Optional<Call> call) {
+
+    public Order(String goalId, Step step, Map<String, Argument> parameters, Duration timeout) {
+      this(goalId, step, parameters, timeout, Optional.empty());
+    }
+
+    Order named(Call name) {
+      return new Order(goalId, step, parameters, timeout, Optional.of(name));
+    }
+  }
+
+  /**
+   * A call's name.
+   *
+   * @param life of the member, and the way in which it is called: once either is another, the
+   *     member does not know the call, so it fails; empty: whatever they are
+   */
+  record Call(String id, Optional<String> life) {}
 
   /** A step under way, or a continuous feature that was established by it. */
   interface Performance {

@@ -13,6 +13,7 @@ final class GoalLife {
   private final String id;
   private final GoalRequest request;
   private final Clock clock;
+  private final Journal journal;
   private final GoalStory story;
   private final Consumer<GoalOutcome> ended;
   private final Duration submittedAt;
@@ -20,19 +21,18 @@ final class GoalLife {
 
   private GoalState state = GoalState.SUBMITTED;
   private String detail = "";
-  private int plans;
-  private int confirmingPlans;
-  private int calls;
+  private GoalEffort effort = GoalEffort.NONE;
   private double decisionMillis;
 
   GoalLife(
-      String id, GoalRequest request, Clock clock, GoalStory story, Consumer<GoalOutcome> ended) {
+      String id, GoalRequest request, Ports ports, GoalStory story, Consumer<GoalOutcome> ended) {
     this.id = id;
     this.request = request;
-    this.clock = clock;
+    this.clock = ports.clock();
+    this.journal = ports.journal();
     this.story = story;
     this.ended = ended;
-    this.submittedAt = clock.now();
+    this.submittedAt = ports.clock().now();
   }
 
   String id() {
@@ -59,22 +59,22 @@ final class GoalLife {
   void become(GoalState next, String why) {
     state = next;
     detail = why;
-  }
-
-  int plans() {
-    return plans;
-  }
-
-  void countPlan(boolean confirming) {
-    plans++;
-    if (confirming) {
-      confirmingPlans++;
+    if (!next.isFinal()) {
+      journal.write(new JournalEntry.Became(id, next, why, effort));
     }
   }
 
+  int plans() {
+    return effort.plans();
+  }
+
+  void countPlan(boolean confirming) {
+    effort = effort.planned(confirming);
+  }
+
   void countCall() {
-    calls++;
-    if (calls == 1) {
+    effort = effort.called();
+    if (effort.calls() == 1) {
       decisionMillis = (System.nanoTime() - submittedNanos) / 1e6;
     }
   }
@@ -89,12 +89,13 @@ final class GoalLife {
             confirmed,
             binding,
             reasons,
-            calls,
-            Math.max(0, plans - confirmingPlans - 1),
+            effort.calls(),
+            effort.replans(),
             submittedAt,
             clock.now(),
             decisionMillis);
     story.ended(outcome);
+    journal.write(new JournalEntry.Over(outcome));
     ended.accept(outcome);
   }
 }

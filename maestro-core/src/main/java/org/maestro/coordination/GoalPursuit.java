@@ -44,7 +44,7 @@ final class GoalPursuit {
     this.roster = roster;
     this.exactPrices = exactPrices;
     this.story = new GoalStory(id, ports.story(), ports.clock(), ports.knowledge());
-    this.life = new GoalLife(id, request, ports.clock(), story, ended);
+    this.life = new GoalLife(id, request, ports, story, ended);
     this.outlook = new Outlook(id, request, ports, underway);
     this.execution =
         new StepExecution(

@@ -12,4 +12,22 @@ public record Ports(
     Crew crew,
     Thinking thinking,
     Clock clock,
-    Story story) {}
+    Story story,
+    Journal journal) {
+
+  /** Of a coordinator that keeps no journal. */
+  public Ports(
+      KnowledgeBase knowledge,
+      Planner planner,
+      Market market,
+      Crew crew,
+      Thinking thinking,
+      Clock clock,
+      Story story) {
+    this(knowledge, planner, market, crew, thinking, clock, story, Journal.none());
+  }
+
+  Ports with(Crew other) {
+    return new Ports(knowledge, planner, market, other, thinking, clock, story, journal);
+  }
+}

@@ -34,6 +34,7 @@ public final class MemberNews {
   private final BiFunction<String, String, Device> describedBy;
   private final Listener listener;
   private Optional<String> lastDescription = Optional.empty();
+  private String boot = "";
 
   /**
    * @param describedBy reads a description (first argument) that a member (second) sent; throws a
@@ -53,8 +54,8 @@ public final class MemberNews {
   public void changed(RatsLink.Member now) {
     if (now.phase() == MemberStatus.Phase.READY) {
       now.description()
-          .filter(text -> !view.isReady() || !isCurrent(text))
-          .ifPresent(this::describedAs);
+          .filter(text -> !view.isReady() || !isCurrent(text) || !boot.equals(now.boot()))
+          .ifPresent(text -> describedAs(text, now.boot()));
       now.state().ifPresent(state -> say(view.said(state.values())));
     } else if (now.phase() != MemberStatus.Phase.INIT && view.isReady()) {
       view.ready(false);
@@ -67,8 +68,14 @@ public final class MemberNews {
     return lastDescription.equals(Optional.of(description));
   }
 
-  private void describedAs(String description) {
+  /** The life that the member lives, as it was told last. */
+  public String boot() {
+    return boot;
+  }
+
+  private void describedAs(String description, String life) {
     lastDescription = Optional.of(description);
+    boot = life;
     try {
       view.describedAs(describedBy.apply(description, member));
     } catch (RuntimeException e) {

@@ -85,6 +85,11 @@ public final class BusLink implements RatsLink {
   }
 
   @Override
+  public String controller() {
+    return controller;
+  }
+
+  @Override
   public Collection<Member> members() {
     return roster.members();
   }

@@ -19,6 +19,9 @@ import org.maestro.rats.protocol.Result;
  */
 public interface RatsLink extends AutoCloseable {
 
+  /** Its id as a caller: a member knows calls again only of the same caller. */
+  String controller();
+
   /** Members whose status was ever seen on this site and not cleared, latest first known. */
   Collection<Member> members();
 

@@ -1,0 +1,111 @@
+package org.maestro.coordination;
+
+import java.time.Instant;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+
+/**
+ * Gives each call its name, writes it down before it is sent and when it is over, and sends calls
+ * of coordinators before this one again. The coordinator's thread only.
+ */
+final class JournaledCrew implements Crew {
+  private final Crew crew;
+  private final Journal journal;
+  private final Roster roster;
+  private final String life;
+  private final Map<String, Integer> callsByGoal = new HashMap<>();
+
+  /**
+   * @param since when this coordinator began, which makes the names of its calls its own
+   */
+  JournaledCrew(Crew crew, Journal journal, Roster roster, Instant since) {
+    this.crew = crew;
+    this.journal = journal;
+    this.roster = roster;
+    this.life = Long.toString(since.toEpochMilli(), Character.MAX_RADIX);
+  }
+
+  @Override
+  public Performance perform(Order order, Consumer<Report> reported) {
+    Order named = order.named(name(order));
+    journal.write(
+        new JournalEntry.Begun(
+            order.goalId(),
+            named.call().orElseThrow(),
+            order.step().key(),
+            order.step().number(),
+            order.step().seconds(),
+            order.parameters(),
+            order.timeout()));
+    Sending sending = new Sending(named, reported);
+    journal.afterwards(sending::send);
+    return sending;
+  }
+
+  /** Sends a call again that stands in the journal already. */
+  Performance repeat(Order named, Consumer<Report> reported) {
+    Sending sending = new Sending(named, reported);
+    sending.send();
+    return sending;
+  }
+
+  /** A call of a coordinator before this one is not asked for again. */
+  void giveUp(String goalId, String callId, String problem) {
+    journal.write(new JournalEntry.Ended(goalId, callId, Optional.of(problem)));
+  }
+
+  @Override
+  public void callOff(String member, Call call) {
+    crew.callOff(member, call);
+  }
+
+  private Call name(Order order) {
+    int number = callsByGoal.merge(order.goalId(), 1, Integer::sum);
+    return new Call(order.goalId() + "-" + life + "-" + number, roster.life(order.step().member()));
+  }
+
+  /** One call on its way. */
+  private final class Sending implements Performance {
+    private final Order order;
+    private final Consumer<Report> reported;
+    private Optional<Performance> sent = Optional.empty();
+    private boolean calledOff;
+
+    private Sending(Order order, Consumer<Report> reported) {
+      this.order = order;
+      this.reported = reported;
+    }
+
+    private void send() {
+      if (calledOff) {
+        over(
+            new Report(
+                false, Map.of(), Optional.of("It was called off before it was sent."), List.of()));
+      } else {
+        sent = Optional.of(crew.perform(order, this::over));
+      }
+    }
+
+    private void over(Report report) {
+      journal.write(
+          report.succeeded() && order.step().feature().continuous()
+              ? new JournalEntry.Established(order.goalId(), callId())
+              : new JournalEntry.Ended(order.goalId(), callId(), report.problem()));
+      reported.accept(report);
+    }
+
+    @Override
+    public void cancel() {
+      calledOff = true;
+      journal.write(new JournalEntry.CalledOff(order.goalId(), callId()));
+      sent.ifPresent(Performance::cancel);
+    }
+
+    private String callId() {
+      return order.call().orElseThrow().id();
+    }
+  }
+}
