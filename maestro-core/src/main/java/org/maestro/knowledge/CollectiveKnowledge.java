@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.ReentrantLock;
@@ -17,7 +16,6 @@ import java.util.function.Supplier;
 import org.apache.jena.sparql.core.Quad;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
-import org.maestro.ontology.home.Individual;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
@@ -79,12 +77,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
           if (device.equals(home.devices().get(device.id()))) {
             return unchanged(HOME);
           }
-          Map<String, Individual> individuals = new TreeMap<>(home.individuals());
-          individuals.put(device.id(), device.individual());
-          Map<String, Device> devices = new TreeMap<>(home.devices());
-          devices.put(device.id(), device);
-          Home changed =
-              new Home(home.iri(), home.label(), home.vocabulary(), individuals, devices);
+          Home changed = home.with(device);
           world = world.with(changed, measures.apply(changed), world.version() + 1);
           store(new Graphs(changed), device);
           Source source = new Source(Source.Kind.DESCRIBED, device.id());

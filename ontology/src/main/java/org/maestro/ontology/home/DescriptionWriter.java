@@ -45,6 +45,11 @@ public final class DescriptionWriter {
       property.getValue().forEach(value -> add(values, value));
       json.add(property(property.getKey()), values);
     }
+    if (!device.pursues().isEmpty()) {
+      JsonArrayBuilder goals = Json.createArrayBuilder();
+      device.pursues().forEach(goal -> goals.add(SlPrinter.print(goal)));
+      json.add("pursues", goals);
+    }
     json.add("reports", FeatureWriter.namedFacts(device.reports()));
     JsonArrayBuilder offers = Json.createArrayBuilder();
     int order = 1;

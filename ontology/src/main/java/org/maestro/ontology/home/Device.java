@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.sl.Formula;
 
 /**
  * A device with the features it offers, from the home file or from the description that it sends.
@@ -16,16 +17,29 @@ import org.maestro.ontology.vocabulary.FeatureType;
  * @param reports what the member reports of itself: the driver's own word for a value, and the fact
  *     it means, such as {@code level} and {@code (= (level ?self) ?level)}, {@code zone} and {@code
  *     (in ?self ?zone)}
+ * @param pursues goals that its agent has of its own accord, with {@code ?self} for the device
  */
 public record Device(
     Individual individual,
     Optional<String> container,
     Optional<String> driver,
     List<FeatureType> features,
-    Map<String, String> reports) {
+    Map<String, String> reports,
+    List<Formula> pursues) {
   public Device {
     features = List.copyOf(features);
+    pursues = List.copyOf(pursues);
     reports = Collections.unmodifiableMap(new TreeMap<>(reports));
+  }
+
+  /** A device without goals of its own. */
+  public Device(
+      Individual individual,
+      Optional<String> container,
+      Optional<String> driver,
+      List<FeatureType> features,
+      Map<String, String> reports) {
+    this(individual, container, driver, features, reports, List.of());
   }
 
   public String id() {

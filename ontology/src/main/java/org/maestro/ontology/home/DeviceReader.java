@@ -3,9 +3,11 @@ package org.maestro.ontology.home;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.apache.jena.graph.Node;
@@ -17,6 +19,7 @@ import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.ontology.vocabulary.VocabularyCheck;
+import org.maestro.sl.Formula;
 
 /** Reads a device with what its classes, from the general to the special, and it itself say. */
 final class DeviceReader {
@@ -44,11 +47,14 @@ final class DeviceReader {
     Optional<String> driver = Optional.empty();
     Map<String, String> reports = new TreeMap<>();
     Map<String, Offer> offers = new LinkedHashMap<>();
+    Set<Formula> pursues = new LinkedHashSet<>();
+    Aims aims = new Aims(graph, vocabulary, check);
     for (Node layer : layers) {
       container = literals.text(layer, "container").or(orElse(container));
       driver = literals.text(layer, "driver").or(orElse(driver));
       reports = features.namedFacts(layer, "reports", reports);
       check.checkFacts(layer, "reports", List.of("self"));
+      pursues.addAll(aims.pursued(layer));
       for (Node offered : graph.objects(layer, OFFERS)) {
         offer(layer, offered, offers);
       }
@@ -59,7 +65,7 @@ final class DeviceReader {
                 Comparator.comparingDouble(Offer::order).thenComparing(offer -> offer.type.name()))
             .map(Offer::type)
             .toList();
-    return new Device(individual, container, driver, types, reports);
+    return new Device(individual, container, driver, types, reports, List.copyOf(pursues));
   }
 
   private static <T> Supplier<Optional<T>> orElse(Optional<T> before) {

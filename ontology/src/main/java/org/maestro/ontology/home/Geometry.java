@@ -118,13 +118,17 @@ public final class Geometry {
         : OptionalDouble.empty();
   }
 
-  /** Whether a thing is within a zone's outline; false for a place without outline. */
+  /**
+   * Whether a thing, or a location's reference point, is within another's outline; false for a
+   * location without outline.
+   */
   public Truth inside(String thing, String zone, Positions positions) {
     Polygon outline = outlines.get(zone);
     if (outline == null) {
       return Truth.FALSE;
     }
     return pose(thing, positions)
+        .or(() -> isLocation(thing) ? referencePoint(thing) : Optional.empty())
         .map(pose -> Truth.of(outline.contains(pose.floor())))
         .orElse(Truth.UNKNOWN);
   }
@@ -157,12 +161,12 @@ public final class Geometry {
   }
 
   /**
-   * What a source at full level adds at a zone's reference point: I cos^3 / h^2 in lux; 0 outside
-   * its beam, behind walls, or without luminous intensity.
+   * What a source at full level adds at a location's reference point: I cos^3 / h^2 in lux; 0
+   * outside its beam, behind walls, or without luminous intensity.
    */
-  public OptionalDouble luxAt(String device, String zone, Positions positions) {
+  public OptionalDouble luxAt(String device, String location, Positions positions) {
     OptionalDouble intensity = property(device, "luminousIntensity");
-    Optional<Pose> point = referencePoint(zone);
+    Optional<Pose> point = referencePoint(location);
     if (intensity.isEmpty() || point.isEmpty()) {
       return OptionalDouble.of(0);
     }
@@ -193,14 +197,15 @@ public final class Geometry {
         : OptionalDouble.empty();
   }
 
-  /** Where a zone's light is measured: as stated, or the middle of its floor. */
-  public Optional<Pose> referencePoint(String zone) {
-    return Optional.ofNullable(individuals.get(zone))
+  /** Where a location's light is measured: as stated, at its position, or its outline's middle. */
+  public Optional<Pose> referencePoint(String location) {
+    return Optional.ofNullable(individuals.get(location))
         .flatMap(individual -> text(individual, "referencePoint"))
         .map(Pose::parse)
+        .or(() -> Optional.ofNullable(fixed.get(location)))
         .or(
             () ->
-                outline(zone)
+                outline(location)
                     .map(Polygon::centroid)
                     .map(middle -> new Pose(middle.x(), middle.y(), 0, 0, 0, 0)));
   }
@@ -218,6 +223,12 @@ public final class Geometry {
 
   private Optional<Pose> pose(String name, Positions positions) {
     return positions.of(name).or(() -> Optional.ofNullable(fixed.get(name)));
+  }
+
+  private boolean isLocation(String name) {
+    return Optional.ofNullable(individuals.get(name))
+        .filter(individual -> individual.classes().contains("Location"))
+        .isPresent();
   }
 
   private OptionalDouble property(String name, String property) {

@@ -7,16 +7,37 @@ import org.maestro.ontology.vocabulary.Vocabulary;
 
 /**
  * A home: the map and the devices, with the vocabulary that describes them. Keyed by local name.
- * Immutable; devices are among the individuals too.
+ * Immutable; devices and group agents are among the individuals too.
  */
 public record Home(
     String iri,
     String label,
     Vocabulary vocabulary,
     Map<String, Individual> individuals,
-    Map<String, Device> devices) {
+    Map<String, Device> devices,
+    Map<String, Group> groups) {
   public Home {
     individuals = Collections.unmodifiableMap(new TreeMap<>(individuals));
     devices = Collections.unmodifiableMap(new TreeMap<>(devices));
+    groups = Collections.unmodifiableMap(new TreeMap<>(groups));
+  }
+
+  /** A home without group agents. */
+  public Home(
+      String iri,
+      String label,
+      Vocabulary vocabulary,
+      Map<String, Individual> individuals,
+      Map<String, Device> devices) {
+    this(iri, label, vocabulary, individuals, devices, Map.of());
+  }
+
+  /** The same home with this device, or with what it now says of itself. */
+  public Home with(Device device) {
+    Map<String, Individual> things = new TreeMap<>(individuals);
+    things.put(device.id(), device.individual());
+    Map<String, Device> joined = new TreeMap<>(devices);
+    joined.put(device.id(), device);
+    return new Home(iri, label, vocabulary, things, joined, groups);
   }
 }

@@ -53,7 +53,8 @@ final class HomeReader {
             new Literals(graph).label(homeNode),
             vocabulary,
             individuals,
-            devices(individuals, nodes, words));
+            devices(individuals, nodes, words),
+            groups(individuals, nodes, words));
     check(home, nodes);
     return home;
   }
@@ -71,10 +72,26 @@ final class HomeReader {
     return devices;
   }
 
+  private Map<String, Group> groups(
+      Map<String, Individual> individuals, Map<String, Node> nodes, VocabularyCheck words) {
+    Aims aims = new Aims(graph, vocabulary, words);
+    Map<String, Group> groups = new TreeMap<>();
+    nodes.forEach(
+        (name, node) -> {
+          if (individuals.get(name).classes().contains("GroupAgent")) {
+            groups.put(name, aims.group(node, individuals.get(name)));
+          }
+        });
+    return groups;
+  }
+
   /** Thing by thing, and the map as a whole if nothing was wrong before. */
   private void check(Home home, Map<String, Node> nodes) {
     HomeCheck check = new HomeCheck(graph, vocabulary);
-    nodes.forEach((name, node) -> check.checkThing(node, home.devices().containsKey(name)));
+    nodes.forEach(
+        (name, node) ->
+            check.checkThing(
+                node, home.devices().containsKey(name) || home.groups().containsKey(name)));
     if (graph.faults().isEmpty()) {
       check.checkMap(home, nodes);
     }
@@ -122,7 +139,7 @@ final class HomeReader {
             return thing;
           }
           Set<String> classes = new TreeSet<>(thing.classes());
-          classes.addAll(List.of(ZONE, "Place"));
+          classes.addAll(List.of(ZONE, "Place", "Location"));
           return new Individual(name, thing.iri(), thing.label(), classes, thing.properties());
         });
   }

@@ -31,7 +31,10 @@ final class IndividualReader {
           Maestro.term("offers"),
           Maestro.term("reports"),
           Maestro.term("driver"),
-          Maestro.term("container"));
+          Maestro.term("container"),
+          Maestro.term("pursues"),
+          Maestro.term("member"),
+          Maestro.term("memberWhen"));
 
   private final SourceGraph graph;
   private final Vocabulary vocabulary;

@@ -149,6 +149,12 @@ public final class VocabularyCheck {
     }
   }
 
+  /** Checks a formula that the node's property states, over these variables. */
+  public void checkFormula(
+      Node node, String property, Collection<String> variables, Formula formula) {
+    check(node, property, variables, names -> names.check(formula));
+  }
+
   /** The fact; one that cannot be read was noted when it was. */
   private static Optional<Fact> fact(Node text) {
     try {

@@ -66,8 +66,10 @@ class HomeLoaderTest {
     assertThat(observe.frequencyHertz()).hasValue(30);
     assertThat(observe.refersTo()).containsEntry("light", "(illuminance ?zone)");
     FeatureType measure = bob.vocabulary().features().get("measureIllumination");
-    assertThat(SlPrinter.print(measure.effect())).isEqualTo("(sense (illuminance ?zone))");
-    assertThat(measure.effect()).isInstanceOf(org.maestro.sl.Effect.SenseNumber.class);
+    assertThat(SlPrinter.print(measure.effect()))
+        .isEqualTo(
+            "(and (sense (illuminance ?zone)) (forall (?p - Location)"
+                + " (when (reckonedFrom ?p ?zone) (sense (illuminance ?p)))))");
     FeatureType pick = bob.vocabulary().features().get("pick");
     assertThat(pick.task()).isTrue();
     assertThat(pick.occupies()).containsExactly("arm", "base");

@@ -1,0 +1,34 @@
+package org.maestro.ontology.home;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.maestro.sl.Formula;
+
+/**
+ * An agent that stands for several devices and has goals of its own (M15, M91).
+ *
+ * @param individual its name is the agent's name
+ * @param container topic of the abstraction container it lives in
+ * @param members ids of the devices stated by name
+ * @param memberWhen every device of which this is known to be true is a member too; its variable is
+ *     {@code ?member}
+ * @param pursues its goals, with {@code ?self} for the group
+ */
+public record Group(
+    Individual individual,
+    Optional<String> container,
+    Set<String> members,
+    Optional<Formula> memberWhen,
+    List<Formula> pursues) {
+  public Group {
+    members = Collections.unmodifiableSet(new TreeSet<>(members));
+    pursues = List.copyOf(pursues);
+  }
+
+  public String id() {
+    return individual.name();
+  }
+}

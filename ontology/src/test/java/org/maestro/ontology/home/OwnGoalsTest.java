@@ -1,0 +1,77 @@
+package org.maestro.ontology.home;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.junit.jupiter.api.Test;
+import org.maestro.sl.SlParser;
+
+/** Goals that devices, classes and group agents have of their own accord. */
+class OwnGoalsTest {
+  private static final String BOB = ShippedHomes.text("bob.ttl");
+  private static final String GROUP =
+      """
+
+      home:keeper a maestro:GroupAgent ; rdfs:label "keeper of B" ; maestro:container "lights" ;
+        maestro:member home:lamp-b1 , home:lux-b ; maestro:memberWhen "(inside ?member zone-b)" ;
+        maestro:pursues "(keep (>= (illuminance zone-b) 72))" .
+      """;
+
+  @Test
+  void aGroupHasMembersAndGoals() {
+    Group keeper = load(BOB + GROUP).groups().get("keeper");
+
+    assertThat(keeper.members()).containsExactly("lamp-b1", "lux-b");
+    assertThat(keeper.memberWhen()).contains(SlParser.formula("(inside ?member zone-b)"));
+    assertThat(keeper.pursues())
+        .containsExactly(SlParser.formula("(keep (>= (illuminance zone-b) 72))"));
+    assertThat(keeper.container()).contains("lights");
+  }
+
+  @Test
+  void aDeviceHasTheGoalsOfItsClassToo() {
+    String goal = "(>= (illuminance zone-b) 72)";
+    String ofClass = "(keep (not (= (level ?self) 0.25)))";
+    Home home =
+        load(
+            BOB.replace(":power 17 .", ":power 17 ; maestro:pursues \"" + goal + "\" .")
+                + "\n:Lamp maestro:pursues \""
+                + ofClass
+                + "\" .");
+
+    assertThat(home.devices().get("lamp-b2").pursues())
+        .containsExactly(SlParser.formula(ofClass), SlParser.formula(goal));
+    assertThat(home.devices().get("lamp-b1").pursues()).containsExactly(SlParser.formula(ofClass));
+    assertThat(home.devices().get("lux-b").pursues()).isEmpty();
+    assertThat(
+            new DescriptionReader(home.vocabulary())
+                .read(new DescriptionWriter(home).write(home.devices().get("lamp-b2")), "lamp-b2"))
+        .isEqualTo(home.devices().get("lamp-b2"));
+  }
+
+  @Test
+  void aFaultyGoalIsNamedWithItsCure() {
+    assertFault("\"(keep (>= (illuminanse zone-b) 72))\"", "uses the unknown fluent illuminanse");
+    assertFault("\"(keep (>= (illuminance zone-c) 72))\"", "names zone-c, which is not described");
+    assertFault("\"(keep (>= (illuminance zone-b) 72)\"", "is not MAESTRO-SL");
+    assertFault("72", "is not a text; write the goal in MAESTRO-SL in quotes");
+  }
+
+  @Test
+  void aGroupWithoutGoalOrWithAStrangeMemberIsAFault() {
+    assertThatThrownBy(() -> load(BOB + GROUP.replaceAll(";\\s+maestro:pursues [^.]*\\.", ".")))
+        .hasMessageContaining("has no maestro:pursues");
+    assertThatThrownBy(() -> load(BOB + GROUP.replace("home:lamp-b1 ,", "home:lamp-c9 ,")))
+        .hasMessageContaining("lamp-c9 is not described in this home");
+  }
+
+  private static void assertFault(String goal, String problem) {
+    assertThatThrownBy(
+            () -> load(BOB + GROUP.replace("\"(keep (>= (illuminance zone-b) 72))\"", goal)))
+        .hasMessageContaining(problem);
+  }
+
+  private static Home load(String text) {
+    return new HomeLoader().load(text, "test.ttl");
+  }
+}
