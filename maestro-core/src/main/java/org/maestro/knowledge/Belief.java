@@ -1,12 +1,24 @@
 package org.maestro.knowledge;
 
+import java.time.Duration;
 import java.time.Instant;
 
 /**
- * A current fact with its origin.
+ * A fact with its origin.
  *
  * @param fact in MAESTRO-SL: {@code (in Cup zone-b)}, {@code (not (in Bob zone-b))}, {@code (=
  *     (illuminance zone-b) 17)}
  * @param since by time of receipt
+ * @param confidence of the source in it, 0 to 1
  */
-public record Belief(String fact, Source source, Instant since) {}
+public record Belief(String fact, Source source, Instant since, double confidence) {
+
+  /** A fact of whose source there is no doubt. */
+  public Belief(String fact, Source source, Instant since) {
+    this(fact, source, since, 1);
+  }
+
+  public Duration age(Instant now) {
+    return Duration.between(since, now);
+  }
+}

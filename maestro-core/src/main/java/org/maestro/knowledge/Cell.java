@@ -1,44 +1,141 @@
 package org.maestro.knowledge;
 
-import java.util.Collections;
-import java.util.LinkedHashMap;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.maestro.sl.Term;
 
 /**
- * What is known of one state variable. A cell without value and exclusions says that what was
- * known, or described in the home, is lost.
- *
- * @param excluded values that a functional predicate is known not to have
+ * What is said of one state variable, and what is believed of it. Claims that stand are kept the
+ * best first: a surer one before one that came later, which takes its place when the surer ages or
+ * is withdrawn. Those that were overruled are kept to be seen, and never come back: the world may
+ * have moved on since. A cell without claims says that what was known, or described in the home, is
+ * lost. Immutable.
  */
-record Cell(Optional<Held> value, Map<Term, Held> excluded) {
+final class Cell {
 
-  static final Cell LOST = new Cell(Optional.empty(), Map.of());
+  static final Cell LOST = new Cell(List.of(), List.of(), Optional.empty());
 
-  Cell {
-    excluded = Collections.unmodifiableMap(new LinkedHashMap<>(excluded));
+  private final List<Claim> standing;
+  private final List<Claim> overruled;
+  private final Optional<Held> last;
+  private final Settled settled;
+
+  private Cell(List<Claim> standing, List<Claim> overruled, Optional<Held> last) {
+    this.standing = List.copyOf(standing);
+    this.overruled = List.copyOf(overruled);
+    this.settled = Settled.of(this.standing);
+    this.last = settled.value().or(() -> last);
   }
 
-  static Cell of(Held value) {
-    return new Cell(Optional.of(value), Map.of());
+  /** A cell of which nothing is known but what it was once. */
+  static Cell remembered(Held last) {
+    return new Cell(List.of(), List.of(), Optional.of(last));
   }
 
-  /** An exclusion of the present value removes the value, and leaves what else was excluded. */
-  Cell excluding(Held exclusion) {
-    Map<Term, Held> all = new LinkedHashMap<>(excluded);
-    all.remove(exclusion.value());
-    all.put(exclusion.value(), exclusion);
-    return new Cell(value.filter(held -> !held.value().equals(exclusion.value())), all);
+  /** What is believed, however old it is. */
+  Optional<Held> value() {
+    return settled.value();
   }
 
-  Cell withoutExclusion(Term excludedValue) {
-    Map<Term, Held> rest = new LinkedHashMap<>(excluded);
-    rest.remove(excludedValue);
-    return new Cell(value, rest);
+  /** Values that a functional predicate is known not to have, however long ago. */
+  Map<Term, Held> excluded() {
+    return settled.excluded();
+  }
+
+  /** What is believed, however old it is. */
+  Settled settled() {
+    return settled;
+  }
+
+  /** What is believed of what counts at the instant. */
+  Settled settled(Predicate<Held> counts) {
+    for (Claim claim : standing) {
+      if (!counts.test(claim.held())) {
+        return Settled.of(standing.stream().filter(c -> counts.test(c.held())).toList());
+      }
+    }
+    return settled;
+  }
+
+  /** The best first. */
+  List<Claim> standing() {
+    return standing;
+  }
+
+  /** Claims of other sources that a later one of no less weight contradicts. */
+  List<Claim> overruled() {
+    return overruled;
+  }
+
+  /** The value that was believed last, which may be long ago. */
+  Optional<Held> last() {
+    return last;
   }
 
   boolean isLost() {
-    return value.isEmpty() && excluded.isEmpty();
+    return standing.isEmpty();
+  }
+
+  Cell with(Claim claim, Instant now) {
+    List<Claim> stay = new ArrayList<>();
+    List<Claim> outdone = new ArrayList<>();
+    for (Claim other : standing) {
+      if (other.held().isFresh(now)) {
+        if (!claim.outdates(other)) {
+          stay.add(other);
+        } else if (claim.overrules(other)) {
+          outdone.add(other);
+        }
+      }
+    }
+    int place = 0;
+    while (place < stay.size() && stay.get(place).weight() >= claim.weight()) {
+      place++;
+    }
+    stay.add(place, claim);
+    overruled.stream()
+        .filter(other -> other.held().isFresh(now))
+        .filter(other -> !claim.held().isExpected())
+        .filter(other -> !other.isOf(claim.held().source().agent()))
+        .filter(other -> outdone.stream().noneMatch(o -> isRepeated(o, other)))
+        .forEach(outdone::add);
+    return new Cell(stay, outdone, last);
+  }
+
+  private static boolean isRepeated(Claim newer, Claim older) {
+    return newer.isOf(older.held().source().agent());
+  }
+
+  /** Only claims for which this holds. */
+  Cell only(Predicate<Claim> kept) {
+    List<Claim> left = standing.stream().filter(kept).toList();
+    List<Claim> seen = overruled.stream().filter(kept).toList();
+    return left.size() == standing.size() && seen.size() == overruled.size()
+        ? this
+        : new Cell(left, seen, last);
+  }
+
+  Cell lost() {
+    return new Cell(List.of(), List.of(), last);
+  }
+
+  /** The first instant after which something in it does not count any more. */
+  Instant nextExpiry() {
+    return earliest(standing, earliest(overruled, Instant.MAX));
+  }
+
+  private static Instant earliest(Collection<Claim> claims, Instant otherwise) {
+    Instant earliest = otherwise;
+    for (Claim claim : claims) {
+      if (claim.held().expires().isBefore(earliest)) {
+        earliest = claim.held().expires();
+      }
+    }
+    return earliest;
   }
 }

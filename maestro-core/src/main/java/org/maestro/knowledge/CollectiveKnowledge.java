@@ -28,6 +28,7 @@ import org.maestro.sl.Term;
  */
 public final class CollectiveKnowledge implements KnowledgeBase {
 
+  private static final Voice TIME = new Voice(new Source(Source.Kind.DESCRIBED, "time"), 1);
   private static final Source HOME = new Source(Source.Kind.DESCRIBED, "home");
 
   private final Clock clock;
@@ -38,6 +39,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private final List<Consumer<Change>> listeners = new CopyOnWriteArrayList<>();
   private final History history = new History();
   private final Statements statements = new Statements();
+  private final Ageing ageing;
   private volatile World world;
   private long serial;
 
@@ -52,6 +54,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     this.measures = measures;
     this.storage = storage;
     this.opened = clock.instant();
+    this.ageing = new Ageing(clock, this::age);
     this.world = World.of(home, measures.apply(home));
     Graphs graphs = new Graphs(home);
     storage.replace(graphs.vocabularyGraph(), graphs.vocabulary());
@@ -91,13 +94,13 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     guarded(
         () ->
             write(
-                source,
-                draft -> {
+                Confidence.voice(world.home(), source),
+                (draft, positions) -> {
                   Set<StateVariable> said = new LinkedHashSet<>();
                   read.forEach(fact -> said.add(draft.variable(FactReader.atom(fact))));
                   statements
                       .withdrawn(world, source, said)
-                      .forEach(variable -> forget(draft, variable));
+                      .forEach(variable -> positions.withdraw(variable, source));
                   return read;
                 }));
   }
@@ -108,7 +111,8 @@ public final class CollectiveKnowledge implements KnowledgeBase {
         () -> {
           Lesson lesson = new Lesson(world, view(world), run);
           return write(
-              lesson.source(), draft -> lesson.facts(draft, variable -> forget(draft, variable)));
+              Confidence.voice(world.home(), lesson.source()),
+              (draft, positions) -> lesson.facts(draft, positions::forget));
         });
   }
 
@@ -118,11 +122,11 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     guarded(
         () ->
             write(
-                new Source(Source.Kind.OBSERVED, member),
-                draft -> {
+                new Voice(new Source(Source.Kind.OBSERVED, member), 1),
+                (draft, positions) -> {
                   world.variables().stream()
                       .filter(variable -> isOf(member, name, variable))
-                      .forEach(variable -> forget(draft, variable));
+                      .forEach(positions::forget);
                   statements.forget(member);
                   return List.of();
                 }));
@@ -157,6 +161,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
 
   @Override
   public void close() {
+    ageing.close();
     storage.close();
   }
 
@@ -171,30 +176,45 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     return saidOfItself || carried;
   }
 
-  private void forget(Draft draft, StateVariable variable) {
-    new PositionKeeping(draft, this::view).forget(variable);
-  }
-
-  private Change write(Source source, Function<Draft, List<Fact>> facts) {
+  private Change write(Voice voice, Lessons lessons) {
     Instant now = clock.instant();
     long first = serial;
     long[] next = {first};
     Draft draft = new Draft(world, now, () -> next[0]++);
-    new PositionKeeping(draft, this::view).write(facts.apply(draft), source);
+    PositionKeeping positions = new PositionKeeping(draft, this::view);
+    positions.write(lessons.read(draft, positions), voice);
     Outcome outcome = Outcome.of(draft, now);
     serial = next[0];
-    if (outcome.news().isEmpty() && outcome.gone().isEmpty()) {
+    Source source = voice.source();
+    if (draft.touched().isEmpty() && outcome.news().isEmpty()) {
       return unchanged(source);
     }
     World written = draft.world();
     boolean isNews = !outcome.facts().isEmpty();
     world = isNews ? written : written.atVersion(world.version());
-    store(outcome);
+    store(outcome, first);
+    ageing.expect(draft.nextExpiry());
     Change change = new Change(world.version(), source, outcome.facts());
     return isNews ? tell(change) : change;
   }
 
-  private void store(Outcome outcome) {
+  /** What is too old to count is taken away, and those who watch are told. */
+  private void age() {
+    guarded(
+        () -> {
+          Change change =
+              write(
+                  TIME,
+                  (draft, positions) -> {
+                    world.variables().forEach(positions::age);
+                    return List.of();
+                  });
+          ageing.expect(world.nextExpiry());
+          return change;
+        });
+  }
+
+  private void store(Outcome outcome, long first) {
     Graphs graphs = new Graphs(world.home());
     List<Quad> removed = new ArrayList<>();
     List<GraphStorage.Subject> forgotten = new ArrayList<>();
@@ -204,10 +224,14 @@ public final class CollectiveKnowledge implements KnowledgeBase {
       if (news.current()) {
         added.addAll(graphs.current(news));
       }
+      Held held = news.held();
+      if (held.serial() < first) {
+        continue;
+      }
       added.addAll(graphs.provenance(news));
-      Belief belief = new Belief(news.fact(), news.held().source(), news.held().since());
+      Belief belief = new Belief(news.fact(), held.source(), held.since(), held.confidence());
       history
-          .add(news.variable(), belief, news.held().serial())
+          .add(news.variable(), belief, held.serial())
           .ifPresent(
               old ->
                   forgotten.add(
@@ -241,5 +265,11 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     } finally {
       writing.unlock();
     }
+  }
+
+  /** What a write is to make of the draft, and the facts that it has to say. */
+  @FunctionalInterface
+  private interface Lessons {
+    List<Fact> read(Draft draft, PositionKeeping positions);
   }
 }

@@ -78,18 +78,22 @@ final class Declarations {
   }
 
   /**
-   * The age at which a value of the variable is unknown again; empty when it stays. The shortest
-   * wins where several classes of the first argument have one of their own. What a member says of
-   * itself stays: it would tell a change, and its loss is noticed.
+   * The last instant at which the variable's value counts. The shortest age wins where several
+   * classes of the first argument have one of their own. What a member says of itself, and of what
+   * it carries, stays: it would tell a change, and its loss is noticed.
    */
-  private Optional<Duration> validFor(StateVariable variable, Source source) {
-    Optional<Term> subject = variable.arguments().stream().findFirst();
+  Instant expires(StateVariable variable, Term value, Source source, Instant since) {
+    Term speaker = new Term.Name(source.agent());
     boolean ofItself =
-        source.kind() == Source.Kind.STATED
-            && subject.equals(Optional.of(new Term.Name(source.agent())));
+        source.kind() == Source.Kind.STATED && (variable.isAbout(speaker) || value.equals(speaker));
     if (ofItself) {
-      return Optional.empty();
+      return Instant.MAX;
     }
+    return validFor(variable).map(since::plus).orElse(Instant.MAX);
+  }
+
+  private Optional<Duration> validFor(StateVariable variable) {
+    Optional<Term> subject = variable.arguments().stream().findFirst();
     Optional<Duration> own = declared(variable.predicate()).flatMap(p -> validFor(p, subject));
     return variable.predicate().equals(POSITION)
         ? Stream.concat(own.stream(), placesValidFor(subject)).min(Comparator.naturalOrder())
@@ -110,12 +114,6 @@ final class Declarations {
             .map(Map.Entry::getValue)
             .min(Comparator.naturalOrder());
     return ofClass.isPresent() ? ofClass : predicate.validFor();
-  }
-
-  boolean isFresh(StateVariable variable, Held held, Instant now) {
-    return validFor(variable, held.source())
-        .filter(age -> held.since().plus(age).isBefore(now))
-        .isEmpty();
   }
 
   private boolean isInstance(Term term, String className) {

@@ -11,17 +11,22 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.LongSupplier;
+import java.util.function.Predicate;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
 /**
- * A write under way. What a source says replaces what was known before: it was received later. Of
- * one instant, an observation stands against another source's expectation; the expectation is kept
- * as a loser. Expected numbers build on those observed, and do not contradict them.
+ * A write under way. Claims of several sources stand beside each other in a cell, which settles
+ * what is believed. Of one instant, an observation stands against another source's expectation; the
+ * expectation is kept as a loser. Expected numbers build on those observed, and do not contradict
+ * them.
  */
 final class Draft {
+
+  /** How sure it is what a step brings about: as likely as not. */
+  static final double EXPECTATION = 0.5;
 
   private final World base;
   private final Instant now;
@@ -31,8 +36,10 @@ final class Draft {
   private final Set<StateVariable> touched = new LinkedHashSet<>();
   private final List<Loser> losers = new ArrayList<>();
 
-  /** A statement that was not believed. */
-  record Loser(StateVariable variable, Held held, boolean has) {}
+  /** A statement that was not even kept to stand. */
+  record Loser(StateVariable variable, Claim claim) {}
+
+  private record Speech(Voice voice, Instant since, boolean fromPosition) {}
 
   Draft(World base, Instant now, LongSupplier serials) {
     this.base = base;
@@ -57,6 +64,20 @@ final class Draft {
         cells);
   }
 
+  /** The first instant after which something that was touched does not count any more. */
+  Instant nextExpiry() {
+    Instant earliest = Instant.MAX;
+    for (StateVariable variable : touched) {
+      Instant own = cell(variable).orElse(Cell.LOST).nextExpiry();
+      earliest = own.isBefore(earliest) ? own : earliest;
+    }
+    return earliest;
+  }
+
+  Instant now() {
+    return now;
+  }
+
   Set<StateVariable> touched() {
     return Collections.unmodifiableSet(touched);
   }
@@ -70,16 +91,29 @@ final class Draft {
         cells.getOrDefault(variable.predicate(), Map.of()).get(variable.arguments()));
   }
 
-  void write(Fact fact, Source source, boolean fromPosition) {
+  /** Returns whether it is believed now. */
+  boolean write(Fact fact, Voice voice) {
+    return write(fact, new Speech(voice, now, false));
+  }
+
+  /** Writes what follows from a position that is believed. */
+  void follow(Fact fact, Held position) {
+    write(
+        fact,
+        new Speech(new Voice(position.source(), position.confidence()), position.since(), true));
+  }
+
+  private boolean write(Fact fact, Speech speech) {
     if (fact instanceof Fact.Holds holds) {
-      hold(holds.atom(), source, fromPosition);
+      Formula.Atom atom = base.declarations().canonical(holds.atom());
+      return set(base.declarations().variable(atom), base.declarations().valueOf(atom), speech);
     } else if (fact instanceof Fact.Excluded excluded) {
-      exclude(excluded.atom(), source, fromPosition);
+      return exclude(base.declarations().canonical(excluded.atom()), speech);
     } else if (fact instanceof Fact.Equation equation) {
-      equate(equation, source);
-    } else if (fact instanceof Fact.Unknown unknown) {
-      forget(variable(unknown.atom()));
+      return equate(equation, speech);
     }
+    forget(variable(((Fact.Unknown) fact).atom()));
+    return true;
   }
 
   /** What was known of the variable is not known any more; exclusions go too. */
@@ -87,15 +121,20 @@ final class Draft {
     Optional<Cell> cell = cell(variable);
     if (cell.filter(c -> !c.isLost()).isPresent()
         || cell.isEmpty() && base.described().describes(variable)) {
-      put(variable, Cell.LOST);
+      put(variable, cell.orElse(Cell.LOST).lost());
     }
   }
 
-  /** One value is not known to be excluded any more. */
-  void readmit(StateVariable variable, Term value) {
+  /** Keeps only those claims on the variable for which this holds. */
+  void keep(StateVariable variable, Predicate<Claim> kept) {
     cell(variable)
-        .filter(cell -> cell.excluded().containsKey(value))
-        .ifPresent(cell -> put(variable, cell.withoutExclusion(value)));
+        .ifPresent(
+            cell -> {
+              Cell less = cell.only(kept);
+              if (!less.equals(cell)) {
+                put(variable, less);
+              }
+            });
   }
 
   StateVariable variable(Formula.Atom atom) {
@@ -105,64 +144,62 @@ final class Draft {
         : declarations.variable(declarations.canonical(atom));
   }
 
-  private void hold(Formula.Atom atom, Source source, boolean fromPosition) {
-    Formula.Atom canonical = base.declarations().canonical(atom);
-    Held held = held(base.declarations().valueOf(canonical), source, fromPosition);
-    set(base.declarations().variable(canonical), held);
-  }
-
-  private void exclude(Formula.Atom atom, Source source, boolean fromPosition) {
-    Formula.Atom canonical = base.declarations().canonical(atom);
-    StateVariable variable = base.declarations().variable(canonical);
+  private boolean exclude(Formula.Atom atom, Speech speech) {
+    StateVariable variable = base.declarations().variable(atom);
     if (!base.declarations().isFunctional(atom.predicate())) {
-      set(variable, held(new Term.Truth(false), source, fromPosition));
-      return;
+      return set(variable, new Term.Truth(false), speech);
     }
-    Held exclusion = held(base.declarations().valueOf(canonical), source, fromPosition);
-    Cell cell = cell(variable).orElse(Cell.LOST);
+    Term value = base.declarations().valueOf(atom);
+    Claim claim = new Claim(held(variable, value, speech, speech.voice().confidence()), false);
     boolean contradicts =
-        cell.value().filter(value -> value.value().equals(exclusion.value())).isPresent();
-    if (contradicts && standsAgainst(cell.value(), exclusion)) {
-      losers.add(new Loser(variable, exclusion, false));
-    } else {
-      put(variable, cell.excluding(exclusion));
+        believed(variable).filter(present -> present.value().equals(value)).isPresent();
+    if (contradicts && standsAgainst(believed(variable), claim.held())) {
+      losers.add(new Loser(variable, claim));
+      return false;
     }
+    return put(variable, claim);
   }
 
-  private void equate(Fact.Equation equation, Source source) {
+  private boolean equate(Fact.Equation equation, Speech speech) {
     Expression.Fluent fluent = equation.fluent();
     if (equation.value() instanceof Term.Number number && !Double.isFinite(number.value())) {
       throw new KnowledgeException(
           "The value of " + fluent.name() + " is not a finite number; say (unknown ...) instead.");
     }
-    set(
-        new StateVariable(fluent.name(), fluent.arguments()),
-        held(equation.value(), source, false));
+    return set(new StateVariable(fluent.name(), fluent.arguments()), equation.value(), speech);
   }
 
-  private void set(StateVariable variable, Held held) {
-    Optional<Held> present = cell(variable).flatMap(Cell::value);
-    boolean differs = present.filter(p -> !p.value().equals(held.value())).isPresent();
+  private boolean set(StateVariable variable, Term value, Speech speech) {
+    Optional<Held> present = believed(variable);
+    Held held = held(variable, value, speech, confidence(speech.voice(), present));
+    boolean differs = present.filter(p -> !p.value().equals(value)).isPresent();
     if (differs && standsAgainst(present, held)) {
-      losers.add(new Loser(variable, held, true));
-    } else if (!expectsWhatIsKnown(variable, present, held)) {
-      put(variable, Cell.of(held));
+      losers.add(new Loser(variable, new Claim(held, true)));
+      return false;
     }
+    return expectsWhatIsKnown(present, held) || put(variable, new Claim(held, true));
+  }
+
+  /** What is reckoned forward is no surer than what it was reckoned from, and never sure. */
+  private static double confidence(Voice voice, Optional<Held> present) {
+    return voice.expects()
+        ? Math.min(
+            Math.min(EXPECTATION, voice.confidence()), present.map(Held::confidence).orElse(1.0))
+        : voice.confidence();
   }
 
   /** An expectation that tells nothing new does not take the place of what was seen or stated. */
-  private boolean expectsWhatIsKnown(StateVariable variable, Optional<Held> present, Held held) {
-    return held.source().kind() == Source.Kind.EXPECTED
+  private static boolean expectsWhatIsKnown(Optional<Held> present, Held held) {
+    return held.isExpected()
         && present
             .filter(p -> p.value().equals(held.value()))
-            .filter(p -> p.source().kind() != Source.Kind.EXPECTED)
-            .filter(p -> base.declarations().isFresh(variable, p, now))
+            .filter(p -> !p.isExpected())
             .isPresent();
   }
 
-  private boolean standsAgainst(Optional<Held> present, Held challenger) {
-    return challenger.source().kind() == Source.Kind.EXPECTED
-        && !(challenger.value() instanceof Term.Number)
+  private static boolean standsAgainst(Optional<Held> present, Held challenger) {
+    return challenger.isExpected()
+        && !challenger.isNumber()
         && present
             .filter(p -> p.source().kind() == Source.Kind.OBSERVED)
             .filter(p -> p.since().equals(challenger.since()))
@@ -170,8 +207,27 @@ final class Draft {
             .isPresent();
   }
 
-  private Held held(Term value, Source source, boolean fromPosition) {
-    return new Held(value, source, now, fromPosition, serials.getAsLong());
+  /** The value that is believed now. */
+  Optional<Held> believed(StateVariable variable) {
+    return cell(variable).flatMap(cell -> cell.settled(held -> held.isFresh(now)).value());
+  }
+
+  private Held held(StateVariable variable, Term value, Speech speech, double confidence) {
+    Source source = speech.voice().source();
+    return new Held(
+        value,
+        source,
+        speech.since(),
+        base.declarations().expires(variable, value, source, speech.since()),
+        confidence,
+        speech.fromPosition(),
+        serials.getAsLong());
+  }
+
+  private boolean put(StateVariable variable, Claim claim) {
+    Cell cell = cell(variable).orElse(Cell.LOST).with(claim, now);
+    put(variable, cell);
+    return !cell.settled().losers().contains(claim);
   }
 
   private void put(StateVariable variable, Cell cell) {

@@ -127,7 +127,8 @@ final class Graphs {
     Source source = news.held().source();
     Instant since = news.held().since();
     List<Quad> quads = new ArrayList<>();
-    add(quads, observation, RDF.type.asNode(), sosa("Observation"));
+    boolean seen = source.kind() != Source.Kind.EXPECTED;
+    add(quads, observation, RDF.type.asNode(), seen ? sosa("Observation") : prov("Activity"));
     add(quads, observation, maestro("fact"), text(news.fact()));
     add(quads, observation, sosa("observedProperty"), predicate(news.variable().predicate()));
     news.variable().arguments().stream()
@@ -143,6 +144,7 @@ final class Graphs {
         NodeFactory.createLiteralDT(since.toString(), XSDDatatype.XSDdateTime));
     add(quads, observation, prov("wasAttributedTo"), node(new Term.Name(source.agent())));
     add(quads, observation, maestro("sourceKind"), text(source.kind().name()));
+    add(quads, observation, maestro("confidence"), node(new Term.Number(news.held().confidence())));
     return quads;
   }
 

@@ -39,7 +39,8 @@ record Outcome(List<String> facts, List<News> news, List<News> gone) {
         .losers()
         .forEach(
             loser ->
-                comparison.news.add(new News(loser.variable(), loser.held(), loser.has(), false)));
+                comparison.news.add(
+                    new News(loser.variable(), loser.claim().held(), loser.claim().has(), false)));
     List<String> facts = new ArrayList<>(comparison.facts);
     facts.addAll(comparison.exclusions);
     facts.addAll(comparison.losses);
@@ -65,6 +66,9 @@ record Outcome(List<String> facts, List<News> news, List<News> gone) {
       Cell before = draft.base().cell(variable).orElse(Cell.LOST);
       Cell after = draft.cell(variable).orElse(Cell.LOST);
       boolean known = after.value().isPresent();
+      after.settled().losers().stream()
+          .filter(claim -> !before.standing().contains(claim))
+          .forEach(claim -> news.add(new News(variable, claim.held(), claim.has(), false)));
       if (!before.value().equals(after.value())) {
         before.value().ifPresent(held -> left(variable, held, true));
         after.value().ifPresent(held -> came(variable, held, true, before.value()));
@@ -97,7 +101,7 @@ record Outcome(List<String> facts, List<News> news, List<News> gone) {
           before
               .filter(old -> old.value().equals(held.value()))
               .filter(old -> old.source().kind() == held.source().kind())
-              .filter(old -> isFresh(variable, old))
+              .filter(old -> old.isFresh(now))
               .isPresent();
       if (!same && !rulesOutWhatNobodyBelieved(held, has, before)) {
         boolean says = has && !held.value().equals(new Term.Truth(false));
@@ -118,13 +122,7 @@ record Outcome(List<String> facts, List<News> news, List<News> gone) {
     }
 
     private void lost(StateVariable variable, Held held) {
-      if (isFresh(variable, held)) {
-        losses.add(Wording.unknown(variable, held));
-      }
-    }
-
-    private boolean isFresh(StateVariable variable, Held held) {
-      return draft.base().declarations().isFresh(variable, held, now);
+      losses.add(Wording.unknown(variable, held));
     }
   }
 }

@@ -3,9 +3,9 @@ package org.maestro.knowledge;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import org.maestro.ontology.home.Pose;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
@@ -36,37 +36,42 @@ final class PositionKeeping {
    * Writes the positions, then what follows from them, then the rest: what is said outright has the
    * last word.
    */
-  void write(List<Fact> facts, Source source) {
+  void write(List<Fact> facts, Voice voice) {
     List<Fact> rest = new ArrayList<>();
     Set<Term> moved = new LinkedHashSet<>();
     for (Fact fact : facts) {
       if (fact instanceof Fact.Holds holds && isPosition(holds.atom())) {
-        if (isReadable(holds.atom().arguments().get(1))) {
-          draft.write(fact, source, false);
-          moved.add(holds.atom().arguments().get(0));
-        } else {
+        if (!isReadable(holds.atom().arguments().get(1))) {
           LOG.warn(
               "{} told {}, which is no position; it is ignored.",
-              source.agent(),
+              voice.source().agent(),
               SlPrinter.print(fact));
+        } else if (draft.write(fact, voice)) {
+          moved.add(holds.atom().arguments().get(0));
         }
       } else {
         rest.add(fact);
       }
     }
-    for (Term thing : moved) {
-      for (Fact fact : sightings().of(thing)) {
-        draft.write(fact, source, true);
-      }
-    }
-    rest.forEach(fact -> dropContradicted(fact, moved, source));
+    moved.forEach(this::follow);
+    Set<Fact> contradicting = new LinkedHashSet<>();
+    rest.stream()
+        .filter(fact -> contradictsItsPosition(fact, moved, voice))
+        .forEach(contradicting::add);
     for (Fact fact : rest) {
       if (fact instanceof Fact.Unknown unknown) {
         forget(draft.variable(unknown.atom()));
-      } else {
-        draft.write(fact, source, false);
+      } else if (draft.write(fact, voice) && contradicting.contains(fact)) {
+        dropPosition(FactReader.atom(fact).arguments().get(0));
       }
     }
+  }
+
+  /** Writes what follows from the thing's position as it is believed now. */
+  void follow(Term thing) {
+    draft
+        .believed(new StateVariable(Declarations.POSITION, List.of(thing)))
+        .ifPresent(position -> sightings().of(thing).forEach(fact -> draft.follow(fact, position)));
   }
 
   /** Forgets the variable; a position with all that followed from it. */
@@ -84,27 +89,57 @@ final class PositionKeeping {
             });
   }
 
-  private void dropContradicted(Fact fact, Set<Term> moved, Source source) {
+  /** The source does not say so any more; what others say counts then. */
+  void withdraw(StateVariable variable, Source source) {
+    keep(variable, claim -> !claim.held().source().equals(source));
+  }
+
+  /** What is too old does not count any more. */
+  void age(StateVariable variable) {
+    Cell cell = draft.cell(variable).orElse(Cell.LOST);
+    if (cell.nextExpiry().isBefore(draft.now())) {
+      boolean left = cell.standing().stream().anyMatch(this::isFresh);
+      draft.keep(variable, this::isFresh);
+      if (left && variable.predicate().equals(Declarations.POSITION)) {
+        follow(variable.arguments().get(0));
+      }
+    }
+  }
+
+  private boolean isFresh(Claim claim) {
+    return claim.held().isFresh(draft.now());
+  }
+
+  private void keep(StateVariable variable, Predicate<Claim> kept) {
+    if (draft.cell(variable).orElse(Cell.LOST).standing().stream().noneMatch(kept)) {
+      forget(variable);
+      return;
+    }
+    draft.keep(variable, kept);
+    if (variable.predicate().equals(Declarations.POSITION)) {
+      forgetWhatFollowed(variable.arguments().get(0));
+      follow(variable.arguments().get(0));
+    }
+  }
+
+  private boolean contradictsItsPosition(Fact fact, Set<Term> moved, Voice voice) {
     boolean holds = fact instanceof Fact.Holds;
-    Optional<Formula.Atom> said =
-        holds
-            ? Optional.of(((Fact.Holds) fact).atom())
-            : fact instanceof Fact.Excluded excluded
-                ? Optional.of(excluded.atom())
-                : Optional.empty();
-    said.filter(atom -> !atom.arguments().isEmpty())
-        .filter(atom -> !moved.contains(atom.arguments().get(0)))
-        .filter(atom -> !isOwnWordAgainstExpectation(atom.arguments().get(0), source))
-        .filter(atom -> contradicts(atom, holds))
-        .ifPresent(atom -> dropPosition(atom.arguments().get(0)));
+    if (!holds && !(fact instanceof Fact.Excluded)) {
+      return false;
+    }
+    Formula.Atom atom = FactReader.atom(fact);
+    return !atom.arguments().isEmpty()
+        && !moved.contains(atom.arguments().get(0))
+        && !isOwnWordAgainstExpectation(atom.arguments().get(0), voice)
+        && contradicts(atom, holds);
   }
 
   /**
    * What tells its own position tells the next one too; an expectation need not take the last one
    * away.
    */
-  private boolean isOwnWordAgainstExpectation(Term thing, Source source) {
-    return source.kind() == Source.Kind.EXPECTED
+  private boolean isOwnWordAgainstExpectation(Term thing, Voice voice) {
+    return voice.expects()
         && thing instanceof Term.Name name
         && draft
             .cell(new StateVariable(Declarations.POSITION, List.of(thing)))
@@ -138,16 +173,10 @@ final class PositionKeeping {
 
   private void forgetWhatFollowed(Term thing) {
     for (StateVariable variable : draft.world().variables()) {
-      Cell cell = draft.cell(variable).orElseThrow();
       boolean about = variable.arguments().contains(thing);
-      cell.value()
-          .filter(Held::fromPosition)
-          .filter(held -> about || held.value().equals(thing))
-          .ifPresent(held -> draft.forget(variable));
-      cell.excluded().values().stream()
-          .filter(Held::fromPosition)
-          .filter(held -> about || held.value().equals(thing))
-          .forEach(held -> draft.readmit(variable, held.value()));
+      draft.keep(
+          variable,
+          claim -> !claim.held().fromPosition() || !about && !claim.value().equals(thing));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.maestro.knowledge;
 
+import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import org.maestro.sl.Expression;
@@ -27,4 +29,23 @@ public interface Snapshot extends Facts {
 
   /** All current dynamic facts (not those described in the home), sorted by their text. */
   List<Belief> beliefs();
+
+  /** When it was taken: ages are reckoned from then. */
+  Instant at();
+
+  /**
+   * The same moment for a reader to whom older statements mean nothing. What stands in the home has
+   * no age.
+   */
+  Snapshot notOlderThan(Duration age);
+
+  /**
+   * The value that a state variable had when something was known of it last, however long ago, also
+   * before a restart: {@code ("in", Cup)} gives {@code (in Cup zone-b)}; empty when nothing ever
+   * was.
+   */
+  Optional<Belief> lastKnown(String predicate, List<Term> arguments);
+
+  /** All on which sources disagree now, and how that was settled. */
+  List<Dispute> disputes();
 }

@@ -1,5 +1,6 @@
 package org.maestro.knowledge;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -22,14 +23,31 @@ final class View implements Snapshot {
   private final World world;
   private final Instant now;
   private final Instant described;
+  private final Instant oldest;
 
   /**
    * @param described since when what stands in the home counts
    */
   View(World world, Instant now, Instant described) {
+    this(world, now, described, Instant.MIN);
+  }
+
+  private View(World world, Instant now, Instant described, Instant oldest) {
     this.world = world;
     this.now = now;
     this.described = described;
+    this.oldest = oldest;
+  }
+
+  @Override
+  public Instant at() {
+    return now;
+  }
+
+  @Override
+  public Snapshot notOlderThan(Duration age) {
+    Instant limit = now.minus(age);
+    return new View(world, now, described, limit.isAfter(oldest) ? limit : oldest);
   }
 
   @Override
@@ -75,7 +93,7 @@ final class View implements Snapshot {
     StateVariable variable = new StateVariable(fluent.name(), fluent.arguments());
     Optional<Cell> cell = world.cell(variable);
     if (cell.isPresent()) {
-      Optional<Held> held = cell.get().value().filter(value -> isFresh(variable, value));
+      Optional<Held> held = settled(cell.get()).value();
       return held.isPresent() && held.get().value() instanceof Term.Number number
           ? OptionalDouble.of(number.value())
           : OptionalDouble.empty();
@@ -105,10 +123,10 @@ final class View implements Snapshot {
           ? Optional.of(describedBelief(Wording.holds(asked, true)))
           : Optional.empty();
     }
+    Settled settled = settled(cell.get());
     Optional<Held> excluded =
-        Optional.ofNullable(cell.get().excluded().get(world.declarations().valueOf(atom)))
-            .filter(held -> isFresh(variable, held));
-    Optional<Held> value = fresh(variable, cell.get());
+        Optional.ofNullable(settled.excluded().get(world.declarations().valueOf(atom)));
+    Optional<Held> value = settled.value();
     if (value.isPresent()) {
       boolean functional = world.declarations().isFunctional(atom.predicate());
       String fact =
@@ -125,7 +143,8 @@ final class View implements Snapshot {
     StateVariable variable = new StateVariable(fluent.name(), fluent.arguments());
     Optional<Cell> cell = world.cell(variable);
     if (cell.isPresent()) {
-      return fresh(variable, cell.get())
+      return settled(cell.get())
+          .value()
           .map(held -> belief(Wording.value(variable, held, true), held));
     }
     OptionalDouble stated = world.described().number(fluent.name(), fluent.arguments());
@@ -140,7 +159,7 @@ final class View implements Snapshot {
     StateVariable variable = new StateVariable(predicate, arguments);
     Optional<Cell> cell = world.cell(variable);
     if (cell.isPresent()) {
-      return fresh(variable, cell.get()).map(Held::value);
+      return settled(cell.get()).value().map(Held::value);
     }
     return arguments.size() == 1
         ? world.described().values(arguments.get(0), predicate).stream().findFirst()
@@ -151,15 +170,29 @@ final class View implements Snapshot {
   public List<Belief> beliefs() {
     List<Belief> beliefs = new ArrayList<>();
     for (StateVariable variable : world.variables()) {
-      Cell cell = world.cell(variable).orElseThrow();
-      fresh(variable, cell)
-          .ifPresent(held -> beliefs.add(belief(Wording.value(variable, held, true), held)));
-      cell.excluded().values().stream()
-          .filter(held -> isFresh(variable, held))
-          .forEach(held -> beliefs.add(belief(Wording.value(variable, held, false), held)));
+      Settled settled = settled(world.cell(variable).orElseThrow());
+      settled.value().ifPresent(held -> beliefs.add(belief(variable, held, true)));
+      settled.excluded().values().forEach(held -> beliefs.add(belief(variable, held, false)));
     }
     beliefs.sort(Comparator.comparing(Belief::fact));
     return List.copyOf(beliefs);
+  }
+
+  @Override
+  public Optional<Belief> lastKnown(String predicate, List<Term> arguments) {
+    StateVariable variable = new StateVariable(predicate, arguments);
+    return world.cell(variable).flatMap(Cell::last).map(held -> belief(variable, held, true));
+  }
+
+  @Override
+  public List<Dispute> disputes() {
+    List<Dispute> disputes = new ArrayList<>();
+    for (StateVariable variable : world.variables()) {
+      new Disputes(variable, world.cell(variable).orElseThrow(), this::counts)
+          .dispute()
+          .ifPresent(disputes::add);
+    }
+    return List.copyOf(disputes);
   }
 
   private Truth derived(PredicateDeclaration declared, Formula derivation, List<Term> arguments) {
@@ -173,14 +206,12 @@ final class View implements Snapshot {
   }
 
   private Truth inCell(Cell cell, Formula.Atom atom) {
-    StateVariable variable = world.declarations().variable(atom);
     Term wanted = world.declarations().valueOf(atom);
-    Optional<Held> value = fresh(variable, cell);
-    if (value.isPresent()) {
-      return Truth.of(value.get().value().equals(wanted));
+    Settled settled = settled(cell);
+    if (settled.value().isPresent()) {
+      return Truth.of(settled.value().get().value().equals(wanted));
     }
-    Held excluded = cell.excluded().get(wanted);
-    return excluded != null && isFresh(variable, excluded) ? Truth.FALSE : notKnown(atom);
+    return settled.excluded().containsKey(wanted) ? Truth.FALSE : notKnown(atom);
   }
 
   /**
@@ -212,19 +243,23 @@ final class View implements Snapshot {
     return world.declarations().isObservable(atom.predicate()) ? Truth.UNKNOWN : Truth.FALSE;
   }
 
-  private Optional<Held> fresh(StateVariable variable, Cell cell) {
-    return cell.value().filter(held -> isFresh(variable, held));
+  private Settled settled(Cell cell) {
+    return cell.settled(this::counts);
   }
 
-  private boolean isFresh(StateVariable variable, Held held) {
-    return world.declarations().isFresh(variable, held, now);
+  private boolean counts(Held held) {
+    return held.isFresh(now) && !held.since().isBefore(oldest);
   }
 
   private Belief describedBelief(String fact) {
     return new Belief(fact, new Source(Source.Kind.DESCRIBED, "home"), described);
   }
 
+  private static Belief belief(StateVariable variable, Held held, boolean has) {
+    return belief(Wording.value(variable, held, has), held);
+  }
+
   private static Belief belief(String fact, Held held) {
-    return new Belief(fact, held.source(), held.since());
+    return new Belief(fact, held.source(), held.since(), held.confidence());
   }
 }

@@ -1,5 +1,6 @@
 package org.maestro.knowledge;
 
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -53,5 +54,17 @@ record World(
         (predicate, byArguments) ->
             byArguments.keySet().forEach(a -> variables.add(new StateVariable(predicate, a))));
     return variables;
+  }
+
+  /** The first instant after which something that is known does not count any more. */
+  Instant nextExpiry() {
+    Instant earliest = Instant.MAX;
+    for (Map<List<Term>, Cell> byArguments : cells.values()) {
+      for (Cell cell : byArguments.values()) {
+        Instant own = cell.nextExpiry();
+        earliest = own.isBefore(earliest) ? own : earliest;
+      }
+    }
+    return earliest;
   }
 }
