@@ -97,6 +97,11 @@ public final class World {
     return whereabouts.find(thing).flatMap(Body::holder);
   }
 
+  /** Whether it is in a cupboard. */
+  public synchronized boolean isHidden(String thing) {
+    return whereabouts.body(thing).hidden();
+  }
+
   /** What it holds. */
   public synchronized Optional<String> held(String robot) {
     return whereabouts.held(robot);

@@ -27,6 +27,7 @@ class PackageRulesTest {
   };
   private static final String[] TOP = {
     "org.maestro.assembly..",
+    "org.maestro.random..",
     "org.maestro.launch..",
     "org.maestro.junit..",
     "org.maestro.experiment..",

@@ -6,7 +6,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.maestro.rats.time.Clock;
 
 /**
@@ -23,6 +25,9 @@ public final class InProcessBus {
   private final Map<String, InProcessTransport> connected = new LinkedHashMap<>();
   private final List<InProcessTransport> wanting = new ArrayList<>();
   private final Map<String, Kept> retained = new TreeMap<>();
+  private final Set<String> cutOff = new TreeSet<>();
+  private final Map<String, Duration> slowness = new TreeMap<>();
+  private final Map<String, Duration> lastArrival = new TreeMap<>();
   private boolean running = true;
 
   public InProcessBus(Clock clock) {
@@ -61,6 +66,48 @@ public final class InProcessBus {
     returning.forEach(this::connect);
   }
 
+  /** The client loses its connection, so that its will is published, and gets none until mended. */
+  public void cut(String clientId) {
+    InProcessTransport lost;
+    synchronized (this) {
+      cutOff.add(clientId);
+      lost = connected.get(clientId);
+      if (lost != null) {
+        wanting.add(lost);
+      }
+    }
+    if (lost != null) {
+      leave(lost, lost.will());
+      lost.lost("the connection was cut");
+    }
+  }
+
+  /** The client may connect again, and does. */
+  public void mend(String clientId) {
+    List<InProcessTransport> returning;
+    synchronized (this) {
+      cutOff.remove(clientId);
+      returning = wanting.stream().filter(c -> c.clientId().equals(clientId)).toList();
+      wanting.removeAll(returning);
+    }
+    returning.forEach(this::connect);
+  }
+
+  /** What the client publishes from now on takes so much longer, and keeps its order. */
+  public synchronized void slow(String clientId, Duration extra) {
+    slowness.put(clientId, extra);
+  }
+
+  /** How long a message takes from this client to the broker if it leaves now. */
+  synchronized Duration hop(String clientId) {
+    Duration now = clock.now();
+    Duration arrival = now.plus(HOP).plus(slowness.getOrDefault(clientId, Duration.ZERO));
+    Duration last = lastArrival.getOrDefault(clientId, Duration.ZERO);
+    Duration inOrder = arrival.compareTo(last) < 0 ? last : arrival;
+    lastArrival.put(clientId, inOrder);
+    return inOrder.minus(now);
+  }
+
   void connect(InProcessTransport client) {
     clock.schedule(HOP, client.clientId(), () -> accept(client));
   }
@@ -71,7 +118,7 @@ public final class InProcessBus {
     }
     InProcessTransport former;
     synchronized (this) {
-      if (!running) {
+      if (!running || cutOff.contains(client.clientId())) {
         wanting.add(client);
         return;
       }
@@ -90,9 +137,15 @@ public final class InProcessBus {
 
   /** Takes the client off; its will, if any, is routed as if the client had published it. */
   void remove(InProcessTransport client, Optional<Transport.Will> will) {
-    boolean wasConnected;
     synchronized (this) {
       wanting.remove(client);
+    }
+    leave(client, will);
+  }
+
+  private void leave(InProcessTransport client, Optional<Transport.Will> will) {
+    boolean wasConnected;
+    synchronized (this) {
       wasConnected = connected.remove(client.clientId(), client);
     }
     if (wasConnected) {

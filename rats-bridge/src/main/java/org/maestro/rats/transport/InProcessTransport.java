@@ -59,7 +59,7 @@ final class InProcessTransport implements Transport {
     }
     Duration publishedAt = clock.now();
     clock.schedule(
-        InProcessBus.HOP,
+        bus.hop(clientId),
         clientId,
         () -> {
           bus.route(publication, publishedAt);
@@ -82,6 +82,10 @@ final class InProcessTransport implements Transport {
       wanted = false;
     }
     bus.remove(this, lastWill);
+  }
+
+  synchronized Optional<Will> will() {
+    return will;
   }
 
   synchronized boolean wanted() {

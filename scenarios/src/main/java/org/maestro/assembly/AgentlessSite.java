@@ -1,0 +1,184 @@
+package org.maestro.assembly;
+
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.GoalOutcome;
+import org.maestro.coordination.GoalRequest;
+import org.maestro.coordination.Ports;
+import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.Thinking;
+import org.maestro.knowledge.CollectiveKnowledge;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.ontology.home.DescriptionReader;
+import org.maestro.ontology.home.DescriptionWriter;
+import org.maestro.ontology.home.Home;
+import org.maestro.planning.OptimalPlanner;
+import org.maestro.rats.link.BusLink;
+import org.maestro.rats.time.Clock;
+import org.maestro.rats.time.SteppedClock;
+import org.maestro.rats.transport.InProcessBus;
+import org.maestro.sim.Scene;
+import org.maestro.sim.SimulatedHome;
+import org.maestro.sim.World;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+
+/**
+ * A site without agents: knowledge, planning and coordination straight over the link, on the
+ * stepped clock and the bus within the process. It shows what the heart does by itself, some
+ * hundred times as fast as with agents. The same home, scene and seed give the same stories. For
+ * one thread.
+ */
+public final class AgentlessSite implements AutoCloseable {
+  private static final String SITE = "agentless";
+  private static final String CONTROLLER = "maestro";
+  private static final Duration DECISION = Duration.ofMillis(20);
+  private static final Duration OPENING = Duration.ofSeconds(60);
+
+  private final Deque<AutoCloseable> parts = new ArrayDeque<>();
+  private final List<StoryEntry> story = new ArrayList<>();
+  private final SteppedClock clock = new SteppedClock();
+  private final InProcessBus bus = new InProcessBus(clock);
+  private final KnowledgeBase knowledge;
+  private final SimulatedHome simulated;
+  private final Coordinator coordinator;
+
+  private AgentlessSite(Home home, Scene scene, long seed) {
+    knowledge = new CollectiveKnowledge(home, clock);
+    parts.addFirst(knowledge);
+    simulated =
+        SimulatedHome.start(
+            new SimulatedHome.Setup(
+                home, scene, clock, seed, bus::client, SITE, new DescriptionWriter(home)::write));
+    parts.addFirst(simulated);
+    BusLink link = BusLink.connect(CONTROLLER, SITE, bus.client(CONTROLLER), clock);
+    parts.addFirst(link);
+    Deputies deputies =
+        new Deputies(link, clock, knowledge, new DescriptionReader(home.vocabulary())::read);
+    coordinator =
+        new Coordinator(
+            new Ports(
+                knowledge,
+                new OptimalPlanner(),
+                new LinkMarket(deputies, link),
+                new LinkCrew(deputies, link),
+                new InTurn(clock),
+                clock,
+                story::add));
+    deputies.report(coordinator);
+    knowledge.watch(
+        change ->
+            clock.schedule(Duration.ZERO, CONTROLLER, () -> coordinator.knowledgeChanged(change)));
+  }
+
+  /**
+   * Opens the site and lets time pass until all devices that have power are there.
+   *
+   * @param seed of all chance in the world
+   * @throws SiteException when devices stay away
+   */
+  public static AgentlessSite start(Home home, Scene scene, long seed) {
+    AgentlessSite site = new AgentlessSite(home, scene, seed);
+    List<String> expected =
+        site.simulated.devices().stream().filter(site.world()::isAlive).toList();
+    if (!site.runUntil(() -> expected.stream().allMatch(site.coordinator::isPresent), OPENING)) {
+      site.close();
+      throw new SiteException(
+          "Not all of these devices came within %d simulated seconds: %s."
+              .formatted(OPENING.toSeconds(), String.join(", ", expected)));
+    }
+    return site;
+  }
+
+  /**
+   * States a goal.
+   *
+   * @param goal in MAESTRO-SL
+   * @return the goal's id
+   */
+  public String pursue(String goal, Consumer<GoalOutcome> ended) {
+    return coordinator.submit(new GoalRequest(parsed(goal), "somebody"), ended);
+  }
+
+  /** Reads a formula in the words of this site's home. */
+  public Formula parsed(String goal) {
+    return SlParser.formula(
+        goal,
+        name ->
+            knowledge
+                .home()
+                .vocabulary()
+                .predicate(name)
+                .filter(predicate -> predicate.fluent())
+                .isPresent());
+  }
+
+  public Coordinator coordinator() {
+    return coordinator;
+  }
+
+  public KnowledgeBase knowledge() {
+    return knowledge;
+  }
+
+  public World world() {
+    return simulated.world();
+  }
+
+  /** To disturb it. */
+  public InProcessBus bus() {
+    return bus;
+  }
+
+  public SteppedClock clock() {
+    return clock;
+  }
+
+  /** What was told of all goals up to now. */
+  public List<StoryEntry> story() {
+    return List.copyOf(story);
+  }
+
+  /**
+   * Lets time pass until the condition holds.
+   *
+   * @param limit simulated time
+   * @return whether it holds
+   */
+  public boolean runUntil(BooleanSupplier condition, Duration limit) {
+    return clock.runUntil(condition, limit);
+  }
+
+  /** Latest part first. */
+  @Override
+  public void close() {
+    while (!parts.isEmpty()) {
+      try {
+        parts.removeFirst().close();
+      } catch (Exception e) {
+        throw new SiteException("The site could not be closed: " + e.getMessage(), e);
+      }
+    }
+  }
+
+  /** Thinks on the clock's thread; a decision takes its simulated time all the same. */
+  private record InTurn(Clock clock) implements Thinking {
+    @Override
+    public <T> void think(Supplier<T> work, Consumer<T> then) {
+      clock.schedule(
+          Duration.ZERO,
+          CONTROLLER,
+          () -> {
+            T result = work.get();
+            clock.schedule(DECISION, CONTROLLER, () -> then.accept(result));
+          });
+    }
+  }
+}

@@ -1,0 +1,71 @@
+package org.maestro.assembly;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.maestro.coordination.Crew;
+import org.maestro.members.CallReporter;
+import org.maestro.planning.Step;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.Outcome;
+import org.maestro.sl.Term;
+
+/** Orders straight as calls on the bus. */
+final class LinkCrew implements Crew {
+  private final Deputies deputies;
+  private final RatsLink link;
+  private long lastOrder;
+
+  LinkCrew(Deputies deputies, RatsLink link) {
+    this.deputies = deputies;
+    this.link = link;
+  }
+
+  @Override
+  public Performance perform(Order order, Consumer<Report> reported) {
+    Step step = order.step();
+    Optional<Deputies.Deputy> deputy = deputies.of(step.member());
+    if (deputy.isEmpty()) {
+      Report absent =
+          new Report(false, Map.of(), Optional.of(step.member() + " is not there"), List.of());
+      deputies.later(step.member(), () -> reported.accept(absent));
+      return () -> {};
+    }
+    String conversation = String.valueOf(++lastOrder);
+    deputy.get().view().begun(conversation, step.bindings());
+    RatsLink.CallHandle call =
+        link.call(
+            step.member(),
+            step.feature().name(),
+            LinkMarket.json(order.parameters()),
+            order.timeout(),
+            Optional.of(order.goalId()),
+            new CallReporter(
+                action -> deputies.later(step.member(), action),
+                new Performing(deputy.get(), step, conversation, reported)));
+    return call::cancel;
+  }
+
+  /** What becomes of one order. */
+  private record Performing(
+      Deputies.Deputy deputy, Step step, String conversation, Consumer<Report> reported)
+      implements CallReporter.Listener {
+
+    @Override
+    public void reported(Outcome outcome, Report report) {
+      reported.accept(report);
+      deputy.said(deputy.view().over());
+    }
+
+    @Override
+    public void learnt(Map<String, Term> outputs) {
+      deputy.learnt(step.feature(), step.bindings(), outputs);
+    }
+
+    @Override
+    public void over() {
+      deputy.view().forget(conversation);
+    }
+  }
+}

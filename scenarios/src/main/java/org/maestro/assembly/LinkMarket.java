@@ -1,0 +1,98 @@
+package org.maestro.assembly;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import org.maestro.coordination.Argument;
+import org.maestro.coordination.Bid;
+import org.maestro.coordination.CallForPrices;
+import org.maestro.coordination.Market;
+import org.maestro.members.JsonTerms;
+import org.maestro.ontology.vocabulary.Price;
+import org.maestro.planning.Step;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.CostAnswer;
+
+/** Prices straight from descriptions, and exact ones from the members themselves. */
+final class LinkMarket implements Market {
+  private final Deputies deputies;
+  private final RatsLink link;
+
+  LinkMarket(Deputies deputies, RatsLink link) {
+    this.deputies = deputies;
+    this.link = link;
+  }
+
+  @Override
+  public void callForPrices(CallForPrices call, Consumer<Tender> closed) {
+    deputies.later(
+        call.goalId(),
+        () -> {
+          List<Bid> bids = new ArrayList<>();
+          call.features().forEach((member, features) -> bids.add(bid(member, features)));
+          closed.accept(new Open(bids));
+        });
+  }
+
+  private Bid bid(String member, List<String> features) {
+    Optional<Deputies.Deputy> deputy = deputies.of(member);
+    if (deputy.isEmpty()) {
+      return new Bid(member, Map.of(), Optional.of(member + " is not there"));
+    }
+    Map<String, Price> prices = new LinkedHashMap<>();
+    for (String name : features) {
+      deputy.get().view().feature(name).ifPresent(f -> prices.put(name, f.cost()));
+    }
+    return new Bid(
+        member,
+        prices,
+        prices.isEmpty() ? Optional.of(member + " has none of these features") : Optional.empty());
+  }
+
+  @Override
+  public void exactPrices(
+      String member,
+      String feature,
+      List<Map<String, Argument>> sets,
+      Consumer<List<Quote>> answer) {
+    if (deputies.of(member).isEmpty()) {
+      List<Quote> declined =
+          Collections.nCopies(sets.size(), new Quote.Declined(member + " is not there"));
+      deputies.later(member, () -> answer.accept(declined));
+      return;
+    }
+    link.cost(
+        member,
+        feature,
+        sets.stream().map(LinkMarket::json).toList(),
+        answers ->
+            deputies.later(
+                member, () -> answer.accept(answers.stream().map(LinkMarket::quote).toList())));
+  }
+
+  static Map<String, Object> json(Map<String, Argument> arguments) {
+    Map<String, Object> values = new TreeMap<>();
+    arguments.forEach((name, argument) -> values.put(name, JsonTerms.json(argument)));
+    return values;
+  }
+
+  private static Quote quote(CostAnswer answer) {
+    return answer
+        .cost()
+        .<Quote>map(cost -> new Quote.Priced(cost, answer.seconds().orElse(cost)))
+        .orElseGet(() -> new Quote.Declined(answer.reason().orElse("no reason given")));
+  }
+
+  /** Nobody waits for an award: the steps come as calls. */
+  private record Open(List<Bid> bids) implements Tender {
+    @Override
+    public void award(Map<String, List<Step>> parts) {
+      // Deputies hold no contract.
+    }
+  }
+}

@@ -1,0 +1,94 @@
+package org.maestro.random;
+
+import java.time.Duration;
+import org.maestro.hal.Position;
+import org.maestro.rats.time.Clock;
+import org.maestro.rats.transport.InProcessBus;
+import org.maestro.sim.World;
+
+/** Something that goes wrong, or that somebody does, at a time after the goals were stated. */
+public sealed interface Fault {
+
+  Duration at();
+
+  /** Makes it happen now. */
+  void strike(World world, InProcessBus bus, Clock clock);
+
+  /** The device loses its power. */
+  record Death(Duration at, String device) implements Fault {
+    @Override
+    public void strike(World world, InProcessBus bus, Clock clock) {
+      world.die(device);
+    }
+  }
+
+  /** A dead device gets its power back. */
+  record Revival(Duration at, String device) implements Fault {
+    @Override
+    public void strike(World world, InProcessBus bus, Clock clock) {
+      world.revive(device);
+    }
+  }
+
+  /** The member goes from the bus, and works on by itself. */
+  record Cut(Duration at, String member) implements Fault {
+    @Override
+    public void strike(World world, InProcessBus bus, Clock clock) {
+      bus.cut(member);
+    }
+  }
+
+  /** It comes back. */
+  record Return(Duration at, String member) implements Fault {
+    @Override
+    public void strike(World world, InProcessBus bus, Clock clock) {
+      bus.mend(member);
+    }
+  }
+
+  /** What the member says takes so much longer, for a while. */
+  record Delay(Duration at, String member, Duration extra, Duration lasts) implements Fault {
+    @Override
+    public void strike(World world, InProcessBus bus, Clock clock) {
+      bus.slow(member, extra);
+      clock.schedule(lasts, member, () -> bus.slow(member, Duration.ZERO));
+    }
+  }
+
+  /** The lamp gives another share of what the home says of it. */
+  record Weakness(Duration at, String lamp, double strength) implements Fault {
+    @Override
+    public void strike(World world, InProcessBus bus, Clock clock) {
+      world.weaken(lamp, strength);
+    }
+  }
+
+  /** A stranger puts the thing elsewhere, out of whatever hand it is in. */
+  record Moved(Duration at, String thing, Position to) implements Fault {
+    @Override
+    public void strike(World world, InProcessBus bus, Clock clock) {
+      world.moveByHand(thing, to);
+    }
+  }
+
+  /** The thing falls out of the hand that holds it, if any does, where the holder is. */
+  record Dropped(Duration at, String thing) implements Fault {
+    private static final double BESIDE_METRES = 0.45;
+
+    @Override
+    public void strike(World world, InProcessBus bus, Clock clock) {
+      if (world.holder(thing).isPresent()) {
+        Position place = world.position(thing).orElseThrow();
+        world.moveByHand(thing, new Position(place.x() + BESIDE_METRES, place.y(), place.z()));
+      }
+    }
+  }
+
+  /** The thing is put into a cupboard where it stands, or taken out again. */
+  record Hidden(Duration at, String thing, boolean away) implements Fault {
+    @Override
+    public void strike(World world, InProcessBus bus, Clock clock) {
+      world.hide(thing, away);
+    }
+  }
+}

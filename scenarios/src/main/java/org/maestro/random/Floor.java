@@ -1,0 +1,89 @@
+package org.maestro.random;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.maestro.hal.Position;
+import org.maestro.ontology.home.FloorPlan;
+import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.home.Polygon;
+import org.maestro.ontology.home.Pose;
+import org.maestro.ontology.home.Segment;
+
+/** Rooms, walls and doors, and what can be seen and lit through them. */
+final class Floor {
+  private static final double COVERED_SHARE = 0.97;
+  private static final double SAMPLE_METRES = 0.2;
+
+  private final Site site;
+  private final Map<String, Polygon> zones = new TreeMap<>();
+  private final Map<String, Segment> doors = new TreeMap<>();
+  private final List<Polygon> rooms = new ArrayList<>();
+
+  Floor(Site site) {
+    this.site = site;
+    site.of("Room").forEach(room -> rooms.add(Polygon.parse(site.text(room, "outline"))));
+    site.of("Zone").forEach(zone -> zones.put(zone, Polygon.parse(site.text(zone, "outline"))));
+    for (String door : site.of("Door")) {
+      doors.put(door, new Segment(site.point(door, "openingFrom"), site.point(door, "openingTo")));
+    }
+  }
+
+  Collection<String> zones() {
+    return zones.keySet();
+  }
+
+  Collection<String> doors() {
+    return doors.keySet();
+  }
+
+  boolean isZone(String name) {
+    return zones.containsKey(name);
+  }
+
+  Polygon outline(String zone) {
+    return zones.get(zone);
+  }
+
+  Point2 reference(String zone) {
+    return site.point(zone, "referencePoint");
+  }
+
+  /** How far a place is from a zone; 0 within it. */
+  double distance(String zone, Position place) {
+    Polygon outline = zones.get(zone);
+    return outline.contains(place.floor())
+        ? 0
+        : outline.edges().stream()
+            .mapToDouble(edge -> edge.distance(place.floor()))
+            .min()
+            .orElseThrow();
+  }
+
+  FloorPlan plan(Collection<String> openDoors) {
+    return new FloorPlan(rooms, openDoors.stream().map(doors::get).toList());
+  }
+
+  boolean sees(String camera, Position place, Collection<String> openDoors) {
+    Pose pose = site.pose(camera);
+    return pose.angleTo(place.x(), place.y(), place.z()) <= site.number(camera, "viewAngle") / 2
+        && !plan(openDoors).isBlocked(pose.floor(), place.floor());
+  }
+
+  /** Whether the camera has nearly all of the zone in view, doors shut. */
+  boolean covers(String camera, String zone) {
+    List<Point2> samples = zones.get(zone).samples(SAMPLE_METRES);
+    long seen = samples.stream().filter(p -> sees(camera, Position.onFloor(p), List.of())).count();
+    return seen >= COVERED_SHARE * samples.size();
+  }
+
+  Optional<String> zoneAt(Point2 point) {
+    return zones.entrySet().stream()
+        .filter(zone -> zone.getValue().contains(point))
+        .map(Map.Entry::getKey)
+        .findFirst();
+  }
+}

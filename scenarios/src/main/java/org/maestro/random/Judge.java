@@ -1,0 +1,122 @@
+package org.maestro.random;
+
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.Supplier;
+import org.maestro.coordination.GoalOutcome;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Substitution;
+
+/**
+ * Compares claims with the truth. A claim that something is reached holds when it was so at some
+ * moment of the last seconds: a report takes that long. A claim that it is impossible fails when it
+ * can surely be done with what could be used for as long.
+ */
+final class Judge {
+  /** From what a sensor saw to the claim: one look, messages, a decision. */
+  static final Duration NEWS = Duration.ofSeconds(3);
+
+  /** What came back so lately may not have been used yet. */
+  private static final Duration SETTLED = Duration.ofSeconds(5);
+
+  private static final Duration BETWEEN_MOMENTS = Duration.ofMillis(200);
+
+  private final Site site;
+  private final Supplier<Moment> present;
+  private final Deque<Moment> recent = new ArrayDeque<>();
+  private final Map<String, Duration> changedAt = new TreeMap<>();
+  private final Set<String> cut = new TreeSet<>();
+  private Duration slowest = Duration.ZERO;
+  private Duration lastFault = Duration.ofDays(-1);
+
+  Judge(Site site, Supplier<Moment> present) {
+    this.site = site;
+    this.present = present;
+  }
+
+  /** To be told of the passing of time, as often as anything happens. */
+  void timePassed(Duration now) {
+    if (recent.isEmpty() || now.minus(recent.getLast().at()).compareTo(BETWEEN_MOMENTS) >= 0) {
+      recent.addLast(present.get());
+      while (recent.getFirst().at().compareTo(now.minus(NEWS).minus(slowest)) < 0) {
+        recent.removeFirst();
+      }
+    }
+  }
+
+  /** To be told of each fault as it strikes. */
+  void struck(Fault fault, Duration now) {
+    lastFault = now;
+    if (fault instanceof Fault.Death death) {
+      changedAt.put(death.device(), now);
+    } else if (fault instanceof Fault.Revival revival) {
+      changedAt.put(revival.device(), now);
+    } else if (fault instanceof Fault.Cut gone) {
+      changedAt.put(gone.member(), now);
+      cut.add(gone.member());
+    } else if (fault instanceof Fault.Return back) {
+      changedAt.put(back.member(), now);
+      cut.remove(back.member());
+    } else if (fault instanceof Fault.Weakness weakness) {
+      site.weakened(weakness.lamp(), weakness.strength());
+    } else if (fault instanceof Fault.Delay delay && delay.extra().compareTo(slowest) > 0) {
+      slowest = delay.extra();
+    }
+  }
+
+  Verdict of(Formula goal, GoalOutcome outcome, Duration now) {
+    return outcome.reached() ? achieved(goal, outcome) : failed(goal, outcome, now);
+  }
+
+  private Verdict achieved(Formula goal, GoalOutcome outcome) {
+    Formula bound = new Substitution(outcome.binding()).apply(goal);
+    recent.addLast(present.get());
+    Truths.Grade best =
+        recent.stream()
+            .map(moment -> new Truths(moment, site).of(bound))
+            .reduce(Truths.Grade.FALSE, Truths.Grade::or);
+    return switch (best) {
+      case TRUE -> verdict(outcome, Verdict.Kind.ACHIEVED, "");
+      case CLOSE -> verdict(outcome, Verdict.Kind.ACHIEVED_CLOSELY, "");
+      case FALSE ->
+          verdict(
+              outcome,
+              Verdict.Kind.FALSELY_ACHIEVED,
+              "it is not so, nor was it in the last " + NEWS.toSeconds() + " s");
+    };
+  }
+
+  private Verdict failed(Formula goal, GoalOutcome outcome, Duration now) {
+    Moment moment = present.get();
+    Set<String> usable = new TreeSet<>(moment.alive());
+    usable.removeAll(cut);
+    usable.removeIf(
+        device ->
+            changedAt.containsKey(device)
+                && now.minus(changedAt.get(device)).compareTo(SETTLED.plus(slowest)) < 0);
+    if (!new Possibilities(site, moment, usable).canBe(goal)) {
+      return verdict(outcome, Verdict.Kind.IMPOSSIBLE, "");
+    }
+    if (now.minus(lastFault).compareTo(NEWS.plus(slowest)) < 0) {
+      return verdict(outcome, Verdict.Kind.TOO_LATE_TO_KNOW, "");
+    }
+    return verdict(outcome, Verdict.Kind.FALSELY_IMPOSSIBLE, "it can be done with " + usable);
+  }
+
+  static Verdict withoutEnd(String goal) {
+    return new Verdict(goal, Verdict.Kind.WITHOUT_END, "", "it never ended");
+  }
+
+  private static Verdict verdict(GoalOutcome outcome, Verdict.Kind kind, String reason) {
+    String claim =
+        outcome.reached()
+            ? "reached" + (outcome.confirmed() ? "" : ", not seen") + " " + outcome.binding()
+            : "not reached: " + String.join(" ", outcome.reasons());
+    return new Verdict(outcome.goal(), kind, claim, reason);
+  }
+}

@@ -1,0 +1,123 @@
+package org.maestro.random;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.ToDoubleFunction;
+import org.maestro.hal.Position;
+import org.maestro.ontology.home.FloorPlan;
+import org.maestro.ontology.home.Pose;
+
+/**
+ * What light can be made with the lamps that can be used, all others staying as they are: every
+ * combination of levels is tried.
+ */
+final class Lighting {
+  private static final List<Double> LEVELS = List.of(0.0, 0.25, 0.5, 1.0);
+  private static final double LEAST_SHARE_LUX = 0.5;
+  private static final double SAME_LUX = 1e-6;
+
+  private final Site site;
+  private final Moment moment;
+  private final FloorPlan plan;
+  private final List<String> usableLamps;
+
+  Lighting(Site site, Moment moment, List<String> usableLamps) {
+    this.site = site;
+    this.moment = moment;
+    this.plan = site.floor().plan(moment.openDoors());
+    this.usableLamps = usableLamps;
+    check();
+  }
+
+  /** The judge's own light has to be that of the world, or he judges nothing. */
+  private void check() {
+    for (String zone : site.floor().zones()) {
+      double own = lux(reference(zone), zone, moment.lampLevels());
+      if (Math.abs(own - moment.zoneLux(zone)) > SAME_LUX) {
+        throw new IllegalStateException(
+            "The judge computes %s lux in %s, and the world %s"
+                .formatted(own, zone, moment.zoneLux(zone)));
+      }
+    }
+  }
+
+  /** Whether some levels of the lamps meet all of these at the same time. */
+  boolean canMeet(List<Truths.Constraint> constraints) {
+    return search(constraints, List.of());
+  }
+
+  /** Whether they can, and a camera sees what is at each of these places. */
+  boolean canMeet(List<Truths.Constraint> constraints, List<Position> seen) {
+    return search(constraints, seen);
+  }
+
+  private boolean search(List<Truths.Constraint> constraints, List<Position> seen) {
+    List<String> lamps = new ArrayList<>();
+    for (String lamp : usableLamps) {
+      boolean matters =
+          constraints.stream().anyMatch(c -> share(lamp, reference(c.zone())) > LEAST_SHARE_LUX)
+              || seen.stream().anyMatch(place -> share(lamp, place) > LEAST_SHARE_LUX);
+      if (matters) {
+        lamps.add(lamp);
+      }
+    }
+    return search(lamps, 0, new TreeMap<>(moment.lampLevels()), constraints, seen);
+  }
+
+  private boolean search(
+      List<String> lamps,
+      int next,
+      Map<String, Double> levels,
+      List<Truths.Constraint> constraints,
+      List<Position> seen) {
+    if (next == lamps.size()) {
+      ToDoubleFunction<String> luxOfZone = zone -> lux(reference(zone), zone, levels);
+      return constraints.stream().allMatch(c -> c.isMet(luxOfZone))
+          && seen.stream().allMatch(place -> isVisible(place, levels));
+    }
+    for (double level : LEVELS) {
+      levels.put(lamps.get(next), level);
+      if (search(lamps, next + 1, levels, constraints, seen)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean isVisible(Position place, Map<String, Double> levels) {
+    double lux = lux(place, site.floor().zoneAt(place.floor()).orElse(""), levels);
+    return lux >= Site.CAMERA_LEAST_LUX * (1 + Truths.CLOSE_LIGHT)
+        && lux <= Site.CAMERA_GREATEST_LUX * (1 - Truths.CLOSE_LIGHT);
+  }
+
+  private Position reference(String zone) {
+    return Position.onFloor(site.floor().reference(zone));
+  }
+
+  private double lux(Position point, String zone, Map<String, Double> levels) {
+    double lux = zone.isEmpty() ? 0 : site.ambient(zone);
+    for (Map.Entry<String, Double> lamp : levels.entrySet()) {
+      if (lamp.getValue() > 0 && moment.isAlive(lamp.getKey())) {
+        lux += lamp.getValue() * share(lamp.getKey(), point);
+      }
+    }
+    return lux;
+  }
+
+  /** What the lamp adds there at full level. */
+  private double share(String lamp, Position point) {
+    Pose pose = site.pose(lamp);
+    double height = pose.z() - point.z();
+    if (pose.angleTo(point.x(), point.y(), point.z()) > site.number(lamp, "beamAngle") / 2
+        || plan.isBlocked(pose.floor(), point.floor())) {
+      return 0;
+    }
+    double far = Math.hypot(height, pose.floor().distance(point.floor()));
+    return site.strength(lamp)
+        * site.number(lamp, "luminousIntensity")
+        * height
+        / (far * far * far);
+  }
+}

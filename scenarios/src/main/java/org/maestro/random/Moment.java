@@ -1,0 +1,86 @@
+package org.maestro.random;
+
+import java.time.Duration;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.maestro.hal.Position;
+import org.maestro.sim.World;
+
+/**
+ * The truth of one moment.
+ *
+ * @param places of all bodies; a held one is where its holder is
+ * @param luxByThing light where each body is
+ * @param luxByZone light at each zone's reference point
+ */
+record Moment(
+    Duration at,
+    Map<String, Position> places,
+    Map<String, String> zones,
+    Map<String, String> holders,
+    Set<String> hidden,
+    Set<String> openDoors,
+    Set<String> alive,
+    Map<String, Double> luxByThing,
+    Map<String, Double> luxByZone,
+    Map<String, Double> lampLevels) {
+
+  static Moment of(World world, Site site, Duration at) {
+    Map<String, Position> places = new TreeMap<>();
+    Map<String, String> zones = new TreeMap<>();
+    Map<String, String> holders = new TreeMap<>();
+    Set<String> hidden = new TreeSet<>();
+    Map<String, Double> luxByThing = new TreeMap<>();
+    for (String name : world.bodies()) {
+      Position place = world.position(name).orElseThrow();
+      places.put(name, place);
+      world.zone(name).ifPresent(zone -> zones.put(name, zone));
+      world.holder(name).ifPresent(holder -> holders.put(name, holder));
+      if (world.isHidden(name)) {
+        hidden.add(name);
+      }
+      luxByThing.put(name, world.lux(place));
+    }
+    Map<String, Double> luxByZone = new TreeMap<>();
+    site.floor().zones().forEach(zone -> luxByZone.put(zone, world.lux(zone)));
+    Set<String> openDoors = new TreeSet<>(site.floor().doors());
+    openDoors.removeIf(door -> !world.isOpen(door));
+    Set<String> alive = new TreeSet<>(site.devices());
+    alive.removeIf(device -> !world.isAlive(device));
+    Map<String, Double> levels = new TreeMap<>();
+    site.lamps().forEach(lamp -> levels.put(lamp, world.lampLevel(lamp)));
+    return new Moment(
+        at, places, zones, holders, hidden, openDoors, alive, luxByThing, luxByZone, levels);
+  }
+
+  Position place(String thing) {
+    return places.get(thing);
+  }
+
+  Optional<String> zone(String thing) {
+    return Optional.ofNullable(zones.get(thing));
+  }
+
+  Optional<String> holder(String thing) {
+    return Optional.ofNullable(holders.get(thing));
+  }
+
+  boolean isHidden(String thing) {
+    return hidden.contains(thing);
+  }
+
+  boolean isAlive(String device) {
+    return alive.contains(device);
+  }
+
+  double lux(String thing) {
+    return luxByThing.get(thing);
+  }
+
+  double zoneLux(String zone) {
+    return luxByZone.get(zone);
+  }
+}

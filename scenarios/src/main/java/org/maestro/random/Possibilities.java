@@ -1,0 +1,283 @@
+package org.maestro.random;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.maestro.hal.Position;
+import org.maestro.sl.Formula;
+
+/**
+ * What can surely be brought about from one moment on, with the devices that can be used then: for
+ * each thing every place where it could end (left, in a hand, beside another thing, in a zone), for
+ * each robot every zone, for the lamps every combination of levels. "Surely" has two sides: it is
+ * physically possible with something to spare, and what has to be found can be looked at.
+ */
+final class Possibilities {
+
+  /** Where a thing ends. */
+  private record End(Kind kind, String where) {
+    enum Kind {
+      LEFT,
+      HELD,
+      BESIDE,
+      WITHIN
+    }
+  }
+
+  private final Site site;
+  private final Moment moment;
+  private final Set<String> usable;
+  private final Lighting lighting;
+  private final Map<String, FreeFloor> floors = new TreeMap<>();
+  private final Set<String> openable = new TreeSet<>();
+
+  /**
+   * @param usable devices that have power and are on the bus
+   */
+  Possibilities(Site site, Moment moment, Set<String> usable) {
+    this.site = site;
+    this.moment = moment;
+    this.usable = usable;
+    this.lighting =
+        new Lighting(site, moment, site.lamps().stream().filter(usable::contains).toList());
+    for (String door : site.floor().doors()) {
+      if (moment.openDoors().contains(door)
+          || usable.contains(door) && !site.isTrue(door, "locked")) {
+        openable.add(door);
+      }
+    }
+    for (String robot : site.robots()) {
+      if (usable.contains(robot)) {
+        floors.put(robot, new FreeFloor(site, moment, robot, openable));
+      }
+    }
+  }
+
+  boolean canBe(Formula goal) {
+    List<Formula> parts = goal instanceof Formula.And and ? and.operands() : List.of(goal);
+    List<String> things = new ArrayList<>();
+    for (String item : site.items()) {
+      if (parts.stream().anyMatch(part -> speaksOf(part, item))) {
+        things.add(item);
+      }
+    }
+    return tryEnds(things, 0, new TreeMap<>(), parts);
+  }
+
+  private static boolean speaksOf(Formula part, String name) {
+    return part instanceof Formula.Atom atom
+        && (Truths.name(atom.arguments(), 0).equals(name)
+            || atom.arguments().size() > 1 && Truths.name(atom.arguments(), 1).equals(name));
+  }
+
+  private boolean tryEnds(
+      List<String> things, int next, Map<String, End> ends, List<Formula> parts) {
+    if (next == things.size()) {
+      return holds(parts, ends);
+    }
+    String thing = things.get(next);
+    for (End end : endsOf(thing)) {
+      ends.put(thing, end);
+      if (tryEnds(things, next + 1, ends, parts)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private List<End> endsOf(String item) {
+    List<End> ends = new ArrayList<>();
+    ends.add(new End(End.Kind.LEFT, ""));
+    if (!isKnowable(item)) {
+      return ends;
+    }
+    for (String robot : floors.keySet()) {
+      if (canTake(robot, item)) {
+        ends.add(new End(End.Kind.HELD, robot));
+        for (String other : moment.places().keySet()) {
+          if (!other.equals(item) && !site.robots().contains(other)) {
+            ends.add(new End(End.Kind.BESIDE, other));
+          }
+        }
+        site.floor().zones().forEach(zone -> ends.add(new End(End.Kind.WITHIN, zone)));
+      }
+    }
+    return ends;
+  }
+
+  /** Whether somebody who looks finds it, or its holder says so. */
+  private boolean isKnowable(String thing) {
+    if (moment.isHidden(thing)) {
+      return false;
+    }
+    Optional<String> holder = moment.holder(thing);
+    if (holder.isPresent()) {
+      return usable.contains(holder.get());
+    }
+    return moment.zone(thing).filter(zone -> canLook(zone, moment.place(thing))).isPresent();
+  }
+
+  private boolean canLook(String zone, Position place) {
+    return site.cameras().stream().anyMatch(camera -> canLook(camera, zone))
+        && lighting.canMeet(fit(zone), List.of(place));
+  }
+
+  private boolean canLook(String camera, String zone) {
+    return usable.contains(camera) && site.floor().covers(camera, zone) && hasSensor(zone);
+  }
+
+  private boolean hasSensor(String zone) {
+    return site.of("LightSensor").stream()
+        .anyMatch(
+            sensor ->
+                usable.contains(sensor)
+                    && site.floor().outline(zone).contains(site.pose(sensor).floor()));
+  }
+
+  private static List<Truths.Constraint> fit(String zone) {
+    return List.of(
+        new Truths.Constraint(zone, Site.CAMERA_LEAST_LUX, true),
+        new Truths.Constraint(zone, Site.CAMERA_GREATEST_LUX, false));
+  }
+
+  private boolean canTake(String robot, String item) {
+    if (moment.holder(item).isPresent()) {
+      return moment.holder(item).get().equals(robot);
+    }
+    return site.mass(item) <= site.payload(robot) && floors.get(robot).reaches(moment.place(item));
+  }
+
+  private boolean holds(List<Formula> parts, Map<String, End> ends) {
+    Collection<String> holders =
+        ends.values().stream().filter(e -> e.kind() == End.Kind.HELD).map(End::where).toList();
+    if (new TreeSet<>(holders).size() < holders.size() || !areFeasible(ends)) {
+      return false;
+    }
+    List<Truths.Constraint> light = new ArrayList<>();
+    List<Position> seen = new ArrayList<>();
+    Map<String, String> robotZones = new TreeMap<>();
+    return parts.stream().allMatch(part -> holds(part, ends, light, seen, robotZones))
+        && lighting.canMeet(light, seen);
+  }
+
+  private boolean areFeasible(Map<String, End> ends) {
+    for (Map.Entry<String, End> entry : ends.entrySet()) {
+      End end = entry.getValue();
+      boolean feasible =
+          switch (end.kind()) {
+            case LEFT, HELD -> true;
+            case WITHIN -> takers(entry.getKey()).stream().anyMatch(f -> f.reaches(end.where()));
+            case BESIDE -> canEndBeside(entry.getKey(), end.where(), ends);
+          };
+      if (!feasible) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private List<FreeFloor> takers(String item) {
+    return floors.entrySet().stream()
+        .filter(robot -> canTake(robot.getKey(), item))
+        .map(Map.Entry::getValue)
+        .toList();
+  }
+
+  private boolean canEndBeside(String item, String target, Map<String, End> ends) {
+    End targetEnd = ends.getOrDefault(target, new End(End.Kind.LEFT, ""));
+    if (targetEnd.kind() == End.Kind.WITHIN) {
+      return takers(item).stream().anyMatch(floor -> floor.reaches(targetEnd.where()));
+    }
+    return targetEnd.kind() == End.Kind.LEFT
+        && moment.holder(target).isEmpty()
+        && isKnowable(target)
+        && takers(item).stream()
+            .anyMatch(floor -> floor.reachesBeside(moment.place(target), site.radius(target)));
+  }
+
+  private boolean holds(
+      Formula part,
+      Map<String, End> ends,
+      List<Truths.Constraint> light,
+      List<Position> seen,
+      Map<String, String> robotZones) {
+    if (part instanceof Formula.Comparison comparison) {
+      Truths.Constraint constraint = Truths.Constraint.of(comparison);
+      return hasSensor(constraint.zone()) && light.add(constraint);
+    }
+    Formula.Atom atom = (Formula.Atom) part;
+    String first = Truths.name(atom.arguments(), 0);
+    String second = atom.arguments().size() > 1 ? Truths.name(atom.arguments(), 1) : "";
+    return switch (atom.predicate()) {
+      case "open" -> openable.contains(first);
+      case "in" ->
+          floors.containsKey(first)
+              ? floors.get(first).reaches(second)
+                  && second.equals(robotZones.merge(first, second, (a, b) -> a.equals(b) ? a : ""))
+              : isIn(first, second, ends);
+      case "nextTo" -> isNextTo(first, second, ends);
+      case "canSee" -> isSeen(first, second, ends, light, seen);
+      default -> throw new IllegalArgumentException("No judge of " + part);
+    };
+  }
+
+  private boolean isIn(String thing, String place, Map<String, End> ends) {
+    End end = ends.get(thing);
+    if (end == null) {
+      return false;
+    }
+    return switch (end.kind()) {
+      case HELD, WITHIN -> end.where().equals(place);
+      case BESIDE -> false;
+      case LEFT -> isKnowable(thing) && isThere(thing, place);
+    };
+  }
+
+  private boolean isThere(String thing, String place) {
+    return moment.holder(thing).isPresent()
+        ? moment.holder(thing).get().equals(place)
+        : moment.zone(thing).filter(place::equals).isPresent();
+  }
+
+  private boolean isNextTo(String first, String second, Map<String, End> ends) {
+    End left = new End(End.Kind.LEFT, "");
+    End one = ends.getOrDefault(first, left);
+    End other = ends.getOrDefault(second, left);
+    return one.equals(new End(End.Kind.BESIDE, second))
+        || other.equals(new End(End.Kind.BESIDE, first));
+  }
+
+  private boolean isSeen(
+      String camera,
+      String thing,
+      Map<String, End> ends,
+      List<Truths.Constraint> light,
+      List<Position> seen) {
+    End end = ends.getOrDefault(thing, new End(End.Kind.LEFT, ""));
+    Optional<String> zone =
+        switch (end.kind()) {
+          case WITHIN -> Optional.of(end.where());
+          case LEFT ->
+              isKnowable(thing) && moment.holder(thing).isEmpty()
+                  ? moment.zone(thing)
+                  : Optional.empty();
+          case HELD, BESIDE -> Optional.empty();
+        };
+    boolean looked =
+        zone.isPresent()
+            && site.cameras().stream()
+                .anyMatch(c -> (camera.isEmpty() || camera.equals(c)) && canLook(c, zone.get()));
+    if (looked) {
+      light.addAll(fit(zone.get()));
+      if (end.kind() == End.Kind.LEFT) {
+        seen.add(moment.place(thing));
+      }
+    }
+    return looked;
+  }
+}

@@ -1,0 +1,278 @@
+package org.maestro.random;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.maestro.hal.Position;
+import org.maestro.ontology.home.Point2;
+
+/**
+ * Draws homes: one to six rooms, doors of all kinds, cameras, lamps and light sensors in some of
+ * them, robots, persons and things. The home file tells what is known of them, the scene what is
+ * true: where things are, which lamps are weak.
+ */
+public final class RandomHomes {
+  private static final double CEILING = 2.8;
+  private static final double CAMERA_LEAST_LUX = 72;
+  private static final double CAMERA_GREATEST_LUX = 2000;
+  private static final double ROBOT_RADIUS = 0.347;
+  private static final double PERSON_RADIUS = 0.25;
+  private static final double ITEM_RADIUS = 0.04;
+  private static final List<String> PERSONS = List.of("Bob", "Ann");
+  private static final List<String> ITEMS = List.of("Cup", "Book", "Key");
+  private static final List<String> ROBOTS = List.of("rose", "tim", "eve");
+  private static final List<String> COLOURS =
+      List.of("blue", "pink", "red", "white", "yellow", "orange", "green", "grey");
+
+  private final Chance chance;
+  private final FloorDraft floor;
+  private final StringBuilder home = new StringBuilder();
+  private final StringBuilder scene = new StringBuilder();
+  private final Cast cast = new Cast();
+  private int order;
+  private int colour;
+
+  private RandomHomes(long seed) {
+    this.chance = new Chance(seed);
+    this.floor = new FloorDraft(chance);
+    begin(seed);
+  }
+
+  /** The home of a seed: the same seed, the same home. */
+  public static RandomHome of(long seed) {
+    RandomHomes draft = new RandomHomes(seed);
+    draft.map();
+    draft.devices();
+    draft.bodies();
+    return new RandomHome(
+        seed,
+        draft.home.toString(),
+        draft.scene.toString(),
+        new RandomGoals(draft.chance, draft.cast, draft.floor).draw(),
+        new RandomFaults(draft.chance, draft.cast, draft.floor).draw());
+  }
+
+  private void begin(long seed) {
+    String iri = "https://w3id.org/maestro/home/random-" + seed;
+    home.append(
+        """
+        @prefix : <https://w3id.org/maestro/domain#> .
+        @prefix home: <%s#> .
+        @prefix maestro: <https://w3id.org/maestro#> .
+        @prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
+        <%s> a maestro:Home ; rdfs:label "Random home %d"@en .
+        """
+            .formatted(iri, iri, seed));
+    scene.append(
+        """
+        @base <%s> .
+        @prefix scene: <https://w3id.org/maestro/scene#> .
+        """
+            .formatted(iri));
+  }
+
+  private void map() {
+    for (FloorDraft.Room room : floor.rooms()) {
+      String outline = outline(room);
+      home(
+          "room-%s a maestro:Room ; maestro:outline \"%s\" ; maestro:height 2.8",
+          room.letter(), outline);
+      home(
+          "%s a maestro:Zone ; maestro:outline \"%s\" ; maestro:referencePoint \"%s 0\"",
+          room.zone(), outline, text(reference(room)));
+      scene(
+          "%s> scene:ambientLux %s",
+          room.zone(), number(chance.happens(0.3) ? chance.number(80, 400) : chance.number(0, 60)));
+      cast.zones.add(room.zone());
+    }
+    for (FloorDraft.Door door : floor.doors()) {
+      home(
+          "%s a %s ; maestro:openingFrom \"%s\" ; maestro:openingTo \"%s\" ; :side home:%s , home:%s%s%s",
+          door.name(),
+          door.kind().isDriven() ? ":DrivenDoor ; maestro:order " + ++order : "maestro:Door",
+          text(door.from()),
+          text(door.to()),
+          door.first().zone(),
+          door.second().zone(),
+          door.kind().isOpen() ? " ; :open true" : "",
+          door.kind() == FloorDraft.Kind.DRIVEN_LOCKED ? " ; :locked true" : "");
+      scene("%s> scene:open %s", door.name(), door.kind().isOpen());
+      cast.doors.add(door.name());
+      if (door.kind().isDriven()) {
+        cast.devices.add(door.name());
+      }
+    }
+  }
+
+  private void devices() {
+    for (FloorDraft.Room room : floor.rooms()) {
+      if (chance.happens(0.8)) {
+        device(cast.cameras, "cam-" + room.letter(), ":Camera", camera(room));
+      }
+      int lamps = chance.whole(0, 3);
+      for (int i = 1; i <= lamps; i++) {
+        lamp(room, "lamp-" + room.letter() + i);
+      }
+      if (chance.happens(0.85)) {
+        device(
+            cast.sensors,
+            "lux-" + room.letter(),
+            ":LightSensor",
+            "maestro:pose \"%s 0\"".formatted(text(reference(room))));
+      }
+    }
+  }
+
+  /** Most see their whole room; some only a part of it, and cover nothing. */
+  private String camera(FloorDraft.Room room) {
+    double halfDiagonal = Math.hypot(room.width(), room.depth()) / 2;
+    double angle = 2 * Math.toDegrees(Math.atan(halfDiagonal / CEILING)) + 2;
+    return "maestro:pose \"%s %s\" ; maestro:viewAngle %s ; :minimumIlluminance %s ; :maximumIlluminance %s"
+        .formatted(
+            text(room.middle()),
+            number(CEILING),
+            number(Math.ceil(chance.happens(0.1) ? angle / 2 : angle)),
+            number(CAMERA_LEAST_LUX),
+            number(CAMERA_GREATEST_LUX));
+  }
+
+  private void lamp(FloorDraft.Room room, String name) {
+    Point2 middle = room.middle();
+    String place =
+        text(
+            new Point2(
+                round(middle.x() + chance.number(-0.5, 0.5)),
+                round(middle.y() + chance.number(-0.5, 0.5))));
+    device(
+        cast.lamps,
+        name,
+        ":Lamp",
+        "maestro:pose \"%s %s\" ; maestro:luminousIntensity %d ; maestro:beamAngle %d ; :power %d"
+            .formatted(
+                place,
+                number(CEILING),
+                chance.whole(200, 1500),
+                chance.oneOf(List.of(110, 120)),
+                chance.whole(4, 30)));
+    if (chance.happens(0.3)) {
+      scene("%s> scene:level 1.0", name);
+    }
+    if (chance.happens(0.25)) {
+      scene("%s> scene:strength %s", name, number(chance.number(0.3, 0.95)));
+    }
+  }
+
+  private void bodies() {
+    int robots = chance.whole(1, 3);
+    for (String name : ROBOTS.subList(0, robots)) {
+      device(
+          cast.robots,
+          name,
+          ":MobileRobot",
+          ":colour \"%s\" ; :size \"0.58 0.38 0.4\" ; :speed 0.8 ; :payload 0.5"
+              .formatted(nextColour()));
+      scene(
+          "%s> scene:position \"%s\"", name, text(floor.place(floor.anyRoom(), ROBOT_RADIUS, 0.5)));
+    }
+    for (String name : PERSONS.subList(0, chance.whole(0, 2))) {
+      body(cast.persons, name, ":Person", "0.5 0.5 1.2", PERSON_RADIUS, "");
+    }
+    for (String name : ITEMS.subList(0, chance.whole(1, 3))) {
+      String mass =
+          number(chance.happens(0.85) ? chance.number(0.05, 0.5) : chance.number(0.5, 0.9));
+      body(cast.items, name, ":Item", "0.08 0.08 0.1", ITEM_RADIUS, mass);
+    }
+  }
+
+  private void body(
+      List<String> list, String name, String type, String size, double radius, String mass) {
+    FloorDraft.Room room = floor.anyRoom();
+    String usual =
+        chance.happens(0.6)
+            ? " ; :usuallyIn home:" + (chance.happens(0.7) ? room : floor.anyRoom()).zone()
+            : "";
+    home(
+        "%s a %s ; :colour \"%s\" ; :size \"%s\"%s%s",
+        name, type, nextColour(), size, mass.isEmpty() ? "" : " ; :mass " + mass, usual);
+    scene(
+        "%s> scene:position \"%s\" ; scene:radius %s%s%s",
+        name,
+        text(floor.place(room, radius, radius + 0.2)),
+        number(radius),
+        mass.isEmpty() ? "" : " ; scene:mass " + mass,
+        !mass.isEmpty() && chance.happens(0.06) ? " ; scene:hidden true" : "");
+    list.add(name);
+  }
+
+  private void device(List<String> list, String name, String type, String rest) {
+    home("%s a %s ; maestro:order %d ; %s", name, type, ++order, rest);
+    list.add(name);
+    cast.devices.add(name);
+  }
+
+  private String nextColour() {
+    return COLOURS.get(colour++);
+  }
+
+  private void home(String format, Object... values) {
+    home.append("home:").append(format.formatted(values)).append(" .\n");
+  }
+
+  private void scene(String format, Object... values) {
+    scene.append("<#").append(format.formatted(values)).append(" .\n");
+  }
+
+  private static Point2 reference(FloorDraft.Room room) {
+    return new Point2(round(room.x() + 0.1), round(room.y() + 0.1));
+  }
+
+  private static String outline(FloorDraft.Room room) {
+    double right = round(room.x() + room.width());
+    double top = round(room.y() + room.depth());
+    return "%s %s, %s %s, %s %s, %s %s"
+        .formatted(
+            number(room.x()),
+            number(room.y()),
+            number(right),
+            number(room.y()),
+            number(right),
+            number(top),
+            number(room.x()),
+            number(top));
+  }
+
+  private static double round(double number) {
+    return Math.round(100 * number) / 100.0;
+  }
+
+  private static String number(double number) {
+    return String.format(Locale.ROOT, "%.2f", number);
+  }
+
+  private static String text(Point2 point) {
+    return number(point.x()) + " " + number(point.y());
+  }
+
+  private static String text(Position place) {
+    return text(place.floor()) + " 0";
+  }
+
+  /** Who and what there is, by name. */
+  static final class Cast {
+    final List<String> zones = new ArrayList<>();
+    final List<String> doors = new ArrayList<>();
+    final List<String> cameras = new ArrayList<>();
+    final List<String> lamps = new ArrayList<>();
+    final List<String> sensors = new ArrayList<>();
+    final List<String> robots = new ArrayList<>();
+    final List<String> persons = new ArrayList<>();
+    final List<String> items = new ArrayList<>();
+    final List<String> devices = new ArrayList<>();
+
+    List<String> things() {
+      List<String> things = new ArrayList<>(persons);
+      things.addAll(items);
+      return things;
+    }
+  }
+}

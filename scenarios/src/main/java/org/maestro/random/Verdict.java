@@ -1,0 +1,31 @@
+package org.maestro.random;
+
+/**
+ * What the judge says of one claim.
+ *
+ * @param reason of a disagreement, in one sentence
+ */
+public record Verdict(String goal, Kind kind, String claim, String reason) {
+
+  /** The classes that are counted. */
+  public enum Kind {
+    /** Said to be reached, and so it is. */
+    ACHIEVED,
+    /** Said to be reached, and as near to it as sensors can tell. */
+    ACHIEVED_CLOSELY,
+    /** Said to be impossible, and nobody could do it. */
+    IMPOSSIBLE,
+    /** Said to be impossible within moments of a change that nobody could know of yet. */
+    TOO_LATE_TO_KNOW,
+    /** Said to be reached, and it is not. */
+    FALSELY_ACHIEVED,
+    /** Said to be impossible, and it can be done. */
+    FALSELY_IMPOSSIBLE,
+    /** It never ended. */
+    WITHOUT_END;
+
+    public boolean agrees() {
+      return ordinal() <= TOO_LATE_TO_KNOW.ordinal();
+    }
+  }
+}
