@@ -19,4 +19,9 @@ public record PlanningTask(
     Facts facts,
     List<PricedFeature> features,
     Formula goal,
-    Set<StepKey> barred) {}
+    Set<StepKey> barred) {
+
+  PlanningTask withFeatures(List<PricedFeature> others) {
+    return new PlanningTask(vocabulary, facts, others, goal, barred);
+  }
+}

@@ -16,6 +16,7 @@ import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.planning.OptimalPlanner;
+import org.maestro.planning.TieredPlanner;
 import org.maestro.platform.MaestroPlatform;
 import org.maestro.platform.PlatformSettings;
 import org.maestro.rats.broker.EmbeddedBroker;
@@ -157,7 +158,7 @@ public final class LocalSite implements AutoCloseable {
                 decisionTime,
                 settings.storyDirectory()),
             new CollectiveKnowledge(settings.home(), clock),
-            new OptimalPlanner(),
+            new TieredPlanner(new OptimalPlanner()),
             link,
             clock,
             new DescriptionReader(settings.home().vocabulary())::read);
