@@ -109,9 +109,10 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   public Change learn(FeatureRun run) {
     return guarded(
         () -> {
-          Lesson lesson = new Lesson(world, view(world), run);
+          Snapshot present = view(world);
+          Lesson lesson = new Lesson(world, present, run);
           return write(
-              Confidence.voice(world.home(), lesson.source()),
+              Confidence.voice(world.home(), lesson.source(), run, present),
               (draft, positions) -> lesson.facts(draft, positions::forget));
         });
   }

@@ -1,10 +1,17 @@
 package org.maestro.knowledge;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
+import org.maestro.ontology.vocabulary.Doubt;
+import org.maestro.sl.Evaluation;
+import org.maestro.sl.Facts;
+import org.maestro.sl.FreeVariables;
 import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
 
 /** How sure sources are, by what their descriptions say. */
 final class Confidence {
@@ -17,6 +24,24 @@ final class Confidence {
   /** Of itself a member is sure, of what it observes as sure as its description says. */
   static Voice voice(Home home, Source source) {
     return new Voice(source, source.kind() == Source.Kind.OBSERVED ? of(home, source.agent()) : 1);
+  }
+
+  /** Of what a result of the member's feature teaches. */
+  static Voice voice(Home home, Source source, FeatureRun run, Facts present) {
+    Voice voice = voice(home, source);
+    if (voice.expects() || !run.succeeded()) {
+      return voice;
+    }
+    Map<String, Term> bindings = new LinkedHashMap<>(run.bindings());
+    bindings.put("self", new Term.Name(run.member()));
+    double most =
+        run.feature().doubts().stream()
+            .filter(doubt -> bindings.keySet().containsAll(FreeVariables.of(doubt.when())))
+            .filter(doubt -> new Evaluation(present).truth(doubt.when(), bindings) != Truth.FALSE)
+            .mapToDouble(Doubt::confidence)
+            .min()
+            .orElse(1);
+    return new Voice(source, voice.confidence() * most);
   }
 
   private static double of(Home home, String agent) {

@@ -113,6 +113,7 @@ final class Household {
         OptionalDouble.empty(),
         Set.of(),
         List.of(),
+        List.of(),
         new Price.Stated(SlParser.expression("1")),
         SlParser.expression("1"),
         Optional.empty(),

@@ -103,6 +103,7 @@ final class SmallWorld implements Facts {
             OptionalDouble.empty(),
             Set.of(),
             List.of(),
+            List.of(),
             new Price.Stated(SlParser.expression("1")),
             SlParser.expression("1"),
             Optional.empty(),

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.function.UnaryOperator;
 import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.vocabulary.Claim;
+import org.maestro.ontology.vocabulary.Doubt;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.Price;
@@ -63,6 +64,7 @@ final class FeatureWriter {
     feature.frequencyHertz().ifPresent(hertz -> json.add("frequency", hertz));
     json.add("occupies", Json.createArrayBuilder(feature.occupies()));
     json.add("claims", claims(feature.claims()));
+    json.add("confidence", doubts(feature.doubts()));
     if (feature.cost() instanceof Price.Stated stated) {
       json.add("cost", SlPrinter.print(stated.cost()));
     } else if (feature.cost() instanceof Price.Asked asked) {
@@ -88,6 +90,17 @@ final class FeatureWriter {
           Json.createObjectBuilder()
               .add("variable", SlPrinter.print(claim.variable()))
               .add("when", SlPrinter.print(claim.when())));
+    }
+    return json;
+  }
+
+  private static JsonArrayBuilder doubts(List<Doubt> doubts) {
+    JsonArrayBuilder json = Json.createArrayBuilder();
+    for (Doubt doubt : doubts) {
+      json.add(
+          Json.createObjectBuilder()
+              .add("upTo", doubt.confidence())
+              .add("when", SlPrinter.print(doubt.when())));
     }
     return json;
   }

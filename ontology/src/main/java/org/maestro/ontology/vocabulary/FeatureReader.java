@@ -66,6 +66,7 @@ public final class FeatureReader {
             OptionalDouble.empty(),
             Set.of(),
             List.of(),
+            List.of(),
             new Price.Stated(new Expression.OfTerm(new Term.Number(0))),
             new Expression.OfTerm(new Term.Number(0)),
             Optional.empty(),
@@ -100,6 +101,7 @@ public final class FeatureReader {
             ? new LinkedHashSet<>(literals.names(node, "occupies"))
             : type.occupies(),
         has(node, "claims") ? claims(node) : type.claims(),
+        has(node, "confidence") ? doubts(node) : type.doubts(),
         price,
         literals
             .parsed(node, "seconds", SlParser::expression)
@@ -153,6 +155,35 @@ public final class FeatureReader {
       }
     }
     return List.copyOf(claims.values());
+  }
+
+  /** A number alone holds always; a node says under which formula. */
+  private List<Doubt> doubts(Node node) {
+    Map<String, Doubt> doubts = new TreeMap<>();
+    for (Node entry : graph.objects(node, Maestro.term("confidence"))) {
+      OptionalDouble number =
+          entry.isBlank()
+              ? literals.number(entry, "upTo")
+              : Literals.term(entry) instanceof Term.Number stated
+                  ? OptionalDouble.of(stated.value())
+                  : OptionalDouble.empty();
+      Optional<Formula> when =
+          entry.isBlank()
+              ? literals.parsed(entry, "when", text -> SlParser.formula(text, fluents))
+              : Optional.of(new Formula.And(List.of()));
+      if (number.isPresent() && when.isPresent()) {
+        Doubt doubt = new Doubt(number.getAsDouble(), when.get());
+        doubts.put(SlPrinter.print(doubt.when()) + doubt.confidence(), doubt);
+      } else if (number.isEmpty() || !has(entry, "when")) {
+        graph.fault(
+            node,
+            Maestro.term("confidence"),
+            Optional.of(entry),
+            "is neither a number nor a node with maestro:upTo and maestro:when",
+            "write 0.8, or [ maestro:upTo 0.4 ; maestro:when \"(...)\" ]");
+      }
+    }
+    return List.copyOf(doubts.values());
   }
 
   private Optional<Effect> effect(Node node, String property) {

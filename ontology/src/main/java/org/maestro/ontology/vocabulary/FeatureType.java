@@ -26,6 +26,7 @@ import org.maestro.sl.Formula;
  * @param frequencyHertz upper limit or fixed rate of a continuous feature
  * @param occupies components of the member
  * @param claims what else it needs for itself while it runs
+ * @param doubts why its results are less sure than its member is; none: as sure as the member
  * @param seconds expected duration, an expression
  * @param procedure the routine in the member's own software that runs it (phi); equals the name
  *     unless stated
@@ -48,6 +49,7 @@ public record FeatureType(
     OptionalDouble frequencyHertz,
     Set<String> occupies,
     List<Claim> claims,
+    List<Doubt> doubts,
     Price cost,
     Expression seconds,
     Optional<String> exit,
@@ -58,6 +60,7 @@ public record FeatureType(
     binds = List.copyOf(binds);
     outputs = List.copyOf(outputs);
     claims = List.copyOf(claims);
+    doubts = List.copyOf(doubts);
     occupies = Collections.unmodifiableSet(new TreeSet<>(occupies));
     refersTo = Collections.unmodifiableMap(new TreeMap<>(refersTo));
   }
@@ -80,6 +83,7 @@ public record FeatureType(
         frequencyHertz,
         occupies,
         claims,
+        doubts,
         cost,
         seconds,
         exit,

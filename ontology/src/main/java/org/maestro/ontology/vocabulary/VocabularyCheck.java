@@ -111,6 +111,9 @@ public final class VocabularyCheck {
     check(node, "seconds", given, names -> names.check(feature.seconds()));
     checkFacts(node, "refersTo", given);
     checkClaims(node, feature, given);
+    for (Doubt doubt : feature.doubts()) {
+      check(node, "confidence", given, names -> names.check(doubt.when()));
+    }
     for (String property : List.of("input", "binds", "output")) {
       graph.objects(node, Maestro.term(property)).forEach(this::checkTypes);
     }

@@ -1,0 +1,11 @@
+package org.maestro.ontology.vocabulary;
+
+import org.maestro.sl.Formula;
+
+/**
+ * How sure a feature's results are, at most.
+ *
+ * @param confidence 0 (worthless) to 1 (certain)
+ * @param when the formula over {@code ?self}, inputs and binds under which it is no surer
+ */
+public record Doubt(double confidence, Formula when) {}
