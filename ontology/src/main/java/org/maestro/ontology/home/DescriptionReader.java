@@ -27,9 +27,11 @@ public final class DescriptionReader {
 
   private final Vocabulary vocabulary;
   private final Background background = new Background();
+  private final SourceGraph metaVocabulary = new SourceGraph();
 
   public DescriptionReader(Vocabulary vocabulary) {
     this.vocabulary = vocabulary;
+    HomeLoader.readMetaVocabulary(metaVocabulary);
   }
 
   /**
@@ -47,7 +49,7 @@ public final class DescriptionReader {
     background.explain(graph, node);
     refuseStrangers(graph, node, member);
     refuseFaults(graph);
-    HomeLoader.readMetaVocabulary(graph);
+    graph.copy(metaVocabulary, triple -> true);
     HomeLoader.shapes().check(graph);
     Individual individual = new IndividualReader(graph, vocabulary).read(node);
     if (!individual.classes().contains("Device")) {

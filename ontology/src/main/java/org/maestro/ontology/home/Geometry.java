@@ -30,6 +30,7 @@ public final class Geometry {
   private final FloorPlan closed;
   private final WayFinder ways;
   private final Map<Sight, Double> viewShares = new ConcurrentHashMap<>();
+  private final Map<Segment, OptionalDouble> fixedWays = new ConcurrentHashMap<>();
 
   private record Sight(Pose pose, double viewAngle, String zone) {}
 
@@ -193,8 +194,15 @@ public final class Geometry {
     Optional<Point2> from = floorPoint(a, positions);
     Optional<Point2> to = floorPoint(b, positions);
     return from.isPresent() && to.isPresent()
-        ? ways.length(from.get(), to.get())
+        ? length(from.get(), to.get(), outlines.containsKey(a) && outlines.containsKey(b))
         : OptionalDouble.empty();
+  }
+
+  /** Ways between what never moves are asked for again and again, and kept. */
+  private OptionalDouble length(Point2 from, Point2 to, boolean fixedEnds) {
+    return fixedEnds
+        ? fixedWays.computeIfAbsent(new Segment(from, to), way -> ways.length(from, to))
+        : ways.length(from, to);
   }
 
   /** Where a location's light is measured: as stated, at its position, or its outline's middle. */

@@ -147,7 +147,12 @@ public final class HomeLoader {
   }
 
   static ShapeCheck shapes() {
-    return new ShapeCheck(resource(SHAPES_RESOURCE));
+    return ShippedShapes.CHECK;
+  }
+
+  /** Read when first needed; immutable. */
+  private static final class ShippedShapes {
+    private static final ShapeCheck CHECK = new ShapeCheck(resource(SHAPES_RESOURCE));
   }
 
   private static void refuseFaults(SourceGraph graph) {

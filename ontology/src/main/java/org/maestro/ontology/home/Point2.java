@@ -4,7 +4,9 @@ package org.maestro.ontology.home;
 public record Point2(double x, double y) {
 
   public double distance(Point2 other) {
-    return Math.hypot(other.x - x, other.y - y);
+    double dx = other.x - x;
+    double dy = other.y - y;
+    return Math.sqrt(dx * dx + dy * dy);
   }
 
   Point2 plus(double dx, double dy) {
