@@ -1,5 +1,6 @@
 package org.maestro.coordination;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -7,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.rats.time.Clock;
 
 /**
  * Pursues the goals of one scope. Confined to one thread: the owner's, on which all ports answer
@@ -18,7 +20,7 @@ public final class Coordinator {
   private final Ports ports;
   private final JournaledCrew crew;
   private final Roster roster = new Roster();
-  private final Occupancy occupancy = new Occupancy();
+  private final Rivals rivals = new Rivals();
   private final ExactPrices exactPrices = new ExactPrices();
   private final Map<String, GoalPursuit> pursuits = new LinkedHashMap<>();
   private int lastNumber;
@@ -37,23 +39,32 @@ public final class Coordinator {
    */
   public String submit(GoalRequest request, Consumer<GoalOutcome> ended) {
     new GoalCheck(ports.knowledge().home()).check(request.goal());
-    String id = "G" + ++lastNumber;
+    int number = ++lastNumber;
+    String id = "G" + number;
     GoalPursuit pursuit =
         new GoalPursuit(
             id,
             request,
             ports,
             roster,
-            occupancy,
+            rivals,
             exactPrices,
-            outcome -> {
-              ports.journal().afterwards(() -> ended.accept(outcome));
-              advanceAll();
-            });
+            outcome -> ports.journal().afterwards(() -> ended.accept(outcome)));
     pursuits.put(id, pursuit);
+    rivals.enter(pursuit, new Standing(request.priority(), request.deadline(), number));
     ports.journal().write(new JournalEntry.Submitted(id, request));
-    ports.thinking().think(() -> id, started -> pursuit.start());
+    ports.thinking().think(() -> id, started -> rivals.run(pursuit::start));
+    request.deadline().ifPresent(deadline -> endAt(deadline, pursuit));
     return id;
+  }
+
+  /** The clock's thread only hands over. */
+  private void endAt(Duration deadline, GoalPursuit pursuit) {
+    Clock clock = ports.clock();
+    clock.schedule(
+        deadline.minus(clock.now()),
+        pursuit.id(),
+        () -> ports.thinking().think(pursuit::id, passed -> rivals.run(pursuit::deadlinePassed)));
   }
 
   /** Returns whether there is such a goal, and it had not ended yet. */
@@ -62,7 +73,7 @@ public final class Coordinator {
     if (pursuit == null || pursuit.status().state().isFinal()) {
       return false;
     }
-    pursuit.cancel(who);
+    rivals.run(() -> pursuit.cancel(who));
     return true;
   }
 
@@ -93,13 +104,17 @@ public final class Coordinator {
     ports.journal().write(new JournalEntry.MemberWent(member, reason));
     exactPrices.forget(member);
     ports.knowledge().lost(member);
-    List.copyOf(pursuits.values()).forEach(pursuit -> pursuit.memberLost(member));
+    rivals.run(
+        () -> {
+          rivals.leases().lost(member);
+          rivals.all().forEach(pursuit -> pursuit.memberLost(member));
+        });
   }
 
   public void knowledgeChanged(KnowledgeBase.Change change) {
     exactPrices.forget(change.source().agent());
-    List.copyOf(pursuits.values()).forEach(pursuit -> pursuit.knowledgeChanged(change));
-    advanceAll();
+    Interest changed = Interest.of(change.facts(), ports.knowledge().home().vocabulary());
+    rivals.run(() -> rivals.all().forEach(pursuit -> pursuit.knowledgeChanged(change, changed)));
   }
 
   public boolean isPresent(String member) {
@@ -112,7 +127,8 @@ public final class Coordinator {
     return goals;
   }
 
-  private void advanceAll() {
-    List.copyOf(pursuits.values()).forEach(GoalPursuit::advance);
+  /** The wait-for graph: which goal waits for what, and which goal has it. */
+  public List<WaitsFor> waits() {
+    return rivals.leases().graph();
   }
 }

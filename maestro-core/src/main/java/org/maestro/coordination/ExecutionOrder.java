@@ -30,12 +30,15 @@ final class ExecutionOrder {
    * @param done numbers of the steps that are done
    */
   List<Step> startable(Set<Integer> done) {
+    return presentPart(done).stream().filter(step -> done.containsAll(step.after())).toList();
+  }
+
+  /** The steps left that serve sensing that is left; without such, all that are left. */
+  List<Step> presentPart(Set<Integer> done) {
+    List<Step> left = plan.steps().stream().filter(step -> !done.contains(step.number())).toList();
     List<Step> sensingLeft =
-        plan.steps().stream()
-            .filter(step -> !done.contains(step.number()) && Sensing.isIn(step.feature().effect()))
-            .toList();
-    return plan.steps().stream()
-        .filter(step -> !done.contains(step.number()) && done.containsAll(step.after()))
+        left.stream().filter(step -> Sensing.isIn(step.feature().effect())).toList();
+    return left.stream()
         .filter(step -> sensingLeft.isEmpty() || serves(step, sensingLeft))
         .toList();
   }

@@ -2,6 +2,7 @@ package org.maestro.coordination;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
 import org.maestro.rats.time.Clock;
@@ -47,12 +48,31 @@ final class GoalLife {
     return state;
   }
 
+  String detail() {
+    return detail;
+  }
+
   boolean isOver() {
     return state.isFinal();
   }
 
-  GoalStatus status() {
-    return new GoalStatus(id, SlPrinter.print(request.goal()), request.requester(), state, detail);
+  GoalStatus status(List<WaitsFor> waits) {
+    return new GoalStatus(
+        id,
+        SlPrinter.print(request.goal()),
+        request.requester(),
+        state,
+        detail,
+        request.priority(),
+        request.deadline().map(deadline -> deadline.minus(clock.now())),
+        clock.now().minus(submittedAt),
+        waits);
+  }
+
+  /** What it is at, as the end of a sentence. */
+  String standingInWords() {
+    String where = state.name().toLowerCase(Locale.ROOT);
+    return detail.isEmpty() ? " while " + where : " while " + where + " (" + detail + ")";
   }
 
   /** The only way to another state, except to an end. */

@@ -8,9 +8,12 @@ import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.knowledge.Snapshot;
 import org.maestro.planning.Plan;
 import org.maestro.planning.PlanningResult;
 import org.maestro.planning.Step;
+import org.maestro.sl.Change;
+import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
 /**
@@ -22,14 +25,19 @@ final class GoalPursuit {
 
   private final Ports ports;
   private final Roster roster;
+  private final Rivals rivals;
   private final ExactPrices exactPrices;
   private final GoalStory story;
   private final GoalLife life;
   private final PlanUnderway plan = new PlanUnderway();
   private final StepsUnderway underway = new StepsUnderway();
   private final Outlook outlook;
+  private final Contention contention;
+  private final Turn turn;
   private final StepExecution execution;
   private Optional<String> planAgain = Optional.empty();
+  private Interest planInterest;
+  private Interest changedMeanwhile;
   private boolean planning;
 
   GoalPursuit(
@@ -37,20 +45,26 @@ final class GoalPursuit {
       GoalRequest request,
       Ports ports,
       Roster roster,
-      Occupancy occupancy,
+      Rivals rivals,
       ExactPrices exactPrices,
       Consumer<GoalOutcome> ended) {
     this.ports = ports;
     this.roster = roster;
+    this.rivals = rivals;
     this.exactPrices = exactPrices;
     this.story = new GoalStory(id, ports.story(), ports.clock(), ports.knowledge());
     this.life = new GoalLife(id, request, ports, story, ended);
-    this.outlook = new Outlook(id, request, ports, underway);
+    this.planInterest = new Interest(ports.knowledge().home().vocabulary());
+    this.changedMeanwhile = planInterest;
+    this.outlook = new Outlook(id, request, ports, rivals);
+    this.contention = new Contention(id, request, ports, rivals, plan, underway);
+    this.turn = new Turn(life, story, rivals, contention, underway);
     this.execution =
         new StepExecution(
             id,
             ports,
-            occupancy,
+            rivals,
+            contention,
             exactPrices,
             story,
             underway,
@@ -59,12 +73,22 @@ final class GoalPursuit {
   }
 
   void start() {
-    story.submitted(life.request());
-    makePlan(Optional.empty());
+    if (!life.isOver()) {
+      story.submitted(life.request());
+      makePlan(Optional.empty());
+    }
+  }
+
+  String id() {
+    return life.id();
   }
 
   GoalStatus status() {
-    return life.status();
+    return life.status(rivals.leases().waitsOf(life.id()));
+  }
+
+  StepsUnderway underway() {
+    return underway;
   }
 
   void cancel(String who) {
@@ -73,11 +97,44 @@ final class GoalPursuit {
     }
   }
 
+  /** The time by which it had to be reached is over. */
+  void deadlinePassed() {
+    if (!life.isOver()) {
+      end(
+          GoalState.FAILED,
+          false,
+          Map.of(),
+          List.of("Its deadline has passed" + life.standingInWords() + "."));
+    }
+  }
+
   /** Something changed that no step of this goal reported. */
-  void knowledgeChanged(KnowledgeBase.Change change) {
-    if (isFollowingPlan()) {
+  void knowledgeChanged(KnowledgeBase.Change change, Interest changed) {
+    if (planning) {
+      changedMeanwhile.addAll(changed);
+    }
+    if (!isFollowingPlan()) {
+      return;
+    }
+    if (turn.isAwaited()) {
+      if (goalInterest().isConcernedBy(changed)) {
+        settleIfReached();
+      }
+    } else if (planInterest.isConcernedBy(changed)) {
       reconsider(() -> story.becauseOf(change));
     }
+  }
+
+  private Interest goalInterest() {
+    Interest interest = new Interest(ports.knowledge().home().vocabulary());
+    interest.add(life.request().goal(), Map.of());
+    return interest;
+  }
+
+  private Interest interestIn(List<Step> steps) {
+    Interest interest = goalInterest();
+    steps.forEach(interest::add);
+    return interest;
   }
 
   void memberLost(String member) {
@@ -89,23 +146,92 @@ final class GoalPursuit {
 
   /** Begins what may begin; what a step waits for may have become free. */
   void advance() {
-    if (!isFollowingPlan()) {
+    if (!isFollowingPlan() || turn.isAfterAnother()) {
       return;
     }
-    List<Step> waiting = new ArrayList<>();
+    List<WaitsFor> obstacles = contention.keepWhatIsWanted();
+    if (!obstacles.isEmpty()) {
+      turn.await(contention.wanted(), obstacles);
+    } else if (turn.isAwaited()) {
+      turn.came(outlook.isConfirming());
+      reconsider(() -> "things have changed while it waited");
+    } else if (!turn.givesWay(contention.wanted())) {
+      beginSteps();
+    }
+  }
+
+  private void beginSteps() {
+    List<WaitsFor> waits = new ArrayList<>();
     for (Step step : plan.startable()) {
-      if (underway.contains(step)) {
+      if (underway.contains(step) || underway.clashesWith(step)) {
         continue;
       }
-      if (execution.mayBegin(step)) {
+      List<WaitsFor> obstacles = contention.obstacles(step);
+      Optional<GoalPursuit> spoiled = heldBy(obstacles);
+      if (spoiled.isPresent()) {
+        leaveAlone(step, spoiled.get());
+        return;
+      }
+      if (obstacles.isEmpty()) {
         begin(step);
       } else {
-        waiting.add(step);
+        waits.addAll(obstacles);
       }
     }
-    if (underway.isEmpty() && !waiting.isEmpty()) {
-      life.become(GoalState.WAITING, execution.obstacle(waiting.get(0)));
+    if (waits.isEmpty()) {
+      rivals.leases().stopWaiting(id());
+    } else {
+      turn.awaitForStep(waits);
     }
+  }
+
+  /** A wish that is kept has no end to wait for. */
+  private Optional<GoalPursuit> heldBy(List<WaitsFor> obstacles) {
+    return obstacles.stream()
+        .flatMap(obstacle -> rivals.find(obstacle.holder()).stream())
+        .filter(GoalPursuit::isHolding)
+        .findFirst();
+  }
+
+  private void leaveAlone(Step step, GoalPursuit holding) {
+    if (life.request().priority() > holding.life.request().priority()) {
+      holding.turn.standBackFor(id());
+      advance();
+    } else {
+      outlook.leaveAlone(step, holding.id());
+      makePlan(
+          Optional.of(
+              "%s would end what %s keeps (%s)"
+                  .formatted(story.sentence(step), holding.id(), holding.status().goal())));
+    }
+  }
+
+  boolean isHolding() {
+    return life.state() == GoalState.HOLDING;
+  }
+
+  /** What the changes would spoil that this goal counts on, if anything. */
+  Optional<Formula> countsOn(List<Change> changes, Snapshot now) {
+    if (life.isOver() || life.state() == GoalState.SUSPENDED) {
+      return Optional.empty();
+    }
+    return contention.spoiledBy(changes, now, isHolding(), !turn.isAwaited());
+  }
+
+  boolean isTied(String member) {
+    return contention.isTied(member);
+  }
+
+  double remainingSeconds() {
+    return plan.remaining().stream().mapToDouble(Step::seconds).sum();
+  }
+
+  double secondsOfRunningSteps() {
+    return underway.steps().stream().mapToDouble(Step::seconds).max().orElse(0);
+  }
+
+  Turn turn() {
+    return turn;
   }
 
   private boolean isFollowingPlan() {
@@ -115,7 +241,7 @@ final class GoalPursuit {
   private void begin(Step step) {
     life.countCall();
     if (life.state() == GoalState.WAITING) {
-      life.become(GoalState.RUNNING, "");
+      life.become(outlook.isConfirming() ? GoalState.CONFIRMING : GoalState.RUNNING, "");
     }
     story.begun(step, plan.size());
     execution.begin(step);
@@ -135,16 +261,20 @@ final class GoalPursuit {
       return;
     }
     planning = true;
+    changedMeanwhile = new Interest(ports.knowledge().home().vocabulary());
+    turn.forget();
     life.countPlan(outlook.isConfirming());
     life.become(stateWhilePlanning(why), why.orElse(""));
     story.planning(life.plans(), why);
-    new PlanningRound(
+    new PlanMaking(
+            id(),
             ports,
             exactPrices,
-            outlook.subject(),
-            outlook.barred(),
-            outlook::presentFacts,
-            this::planned)
+            outlook,
+            rivals,
+            contention,
+            story,
+            round -> rivals.run(() -> planned(round)))
         .start();
   }
 
@@ -163,7 +293,7 @@ final class GoalPursuit {
     }
     outlook.offered(round.features());
     story.bids(round.tender().bids(), round.questions());
-    Optional<String> why = planAgain;
+    Optional<String> why = planAgain.or(() -> changedMeanwhile(round.result()));
     planAgain = Optional.empty();
     if (why.isPresent() && !isStillGood(round.result())) {
       round.tender().award(Map.of());
@@ -176,6 +306,13 @@ final class GoalPursuit {
     }
   }
 
+  private Optional<String> changedMeanwhile(PlanningResult result) {
+    return result instanceof PlanningResult.Found found
+            && interestIn(found.plan().steps()).isConcernedBy(changedMeanwhile)
+        ? Optional.of("things have changed while it was planned")
+        : Optional.empty();
+  }
+
   /** Something happened while it was planned: is the plan the right one all the same? */
   private boolean isStillGood(PlanningResult result) {
     return result instanceof PlanningResult.Found found
@@ -185,11 +322,13 @@ final class GoalPursuit {
 
   private void adopt(Plan found, Market.Tender tender) {
     plan.adopt(found);
+    planInterest = interestIn(found.steps());
     story.plan(life.plans(), found, outlook.isConfirming());
     Map<String, List<Step>> parts = new TreeMap<>();
     found.steps().forEach(s -> parts.computeIfAbsent(s.member(), m -> new ArrayList<>()).add(s));
     tender.award(parts);
     execution.callOffAllBut(found.steps());
+    contention.letGoOfWhatIsDone();
     if (!outlook.isConfirming()) {
       life.become(GoalState.RUNNING, "");
     }
@@ -198,6 +337,7 @@ final class GoalPursuit {
 
   private void noPlan(PlanningResult result) {
     plan.drop();
+    contention.letGo();
     if (!underway.isEmpty()) {
       life.become(GoalState.WAITING, "what is under way has to end first");
       return;
@@ -210,7 +350,9 @@ final class GoalPursuit {
       outlook.confirm(Optional.empty());
       makePlan(Optional.of("it cannot be seen any more that the goal is reached"));
     } else {
-      end(GoalState.FAILED, false, Map.of(), story.reasons(result));
+      List<String> reasons = new ArrayList<>(outlook.reasonsOfLeavingAlone());
+      reasons.addAll(story.reasons(result));
+      end(GoalState.FAILED, false, Map.of(), reasons);
     }
   }
 
@@ -223,6 +365,7 @@ final class GoalPursuit {
       story.failed(
           ended.step(), ended.report().problem().orElse("no reason given"), ended.change());
     }
+    contention.letGoOfWhatIsDone();
     if (planning) {
       planAgain = Optional.of("meanwhile " + story.becauseOf(ended.change()));
     } else if (plan.exists()) {
@@ -250,6 +393,13 @@ final class GoalPursuit {
       makePlan(Optional.of(why.get() + blockedStep(remaining)));
     } else {
       continueOrSettle();
+    }
+  }
+
+  private void settleIfReached() {
+    Optional<Plan> reached = outlook.holds();
+    if (reached.isPresent() && underway.isEmpty()) {
+      settle(reached.get().goalBinding());
     }
   }
 
@@ -296,5 +446,6 @@ final class GoalPursuit {
       GoalState how, boolean confirmed, Map<String, Term> binding, List<String> reasons) {
     execution.release();
     life.end(how, confirmed, binding, reasons);
+    rivals.leave(id());
   }
 }

@@ -70,6 +70,37 @@ final class GoalStory {
     return List.of(fact.replaceAll("[()]", " ").trim().split("\\s+")).contains(name);
   }
 
+  void takesWhatIsFree(
+      Collection<String> busy, double waitSeconds, double cheapest, double chosen) {
+    tell(
+        StoryEntry.Kind.PLAN,
+        "The plan of cost %s would wait %s seconds or so for %s; with what is free it costs %s."
+            .formatted(
+                Sentences.number(cheapest),
+                Sentences.number(waitSeconds),
+                String.join(", ", busy),
+                Sentences.number(chosen)));
+  }
+
+  /** Each thing is told once, until another is waited for. */
+  void waits(List<WaitsFor> obstacles) {
+    String text =
+        obstacles.stream()
+            .map(WaitsFor::inWords)
+            .distinct()
+            .limit(MOST_FACTS)
+            .collect(Collectors.joining(", "));
+    tell(StoryEntry.Kind.WAIT, "Waits: " + text + ".");
+  }
+
+  void suspended(String why) {
+    tell(StoryEntry.Kind.WAIT, "Stands back: " + why + ".");
+  }
+
+  void goesOn() {
+    tell(StoryEntry.Kind.WAIT, "Goes on.");
+  }
+
   void planning(int number, Optional<String> why) {
     why.ifPresent(reason -> tell(StoryEntry.Kind.REPLAN, "Plan again, because " + reason + "."));
   }

@@ -1,5 +1,7 @@
 package org.maestro.coordination;
 
+import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -17,17 +19,18 @@ final class Outlook {
   private final String goalId;
   private final GoalRequest request;
   private final Ports ports;
-  private final StepsUnderway underway;
+  private final Rivals rivals;
   private final PlanCheck check;
   private final FailureMemory failures = new FailureMemory();
+  private final Map<StepKey, String> leftAlone = new LinkedHashMap<>();
   private List<PricedFeature> features = List.of();
   private Optional<Confirmation> confirmation = Optional.empty();
 
-  Outlook(String goalId, GoalRequest request, Ports ports, StepsUnderway underway) {
+  Outlook(String goalId, GoalRequest request, Ports ports, Rivals rivals) {
     this.goalId = goalId;
     this.request = request;
     this.ports = ports;
-    this.underway = underway;
+    this.rivals = rivals;
     this.check = new PlanCheck(ports.planner());
   }
 
@@ -80,16 +83,41 @@ final class Outlook {
   }
 
   FactsBesideSteps presentFacts() {
-    return underway.facts(ports.knowledge().snapshot(), ports.knowledge().home().vocabulary());
+    return rivals.factsBesideSteps(
+        ports.knowledge().snapshot(), ports.knowledge().home().vocabulary());
   }
 
   void failed(Step step, String factsBefore) {
     failures.note(step.key(), factsBefore);
   }
 
-  /** Steps that failed too often with facts as they are. */
+  /** The step would end what another goal keeps for good; as long as it does, nobody does it. */
+  void leaveAlone(Step step, String keeper) {
+    leftAlone.put(step.key(), keeper);
+  }
+
+  List<String> reasonsOfLeavingAlone() {
+    return leftAlone.values().stream()
+        .distinct()
+        .flatMap(keeper -> rivals.find(keeper).stream())
+        .filter(GoalPursuit::isHolding)
+        .map(
+            keeper ->
+                "It would end what %s keeps, %s; cancel that one, or give this one a higher priority."
+                    .formatted(keeper.id(), keeper.status().goal()))
+        .toList();
+  }
+
+  /**
+   * Steps that failed too often with facts as they are, and those that would end what others keep.
+   */
   Set<StepKey> barred() {
-    return failures.barred(this::factsUnder);
+    leftAlone
+        .values()
+        .removeIf(keeper -> rivals.find(keeper).filter(GoalPursuit::isHolding).isEmpty());
+    Set<StepKey> barred = new HashSet<>(failures.barred(this::factsUnder));
+    barred.addAll(leftAlone.keySet());
+    return barred;
   }
 
   /** The facts on which the step's precondition rests, as text to be compared. */

@@ -2,10 +2,12 @@ package org.maestro.coordination;
 
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.maestro.planning.Plan;
 import org.maestro.planning.Step;
+import org.maestro.sl.Term;
 
 /** The plan that a goal follows now, and which of its steps are done. */
 final class PlanUnderway {
@@ -35,6 +37,26 @@ final class PlanUnderway {
     return plan.map(p -> new ExecutionOrder(p).startable(done)).orElse(List.of());
   }
 
+  /** The remaining steps that the looks left depend on; once all looks are done, all the rest. */
+  List<Step> presentPart() {
+    return plan.map(p -> new ExecutionOrder(p).presentPart(done)).orElse(List.of());
+  }
+
+  /** What remains, and done steps on whose outcome a remaining one builds directly. */
+  List<Step> needed() {
+    List<Step> remaining = remaining();
+    return steps().stream()
+        .filter(
+            step ->
+                !done.contains(step.number())
+                    || remaining.stream().anyMatch(next -> next.after().contains(step.number())))
+        .toList();
+  }
+
+  boolean hasBegun() {
+    return !done.isEmpty();
+  }
+
   List<Step> remaining() {
     return steps().stream().filter(step -> !done.contains(step.number())).toList();
   }
@@ -45,6 +67,10 @@ final class PlanUnderway {
         .filter(step -> step.key().equals(ended.key()))
         .findFirst()
         .ifPresent(step -> done.add(step.number()));
+  }
+
+  Map<String, Term> goalBinding() {
+    return plan.map(Plan::goalBinding).orElse(Map.of());
   }
 
   private List<Step> steps() {

@@ -65,6 +65,7 @@ final class PlanningRound {
   private final ExactPrices exactPrices;
   private final Subject subject;
   private final Set<StepKey> barred;
+  private final Set<String> without;
   private final Supplier<? extends Facts> facts;
   private final Consumer<Ended> then;
   private int questions;
@@ -74,12 +75,14 @@ final class PlanningRound {
       ExactPrices exactPrices,
       Subject subject,
       Set<StepKey> barred,
+      Set<String> without,
       Supplier<? extends Facts> facts,
       Consumer<Ended> then) {
     this.ports = ports;
     this.exactPrices = exactPrices;
     this.subject = subject;
     this.barred = barred;
+    this.without = without;
     this.facts = facts;
     this.then = then;
   }
@@ -87,6 +90,7 @@ final class PlanningRound {
   void start() {
     Map<String, List<String>> candidates =
         Relevance.candidates(subject.goal(), ports.knowledge().home());
+    candidates.keySet().removeAll(without);
     ports
         .market()
         .callForPrices(

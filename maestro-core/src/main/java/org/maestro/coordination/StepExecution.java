@@ -21,7 +21,8 @@ import org.maestro.sl.Term;
 final class StepExecution {
   private final String goalId;
   private final Ports ports;
-  private final Occupancy occupancy;
+  private final Rivals rivals;
+  private final Contention contention;
   private final ExactPrices exactPrices;
   private final GoalStory story;
   private final StepsUnderway underway;
@@ -47,7 +48,8 @@ final class StepExecution {
   StepExecution(
       String goalId,
       Ports ports,
-      Occupancy occupancy,
+      Rivals rivals,
+      Contention contention,
       ExactPrices exactPrices,
       GoalStory story,
       StepsUnderway underway,
@@ -55,7 +57,8 @@ final class StepExecution {
       Consumer<Ended> ended) {
     this.goalId = goalId;
     this.ports = ports;
-    this.occupancy = occupancy;
+    this.rivals = rivals;
+    this.contention = contention;
     this.exactPrices = exactPrices;
     this.story = story;
     this.underway = underway;
@@ -63,18 +66,8 @@ final class StepExecution {
     this.ended = ended;
   }
 
-  boolean mayBegin(Step step) {
-    return occupancy.isFree(step.member(), step.feature().occupies())
-        && !underway.clashesWith(step);
-  }
-
-  /** What the step waits for, for people. */
-  String obstacle(Step step) {
-    return occupancy.holders(step.member(), step.feature().occupies());
-  }
-
   void begin(Step step) {
-    occupancy.take(step.member(), step.feature().occupies(), goalId);
+    Set<Resource> used = contention.begin(step);
     Snapshot before = ports.knowledge().snapshot();
     Map<String, Argument> arguments =
         new CallArguments(ports.knowledge().home(), before).of(step.feature(), step.bindings());
@@ -84,7 +77,7 @@ final class StepExecution {
             .crew()
             .perform(
                 new Crew.Order(goalId, step, arguments, timeout(step)),
-                report -> reported(step, before, report, performance[0]));
+                report -> rivals.run(() -> reported(step, used, before, report, performance[0])));
     underway.begun(step, before, performance[0]);
   }
 
@@ -108,17 +101,24 @@ final class StepExecution {
   }
 
   private void reported(
-      Step step, Snapshot before, Crew.Report report, Crew.Performance performance) {
+      Step step,
+      Set<Resource> used,
+      Snapshot before,
+      Crew.Report report,
+      Crew.Performance performance) {
     boolean calledOff = underway.ended(step);
-    occupancy.release(step.member(), step.feature().occupies(), goalId);
+    contention.ended(used);
     exactPrices.forget(step.member());
     String factsBefore = factsUnder.apply(step.key());
     KnowledgeBase.Change change = ports.knowledge().learn(run(step, before, report));
     if (goalOver) {
       return;
     }
-    if (report.succeeded() && step.feature().continuous()) {
-      keepOrEnd(step, performance);
+    if (report.succeeded()) {
+      contention.done(step, before);
+      if (step.feature().continuous()) {
+        keepOrEnd(step, performance);
+      }
     }
     ended.accept(new Ended(step, report, calledOff, factsBefore, change));
   }

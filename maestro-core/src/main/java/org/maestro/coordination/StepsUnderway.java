@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.knowledge.Snapshot;
-import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
 
@@ -59,10 +58,12 @@ final class StepsUnderway {
     }
   }
 
-  /** What is known, without what these steps are just changing. */
-  FactsBesideSteps facts(Snapshot now, Vocabulary vocabulary) {
-    FactsBesideSteps facts = new FactsBesideSteps(now, vocabulary);
+  List<Step> steps() {
+    return underway.values().stream().map(Underway::step).toList();
+  }
+
+  /** Tells what these steps are just changing. */
+  void addTo(FactsBesideSteps facts) {
     underway.values().forEach(u -> facts.add(u.step(), u.before()));
-    return facts;
   }
 }

@@ -14,6 +14,7 @@ public record StoryEntry(String goalId, Duration at, Kind kind, String text) {
     KNOWN,
     BIDS,
     PLAN,
+    WAIT,
     STEP,
     DONE,
     FAILED,

@@ -1,0 +1,157 @@
+package org.maestro.coordination;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.ontology.vocabulary.Price;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.planning.Step;
+import org.maestro.sl.Change;
+import org.maestro.sl.Effect;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Leaves;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
+
+/**
+ * Which facts a goal and its plan depend on, so that a change wakes only those whom it concerns. A
+ * fact is told by its name and its first argument; a variable stands for any.
+ */
+final class Interest {
+  private static final String ANY = "";
+  private static final String POSITION = "position";
+
+  private final Vocabulary vocabulary;
+  private final Unfolding unfolding;
+  private final Map<String, Set<String>> subjects = new TreeMap<>();
+
+  Interest(Vocabulary vocabulary) {
+    this.vocabulary = vocabulary;
+    this.unfolding = new Unfolding(vocabulary);
+  }
+
+  /** The subjects of facts as a change tells them. */
+  static Interest of(List<String> facts, Vocabulary vocabulary) {
+    Interest changed = new Interest(vocabulary);
+    facts.forEach(
+        fact ->
+            Leaves.of(
+                SlParser.formula(fact, vocabulary::isFluent),
+                atom -> changed.addSubject(atom.predicate(), atom.arguments()),
+                fluent -> changed.addSubject(fluent.name(), fluent.arguments())));
+    return changed;
+  }
+
+  static Interest ofChanges(List<Change> changes, Vocabulary vocabulary) {
+    Interest changed = new Interest(vocabulary);
+    changed.addChanges(changes);
+    return changed;
+  }
+
+  void addChanges(List<Change> changes) {
+    for (Change change : changes) {
+      if (change instanceof Change.OfTruth truth) {
+        addSubject(truth.atom().predicate(), truth.atom().arguments());
+      } else if (change instanceof Change.OfNumber number) {
+        addSubject(number.fluent().name(), number.fluent().arguments());
+      }
+    }
+  }
+
+  void addAll(Interest other) {
+    other.subjects.forEach(
+        (name, names) -> subjects.computeIfAbsent(name, n -> new TreeSet<>()).addAll(names));
+  }
+
+  void add(Step step) {
+    Map<String, Term> bindings = new TreeMap<>(step.bindings());
+    bindings.put("self", new Term.Name(step.member()));
+    add(step.feature().precondition(), bindings);
+    step.feature().claims().forEach(claim -> add(claim.when(), bindings));
+    if (step.feature().cost() instanceof Price.Stated stated) {
+      add(stated.cost(), bindings);
+    }
+    add(step.feature().effect(), bindings);
+  }
+
+  void add(Formula formula, Map<String, Term> bindings) {
+    unfolding
+        .conjuncts(formula, bindings)
+        .forEach(
+            part ->
+                Leaves.of(
+                    part,
+                    atom -> addRead(atom.predicate(), atom.arguments()),
+                    fluent -> addRead(fluent.name(), fluent.arguments())));
+  }
+
+  private void add(Expression expression, Map<String, Term> bindings) {
+    Leaves.of(
+        new Substitution(bindings).apply(expression),
+        fluent -> addRead(fluent.name(), fluent.arguments()));
+  }
+
+  /** What an effect's conditions and values read, and where it hopes to find something. */
+  private void add(Effect effect, Map<String, Term> bindings) {
+    if (effect instanceof Effect.All all) {
+      all.effects().forEach(part -> add(part, bindings));
+    } else if (effect instanceof Effect.When when) {
+      add(when.condition(), bindings);
+      add(when.effect(), bindings);
+    } else if (effect instanceof Effect.Forall forall) {
+      add(forall.effect(), bindings);
+    } else if (effect instanceof Effect.Change change) {
+      add(change.fluent(), bindings);
+      add(change.value(), bindings);
+    } else if (effect instanceof Effect.SenseAtom sense) {
+      add(sense.atom(), bindings);
+    } else if (effect instanceof Effect.SenseNumber sense) {
+      add(sense.fluent(), bindings);
+    }
+  }
+
+  /** Geometry follows from where its arguments are; what positions decide, from the same. */
+  private void addRead(String name, List<Term> arguments) {
+    addSubject(name, arguments);
+    vocabulary
+        .predicate(name)
+        .filter(Interest::isGeometric)
+        .ifPresent(
+            declared -> arguments.forEach(argument -> addSubject(POSITION, List.of(argument))));
+  }
+
+  private static boolean isGeometric(PredicateDeclaration declared) {
+    return declared.computedBy().isPresent() || declared.observedWhen().isPresent();
+  }
+
+  private void addSubject(String name, List<Term> arguments) {
+    Set<String> names = subjects.computeIfAbsent(name, n -> new TreeSet<>());
+    boolean symmetric =
+        vocabulary.predicate(name).filter(PredicateDeclaration::symmetric).isPresent();
+    int subjectsOfName = symmetric ? arguments.size() : Math.min(1, arguments.size());
+    for (int i = 0; i < subjectsOfName; i++) {
+      names.add(arguments.get(i) instanceof Term.Name first ? first.text() : ANY);
+    }
+    if (arguments.isEmpty()) {
+      names.add(ANY);
+    }
+  }
+
+  /** Whether any of the changed facts is among those that matter here. */
+  boolean isConcernedBy(Interest changed) {
+    return changed.subjects.entrySet().stream()
+        .anyMatch(
+            change -> {
+              Set<String> mine = subjects.getOrDefault(change.getKey(), Set.of());
+              return !mine.isEmpty()
+                  && (mine.contains(ANY)
+                      || change.getValue().contains(ANY)
+                      || change.getValue().stream().anyMatch(mine::contains));
+            });
+  }
+}
