@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.ontology.vocabulary.Parameter;
@@ -29,18 +30,39 @@ final class FeatureTemplate {
   /** The predicate or number that a part of the effect names. */
   private record Target(String name, List<Term> arguments) {}
 
-  private record StaticConjunct(Formula formula, Set<String> variables) {}
-
   private final PricedFeature feature;
   private final ConditionCompiler conditions;
   private final Map<String, List<Term>> domains = new LinkedHashMap<>();
-  private final List<StaticConjunct> conjuncts = new ArrayList<>();
+  private final List<Conjunct> conjuncts = new ArrayList<>();
   private final List<Target> targets = new ArrayList<>();
+  private final IdleParameters idle;
 
+  /**
+   * A static part of the precondition.
+   *
+   * @param variables parameters of which it speaks
+   * @param speaksOfSelf whether it depends on the member too
+   * @param answers what it was found to be, by the values of all these; shared between templates
+   */
+  private record Conjunct(
+      Formula formula,
+      Set<String> variables,
+      boolean speaksOfSelf,
+      Map<List<Term>, Boolean> answers) {}
+
+  /**
+   * @param staticAnswers what static conditions were found to be, shared between templates
+   */
   FeatureTemplate(
-      PricedFeature feature, Signature signature, StaticFacts facts, ConditionCompiler conditions) {
+      PricedFeature feature,
+      Signature signature,
+      StaticFacts facts,
+      ConditionCompiler conditions,
+      EffectCompiler effects,
+      Map<Formula, Map<List<Term>, Boolean>> staticAnswers) {
     this.feature = feature;
     this.conditions = conditions;
+    this.idle = new IdleParameters(feature, conditions, effects);
     Set<String> mentioned = mentioned(feature);
     for (List<Parameter> parameters : List.of(feature.type().inputs(), feature.type().binds())) {
       for (Parameter parameter : parameters) {
@@ -49,7 +71,7 @@ final class FeatureTemplate {
         }
       }
     }
-    collectStatic(feature.type().precondition(), signature);
+    collectStatic(feature.type().precondition(), signature, staticAnswers);
     collectTargets(feature.type().effect());
   }
 
@@ -82,13 +104,19 @@ final class FeatureTemplate {
     return List.copyOf(values);
   }
 
-  private void collectStatic(Formula formula, Signature signature) {
+  private void collectStatic(
+      Formula formula, Signature signature, Map<Formula, Map<List<Term>, Boolean>> staticAnswers) {
     if (formula instanceof Formula.And and) {
-      and.operands().forEach(operand -> collectStatic(operand, signature));
+      and.operands().forEach(operand -> collectStatic(operand, signature, staticAnswers));
     } else if (!signature.isDynamic(formula)) {
       Set<String> variables = new LinkedHashSet<>(FreeVariables.of(formula));
-      variables.remove(SELF);
-      conjuncts.add(new StaticConjunct(formula, variables));
+      boolean speaksOfSelf = variables.remove(SELF);
+      conjuncts.add(
+          new Conjunct(
+              formula,
+              variables,
+              speaksOfSelf,
+              staticAnswers.computeIfAbsent(formula, absent -> new HashMap<>())));
     }
   }
 
@@ -172,7 +200,7 @@ final class FeatureTemplate {
   private void forEachInstance(Map<String, Term> bindings, Consumer<Map<String, Term>> consumer) {
     Set<String> open = new LinkedHashSet<>(domains.keySet());
     open.removeAll(bindings.keySet());
-    for (StaticConjunct conjunct : conjuncts) {
+    for (Conjunct conjunct : conjuncts) {
       if (Collections.disjoint(conjunct.variables(), open) && !holds(conjunct, bindings)) {
         return;
       }
@@ -188,10 +216,20 @@ final class FeatureTemplate {
       consumer.accept(Collections.unmodifiableMap(ordered));
       return;
     }
+    if (open.size() == 1) {
+      String last = open.iterator().next();
+      Optional<Term> enough = idle.sufficientValue(last, domains.get(last), bindings);
+      if (enough.isPresent()) {
+        bindings.put(last, enough.get());
+        choose(Set.of(), bindings, consumer);
+        bindings.remove(last);
+        return;
+      }
+    }
     String next = mostTied(open);
     Set<String> rest = new LinkedHashSet<>(open);
     rest.remove(next);
-    List<StaticConjunct> decided =
+    List<Conjunct> decided =
         conjuncts.stream()
             .filter(c -> c.variables().contains(next))
             .filter(c -> Collections.disjoint(c.variables(), rest))
@@ -212,7 +250,11 @@ final class FeatureTemplate {
   private String mostTied(Set<String> open) {
     String best = "";
     long bestTies = -1;
+    boolean onlyIdle = open.stream().allMatch(idle::mayBeIdle);
     for (String name : open) {
+      if (!onlyIdle && idle.mayBeIdle(name)) {
+        continue;
+      }
       long ties =
           conjuncts.stream()
               .filter(c -> c.variables().contains(name))
@@ -228,7 +270,19 @@ final class FeatureTemplate {
     return best;
   }
 
-  private boolean holds(StaticConjunct conjunct, Map<String, Term> bindings) {
-    return conditions.condition(conjunct.formula(), bindings) != Constant.FALSE;
+  private boolean holds(Conjunct conjunct, Map<String, Term> bindings) {
+    List<Term> values = new ArrayList<>(conjunct.variables().size() + 1);
+    for (String name : conjunct.variables()) {
+      values.add(bindings.get(name));
+    }
+    if (conjunct.speaksOfSelf()) {
+      values.add(bindings.get(SELF));
+    }
+    Boolean known = conjunct.answers().get(values);
+    if (known == null) {
+      known = conditions.condition(conjunct.formula(), bindings) != Constant.FALSE;
+      conjunct.answers().put(values, known);
+    }
+    return known;
   }
 }

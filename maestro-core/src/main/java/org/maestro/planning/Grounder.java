@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
 /**
@@ -40,9 +41,14 @@ final class Grounder {
     ConditionCompiler preconditions =
         forExplanation ? conditions.keepingFailedComparisons() : conditions;
     this.factory = new OperatorFactory(signature, facts, variables, conditions, preconditions);
+    EffectCompiler effects = new EffectCompiler(conditions, variables);
+    Map<Formula, Map<List<Term>, Boolean>> staticAnswers = new HashMap<>();
     this.templates =
         task.features().stream()
-            .map(feature -> new FeatureTemplate(feature, signature, facts, preconditions))
+            .map(
+                feature ->
+                    new FeatureTemplate(
+                        feature, signature, facts, preconditions, effects, staticAnswers))
             .toList();
     this.goal = GroundGoal.of(task.goal(), signature, facts, conditions);
   }
