@@ -61,6 +61,20 @@ record GroundProblem(
         List.copyOf(operators), goal, List.copyOf(variables), List.copyOf(numbers), initial);
   }
 
+  /**
+   * This problem, with its variables at their places in its states again: another problem over the
+   * same variables may have placed them otherwise.
+   */
+  GroundProblem placed() {
+    for (int i = 0; i < variables.size(); i++) {
+      variables.get(i).placeAt(i);
+    }
+    for (int i = 0; i < numbers.size(); i++) {
+      numbers.get(i).placeAt(i);
+    }
+    return this;
+  }
+
   /** The same goal with some of the operators, reduced again. */
   GroundProblem with(List<Operator> remaining) {
     Map<Object, List<Operator>> byTarget = new LinkedHashMap<>();

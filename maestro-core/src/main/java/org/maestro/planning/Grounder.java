@@ -23,6 +23,7 @@ final class Grounder {
   private final boolean forExplanation;
   private final Signature signature;
   private final OperatorFactory factory;
+  private final Chances chances;
   private final List<FeatureTemplate> templates;
   private final GroundGoal goal;
   private final Map<Instance, List<Operator>> made = new HashMap<>();
@@ -40,7 +41,8 @@ final class Grounder {
     ConditionCompiler conditions = new ConditionCompiler(signature, facts, variables);
     ConditionCompiler preconditions =
         forExplanation ? conditions.keepingFailedComparisons() : conditions;
-    this.factory = new OperatorFactory(signature, facts, variables, conditions, preconditions);
+    this.factory = new OperatorFactory(variables, conditions, preconditions);
+    this.chances = new Chances(signature, facts, conditions);
     EffectCompiler effects = new EffectCompiler(conditions, variables);
     Map<Formula, Map<List<Term>, Boolean>> staticAnswers = new HashMap<>();
     this.templates =
@@ -63,6 +65,10 @@ final class Grounder {
 
   GroundGoal goal() {
     return goal;
+  }
+
+  Chances chances() {
+    return chances;
   }
 
   /** All feature instances that matter, whether they can ever be reached or not. */

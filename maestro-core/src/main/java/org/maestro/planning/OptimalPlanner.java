@@ -16,6 +16,9 @@ public final class OptimalPlanner implements Planner {
   /** About 100 MB for homes of some ten devices. */
   public static final int DEFAULT_MOST_STATES = 200_000;
 
+  /** For plans that begin a search elsewhere: they are worth less time. */
+  private static final int MOST_STATES_BESIDE = 1_000;
+
   private final int mostStates;
 
   public OptimalPlanner() {
@@ -39,16 +42,29 @@ public final class OptimalPlanner implements Planner {
 
   @Override
   public PlanningResult plan(PlanningTask task) {
-    GroundProblem ground = new Grounder(task).ground();
-    RelaxedProblem relaxed = new RelaxedProblem(ground);
-    if (!relaxed.isSolvable()) {
+    return solved(task, true);
+  }
+
+  /** The plan that is cheapest when all is found where it is looked for first. */
+  PlanningResult optimistic(PlanningTask task) {
+    return solved(task, false);
+  }
+
+  private PlanningResult solved(PlanningTask task, boolean weighingSearches) {
+    Grounder grounder = new Grounder(task);
+    GroundProblem ground = grounder.ground();
+    if (!new RelaxedProblem(ground).isSolvable()) {
       return new PlanningResult.Impossible(explanation(task));
     }
     GroundProblem problem = Pruning.pruned(ground);
-    LandmarkCut heuristic = new LandmarkCut(new RelaxedProblem(problem));
-    OptimalSearch.Outcome outcome = new OptimalSearch(problem, heuristic, mostStates).run();
+    OptimalSearch.Outcome outcome = search(problem, mostStates);
     if (outcome instanceof OptimalSearch.Outcome.Found found) {
-      return new PlanningResult.Found(PlanBuilder.plan(problem, found.operators()));
+      return new PlanningResult.Found(
+          weighingSearches
+              ? new ExpectedCostSearch(
+                      problem, grounder.chances(), this::cheapest, found.operators())
+                  .plan()
+              : PlanBuilder.plan(problem, found.operators()));
     } else if (outcome instanceof OptimalSearch.Outcome.Exhausted exhausted) {
       return new PlanningResult.Impossible(
           goalItself(
@@ -58,6 +74,20 @@ public final class OptimalPlanner implements Planner {
         "No plan and no proof that there is none within "
             + mostStates
             + " states; allow more states or state a smaller goal.");
+  }
+
+  private static OptimalSearch.Outcome search(GroundProblem problem, int mostStates) {
+    LandmarkCut heuristic = new LandmarkCut(new RelaxedProblem(problem));
+    return new OptimalSearch(problem, heuristic, mostStates).run();
+  }
+
+  /** Empty when there is no plan, or none within a smaller bound. */
+  private Optional<List<Operator>> cheapest(GroundProblem problem) {
+    return new RelaxedProblem(problem).isSolvable()
+            && search(Pruning.pruned(problem), Math.min(mostStates, MOST_STATES_BESIDE))
+                instanceof OptimalSearch.Outcome.Found found
+        ? Optional.of(found.operators())
+        : Optional.empty();
   }
 
   private static Explanation explanation(PlanningTask task) {

@@ -5,12 +5,26 @@ import java.util.Map;
 import org.maestro.sl.Term;
 
 /**
- * A plan, cheapest for the prices given. Empty when the goal holds already.
+ * A plan, cheapest for the prices given. Empty when the goal holds already. Where it looks for what
+ * nobody knows, it counts on finding it; it begins where that is expected to cost least.
  *
+ * @param cost when all is found where it is looked for
  * @param goalBinding values of the goal's free variables
+ * @param searches what it looks for, and where else that could have begun
  */
-public record Plan(List<Step> steps, double cost, Map<String, Term> goalBinding) {
+public record Plan(
+    List<Step> steps, double cost, Map<String, Term> goalBinding, List<PlannedSearch> searches) {
   public Plan {
     steps = List.copyOf(steps);
+    searches = List.copyOf(searches);
+  }
+
+  /** A plan that has nothing to choose where to look. */
+  public Plan(List<Step> steps, double cost, Map<String, Term> goalBinding) {
+    this(steps, cost, goalBinding, List.of());
+  }
+
+  Plan withSearches(List<PlannedSearch> planned) {
+    return new Plan(steps, cost, goalBinding, planned);
   }
 }

@@ -103,9 +103,8 @@ final class Pruning {
     boolean cheaper =
         better.price().cost() instanceof NumberExpression.Constant a
                 && worse.price().cost() instanceof NumberExpression.Constant b
-            ? a.number() + better.price().surcharge() <= b.number() + worse.price().surcharge()
-            : better.price().cost().equals(worse.price().cost())
-                && better.price().surcharge() <= worse.price().surcharge();
+            ? a.number() <= b.number()
+            : better.price().cost().equals(worse.price().cost());
     return cheaper
         && worse.precondition().conjuncts().containsAll(better.precondition().conjuncts());
   }

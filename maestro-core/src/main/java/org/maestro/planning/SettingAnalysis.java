@@ -83,7 +83,7 @@ final class SettingAnalysis {
       }
       return least;
     }
-    return operator.price().surcharge();
+    return 0;
   }
 
   /** The sum that the number is, or null. */

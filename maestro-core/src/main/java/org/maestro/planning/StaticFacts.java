@@ -41,6 +41,10 @@ final class StaticFacts {
     return known;
   }
 
+  double chanceStill(Formula.Atom atom) {
+    return facts.chanceStill(atom);
+  }
+
   /** In the stable order of the facts. */
   List<Term> individuals(String className) {
     List<Term> known = individuals.get(className);

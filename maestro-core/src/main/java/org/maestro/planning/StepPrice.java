@@ -3,24 +3,19 @@ package org.maestro.planning;
 /**
  * What an operator costs in a state.
  *
- * @param surcharge added for looking where the thing is not expected first; see {@link Grounder}
  * @param exact the member itself has given or stated the price
  */
-record StepPrice(NumberExpression cost, NumberExpression seconds, double surcharge, boolean exact) {
+record StepPrice(NumberExpression cost, NumberExpression seconds, boolean exact) {
 
   /** In cost units; NaN or infinite when it cannot be said, and then the step may not be taken. */
   double cost(NumberVector numbers) {
     double stated = cost.value(numbers);
-    return stated < 0 ? Double.NaN : stated + surcharge;
+    return stated < 0 ? Double.NaN : stated;
   }
 
   /** Zero when it cannot be said. */
   double seconds(NumberVector numbers) {
     double stated = seconds.value(numbers);
     return Double.isFinite(stated) ? stated : 0;
-  }
-
-  StepPrice withSurcharge(double added) {
-    return new StepPrice(cost, seconds, added, exact);
   }
 }

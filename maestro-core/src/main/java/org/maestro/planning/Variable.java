@@ -96,6 +96,11 @@ final class Variable {
     return values.size() - 1;
   }
 
+  /** The value of that index. */
+  Term value(int value) {
+    return values.get(value);
+  }
+
   Formula.Atom atom(int value) {
     if (!functional) {
       return new Formula.Atom(predicate, arguments);

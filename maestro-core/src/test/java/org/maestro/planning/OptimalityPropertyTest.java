@@ -212,7 +212,7 @@ class OptimalityPropertyTest {
     if (expected.isPresent() && Double.isNaN(expected.getAsDouble())) {
       return;
     }
-    PlanningResult result = planner.plan(task);
+    PlanningResult result = planner.optimistic(task);
     if (expected.isEmpty()) {
       assertThat(result).isInstanceOf(PlanningResult.Impossible.class);
       return;

@@ -70,18 +70,6 @@ class PricesTest {
   }
 
   @Test
-  void lookingInAnUnlikelyPlaceCostsMore() {
-    SmallWorld world = bright().facts("(usuallyIn Bob zone-a)");
-    assertThat(plan(world.task("(exists (?z - Zone) (in Bob ?z))")).steps())
-        .extracting(Step::member)
-        .containsExactly("cam-a");
-    Plan forced = plan(world.task("(in Bob zone-b)"));
-    assertThat(forced.cost()).isEqualTo(2 + OperatorFactory.UNLIKELY_PLACE_SURCHARGE);
-    assertThat(plan(world.facts("(not (in Bob zone-a))").task("(in Bob zone-b)")).cost())
-        .isEqualTo(2);
-  }
-
-  @Test
   void aStepThatIsBarredOrNotOfferedAnyMoreIsNotValid() {
     SmallWorld world = bright();
     PlanningTask task = world.task("(canSee cam-b Cup)");

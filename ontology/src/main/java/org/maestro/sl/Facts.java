@@ -16,6 +16,14 @@ public interface Facts {
   OptionalDouble number(Expression.Fluent fluent);
 
   /**
+   * The chance, 0 to 1, that an atom whose truth is unknown holds still, since it was known to hold
+   * before; 0 when it never was, or has been found not to hold since.
+   */
+  default double chanceStill(Formula.Atom atom) {
+    return 0;
+  }
+
+  /**
    * The individuals of a class, subclasses included, in a stable order; of all classes when the
    * name is "".
    */

@@ -1,0 +1,139 @@
+package org.maestro.planning;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.planning.Condition.Constant;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+import org.maestro.sl.TypedVariable;
+
+/**
+ * How likely each value of a functional predicate is that nobody knows. What was known last, though
+ * too old to count, has the chance that the facts tell. The rest goes to the values that are
+ * expected first ({@code likelyWhen}) and, a smaller part, to all others; within both by floor
+ * area, since a thing may lie anywhere. What is excluded has none, and the others share it.
+ */
+final class Chances {
+  /** Part of the cases in which a thing is where it is expected first. Stated assumption. */
+  static final double EXPECTED_FIRST = 0.8;
+
+  private final Signature signature;
+  private final StaticFacts facts;
+  private final ConditionCompiler conditions;
+
+  Chances(Signature signature, StaticFacts facts, ConditionCompiler conditions) {
+    this.signature = signature;
+    this.facts = facts;
+    this.conditions = conditions;
+  }
+
+  /** The chances of these values, which sum up to 1. */
+  double[] of(Variable variable, List<Integer> values) {
+    List<Term> asked = values.stream().map(variable::value).toList();
+    List<Term> pool = pool(variable, asked);
+    Map<Term, Double> prior = prior(variable, pool);
+    double stillThere = 0;
+    Map<Term, Double> still = new HashMap<>();
+    for (Term value : pool) {
+      double chance = facts.chanceStill(atom(variable, value));
+      still.put(value, chance);
+      stillThere += chance;
+    }
+    double others = Math.max(0, 1 - stillThere);
+    double[] chances = new double[asked.size()];
+    for (int i = 0; i < chances.length; i++) {
+      Term value = asked.get(i);
+      chances[i] = still.get(value) + others * prior.get(value);
+    }
+    double sum = Arrays.stream(chances).sum();
+    return Arrays.stream(chances)
+        .map(chance -> sum > 0 ? chance / sum : 1.0 / chances.length)
+        .toArray();
+  }
+
+  /** All values that count: those with a floor, or where none has, those ever asked for. */
+  private List<Term> pool(Variable variable, List<Term> asked) {
+    Set<Term> pool = new LinkedHashSet<>(asked);
+    boolean measured = asked.stream().allMatch(value -> area(value) > 0);
+    if (measured) {
+      facts
+          .individuals(lastParameter(variable).flatMap(TypedVariable::className).orElse(""))
+          .stream()
+          .filter(value -> area(value) > 0)
+          .forEach(pool::add);
+    } else {
+      pool.addAll(variable.excluded(variable.initialCode()));
+    }
+    return new ArrayList<>(pool);
+  }
+
+  private Map<Term, Double> prior(Variable variable, List<Term> pool) {
+    boolean measured = pool.stream().allMatch(value -> area(value) > 0);
+    Map<Term, Double> sizes = new HashMap<>();
+    Set<Term> first = new LinkedHashSet<>();
+    double sizeOfFirst = 0;
+    double sizeOfAll = 0;
+    for (Term value : pool) {
+      double size = measured ? area(value) : 1;
+      sizes.put(value, size);
+      sizeOfAll += size;
+      if (isExpectedFirst(variable, value)) {
+        first.add(value);
+        sizeOfFirst += size;
+      }
+    }
+    double sizeOfOthers = sizeOfAll - sizeOfFirst;
+    double ofFirst = first.isEmpty() ? 0 : first.size() == pool.size() ? 1 : EXPECTED_FIRST;
+    Map<Term, Double> prior = new HashMap<>();
+    for (Term value : pool) {
+      prior.put(
+          value,
+          first.contains(value)
+              ? ofFirst * sizes.get(value) / sizeOfFirst
+              : (1 - ofFirst) * sizes.get(value) / sizeOfOthers);
+    }
+    return prior;
+  }
+
+  private boolean isExpectedFirst(Variable variable, Term value) {
+    Optional<PredicateDeclaration> declaration = signature.declaration(variable.predicate());
+    Optional<Formula> likely = declaration.flatMap(PredicateDeclaration::likelyWhen);
+    if (likely.isEmpty()) {
+      return false;
+    }
+    List<TypedVariable> parameters = declaration.get().parameters();
+    Map<String, Term> bindings = new HashMap<>();
+    for (int i = 0; i < variable.arguments().size(); i++) {
+      bindings.put(parameters.get(i).name(), variable.arguments().get(i));
+    }
+    bindings.put(parameters.get(parameters.size() - 1).name(), value);
+    return conditions.condition(likely.get(), bindings) == Constant.TRUE;
+  }
+
+  private Optional<TypedVariable> lastParameter(Variable variable) {
+    return signature
+        .declaration(variable.predicate())
+        .map(PredicateDeclaration::parameters)
+        .filter(parameters -> !parameters.isEmpty())
+        .map(parameters -> parameters.get(parameters.size() - 1));
+  }
+
+  /** Square metres; not a positive number when the place has no floor. */
+  private double area(Term place) {
+    return facts.number(new Expression.Fluent("floorArea", List.of(place)));
+  }
+
+  private static Formula.Atom atom(Variable variable, Term value) {
+    List<Term> all = new ArrayList<>(variable.arguments());
+    all.add(value);
+    return new Formula.Atom(variable.predicate(), all);
+  }
+}

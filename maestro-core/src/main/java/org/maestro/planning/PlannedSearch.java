@@ -1,0 +1,29 @@
+package org.maestro.planning;
+
+import java.util.List;
+import org.maestro.sl.Term;
+
+/**
+ * Where a plan looks for something that nobody knows, and what else it could have looked into
+ * first.
+ *
+ * @param predicate the functional predicate whose value is sought, such as {@code in}
+ * @param arguments its arguments without the value: the thing
+ * @param places all that can be looked into now; the one that is chosen comes first, then by what
+ *     it is expected to cost to begin there
+ */
+public record PlannedSearch(String predicate, List<Term> arguments, List<Place> places) {
+  public PlannedSearch {
+    arguments = List.copyOf(arguments);
+    places = List.copyOf(places);
+  }
+
+  /**
+   * One place to begin with.
+   *
+   * @param chance that it is there, 0 to 1; of all places they sum up to 1
+   * @param lookCost of all that has to be done for the look, and the look; cost units
+   * @param expectedCost of reaching the goal when the search begins here; cost units
+   */
+  public record Place(Term value, double chance, double lookCost, double expectedCost) {}
+}

@@ -1,0 +1,61 @@
+package org.maestro.planning;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * A functional variable whose value nobody knows, while looks could find it at more than one value.
+ *
+ * @param values those that a look can find, in the order of the operators
+ */
+record Sought(Variable variable, List<Integer> values) {
+
+  /** All that can be sought in the problem, in the order of its operators. */
+  static List<Sought> of(GroundProblem problem) {
+    Map<Variable, Set<Integer>> values = new LinkedHashMap<>();
+    for (Operator operator : problem.operators()) {
+      for (Change change : operator.changes()) {
+        if (change instanceof Change.Find find
+            && find.variable().functional()
+            && find.variable().isUnknown(find.variable().initialCode(), find.value())) {
+          values.computeIfAbsent(find.variable(), v -> new LinkedHashSet<>()).add(find.value());
+        }
+      }
+    }
+    List<Sought> sought = new ArrayList<>();
+    values.forEach(
+        (variable, found) -> {
+          if (found.size() > 1) {
+            sought.add(new Sought(variable, List.copyOf(found)));
+          }
+        });
+    return sought;
+  }
+
+  /** The value that the operators find first, by their order; negative when they seek nothing. */
+  int firstLookedAt(List<Operator> operators) {
+    for (Operator operator : operators) {
+      for (int value : values) {
+        if (looksAt(operator, value)) {
+          return value;
+        }
+      }
+    }
+    return Variable.NONE;
+  }
+
+  boolean looksAt(Operator operator, int value) {
+    for (Change change : operator.changes()) {
+      if (change instanceof Change.Find find
+          && find.variable() == variable
+          && find.value() == value) {
+        return true;
+      }
+    }
+    return false;
+  }
+}
