@@ -102,6 +102,11 @@ final class FactsBesideSteps implements Facts {
   }
 
   @Override
+  public double chanceStill(Formula.Atom atom) {
+    return now.chanceStill(atom);
+  }
+
+  @Override
   public Collection<Term.Name> individuals(String className) {
     return now.individuals(className);
   }

@@ -1,8 +1,8 @@
 package org.maestro.planning;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -13,6 +13,7 @@ import org.maestro.planning.Condition.Constant;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
 import org.maestro.sl.TypedVariable;
 
 /**
@@ -35,28 +36,32 @@ final class Chances {
     this.conditions = conditions;
   }
 
-  /** The chances of these values, which sum up to 1. */
-  double[] of(Variable variable, List<Integer> values) {
-    List<Term> asked = values.stream().map(variable::value).toList();
+  /**
+   * The chances of all values that are not excluded, in a stable order; they sum up to 1.
+   *
+   * @param asked values that a look can find
+   */
+  Map<Term, Double> of(Variable variable, List<Term> asked) {
     List<Term> pool = pool(variable, asked);
     Map<Term, Double> prior = prior(variable, pool);
-    double stillThere = 0;
-    Map<Term, Double> still = new HashMap<>();
+    Map<Term, Double> chances = new LinkedHashMap<>();
+    double still = pool.stream().mapToDouble(value -> still(variable, value)).sum();
+    double sum = 0;
     for (Term value : pool) {
-      double chance = facts.chanceStill(atom(variable, value));
-      still.put(value, chance);
-      stillThere += chance;
+      if (facts.truth(atom(variable, value)) == Truth.UNKNOWN) {
+        double chance = still(variable, value) + Math.max(0, 1 - still) * prior.get(value);
+        chances.put(value, chance);
+        sum += chance;
+      }
     }
-    double others = Math.max(0, 1 - stillThere);
-    double[] chances = new double[asked.size()];
-    for (int i = 0; i < chances.length; i++) {
-      Term value = asked.get(i);
-      chances[i] = still.get(value) + others * prior.get(value);
-    }
-    double sum = Arrays.stream(chances).sum();
-    return Arrays.stream(chances)
-        .map(chance -> sum > 0 ? chance / sum : 1.0 / chances.length)
-        .toArray();
+    double all = sum;
+    double alike = 1.0 / chances.size();
+    chances.replaceAll((value, chance) -> all > 0 ? chance / all : alike);
+    return chances;
+  }
+
+  private double still(Variable variable, Term value) {
+    return facts.chanceStill(atom(variable, value));
   }
 
   /** All values that count: those with a floor, or where none has, those ever asked for. */
@@ -64,11 +69,8 @@ final class Chances {
     Set<Term> pool = new LinkedHashSet<>(asked);
     boolean measured = asked.stream().allMatch(value -> area(value) > 0);
     if (measured) {
-      facts
-          .individuals(lastParameter(variable).flatMap(TypedVariable::className).orElse(""))
-          .stream()
-          .filter(value -> area(value) > 0)
-          .forEach(pool::add);
+      String places = lastParameter(variable).flatMap(TypedVariable::className).orElse("");
+      facts.individuals(places).stream().filter(value -> area(value) > 0).forEach(pool::add);
     } else {
       pool.addAll(variable.excluded(variable.initialCode()));
     }

@@ -1,6 +1,7 @@
 package org.maestro.planning;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -12,6 +13,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
 import org.maestro.planning.PlannedSearch.Place;
+import org.maestro.sl.Term;
 
 /**
  * Chooses where to look first for what nobody knows, so that the whole goal is expected to cost
@@ -82,7 +84,8 @@ final class ExpectedCostSearch {
     int present = sought.values().indexOf(choice.get(sought));
     LookCosts costs = new LookCosts(problem, sought);
     boolean avoidable = costs.isInReachWithoutLooks();
-    double[] chance = chances.of(sought.variable(), sought.values());
+    Map<Term, Double> chanceOf = chances.of(sought.variable(), sought.terms());
+    double[] chance = shares(sought, chanceOf);
     double[] look = costs.looks(costs.initial());
     Map<Integer, Candidate> candidates = new TreeMap<>();
     Map<Integer, Split> splits = new TreeMap<>();
@@ -120,7 +123,14 @@ final class ExpectedCostSearch {
       return;
     }
     choose(candidates.get(first));
-    searches.add(described(sought, first, chance, expected, look, splits));
+    searches.add(described(sought, first, chanceOf, expected, look, splits));
+  }
+
+  /** The chances of what can be looked at, as if there were nothing else. */
+  private static double[] shares(Sought sought, Map<Term, Double> chanceOf) {
+    double[] chance = sought.terms().stream().mapToDouble(chanceOf::get).toArray();
+    double sum = Arrays.stream(chance).sum();
+    return Arrays.stream(chance).map(one -> sum > 0 ? one / sum : 1.0 / chance.length).toArray();
   }
 
   /** Among equals the present choice, then what has a plan. */
@@ -185,24 +195,32 @@ final class ExpectedCostSearch {
   private static PlannedSearch described(
       Sought sought,
       int first,
-      double[] chance,
+      Map<Term, Double> chanceOf,
       double[] expected,
       double[] look,
       Map<Integer, Split> splits) {
-    List<Place> places =
-        IntStream.range(0, look.length)
-            .boxed()
-            .sorted(
-                Comparator.<Integer>comparingInt(i -> i == first ? 0 : 1)
-                    .thenComparingDouble(i -> expected[i]))
-            .map(
-                i ->
+    List<Term> terms = sought.terms();
+    List<Place> places = new ArrayList<>();
+    IntStream.range(0, look.length)
+        .boxed()
+        .sorted(
+            Comparator.<Integer>comparingInt(i -> i == first ? 0 : 1)
+                .thenComparingDouble(i -> expected[i]))
+        .forEach(
+            i ->
+                places.add(
                     new Place(
-                        sought.variable().value(sought.values().get(i)),
-                        chance[i],
+                        terms.get(i),
+                        chanceOf.get(terms.get(i)),
                         splits.containsKey(i) ? splits.get(i).look() : look[i],
-                        expected[i]))
-            .toList();
+                        expected[i])));
+    chanceOf.forEach(
+        (value, chance) -> {
+          if (!terms.contains(value)) {
+            places.add(
+                new Place(value, chance, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY));
+          }
+        });
     return new PlannedSearch(sought.variable().predicate(), sought.variable().arguments(), places);
   }
 

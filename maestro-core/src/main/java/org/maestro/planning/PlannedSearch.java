@@ -9,8 +9,8 @@ import org.maestro.sl.Term;
  *
  * @param predicate the functional predicate whose value is sought, such as {@code in}
  * @param arguments its arguments without the value: the thing
- * @param places all that can be looked into now; the one that is chosen comes first, then by what
- *     it is expected to cost to begin there
+ * @param places all that are not excluded: the one that is chosen, then by what it is expected to
+ *     cost to begin there, last those into which nobody can look
  */
 public record PlannedSearch(String predicate, List<Term> arguments, List<Place> places) {
   public PlannedSearch {
@@ -22,8 +22,26 @@ public record PlannedSearch(String predicate, List<Term> arguments, List<Place> 
    * One place to begin with.
    *
    * @param chance that it is there, 0 to 1; of all places they sum up to 1
-   * @param lookCost of all that has to be done for the look, and the look; cost units
+   * @param lookCost of all that has to be done for the look, and the look; cost units, infinite
+   *     where nobody can look
    * @param expectedCost of reaching the goal when the search begins here; cost units
    */
   public record Place(Term value, double chance, double lookCost, double expectedCost) {}
+
+  /**
+   * A look that costs more than this is not the best first one, by chance over cost, even where it
+   * is of use for the likeliest place into which nobody can look as yet.
+   */
+  double dearestUsefulLook() {
+    Place first = places.get(0);
+    double likeliest =
+        places.stream()
+            .filter(place -> Double.isInfinite(place.lookCost()))
+            .mapToDouble(Place::chance)
+            .max()
+            .orElse(0);
+    return first.chance() > 0
+        ? first.lookCost() * likeliest / first.chance()
+        : Double.POSITIVE_INFINITY;
+  }
 }

@@ -6,9 +6,10 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.maestro.sl.Term;
 
 /**
- * A functional variable whose value nobody knows, while looks could find it at more than one value.
+ * A functional variable whose value nobody knows, while looks could find it.
  *
  * @param values those that a look can find, in the order of the operators
  */
@@ -27,12 +28,7 @@ record Sought(Variable variable, List<Integer> values) {
       }
     }
     List<Sought> sought = new ArrayList<>();
-    values.forEach(
-        (variable, found) -> {
-          if (found.size() > 1) {
-            sought.add(new Sought(variable, List.copyOf(found)));
-          }
-        });
+    values.forEach((variable, found) -> sought.add(new Sought(variable, List.copyOf(found))));
     return sought;
   }
 
@@ -46,6 +42,10 @@ record Sought(Variable variable, List<Integer> values) {
       }
     }
     return Variable.NONE;
+  }
+
+  List<Term> terms() {
+    return values.stream().map(variable::value).toList();
   }
 
   boolean looksAt(Operator operator, int value) {

@@ -11,7 +11,8 @@ import java.util.TreeSet;
  * Plans with the cheap features first. A plan that costs no more than the cheapest feature left out
  * cannot be beaten by one that uses it, and once a plan is found, no feature dearer than it need be
  * looked at: so most goals never ground the dear features, of which there are the most instances.
- * The plan is as cheap as that of the planner within. Thread-safe if that is.
+ * The plan is as cheap as that of the planner within; where it searches, it begins with a look that
+ * no dearer feature could better. Thread-safe if that is.
  */
 public final class TieredPlanner implements Planner {
   private final Planner within;
@@ -39,7 +40,7 @@ public final class TieredPlanner implements Planner {
           task.features().stream().filter(feature -> least.get(feature) <= tier).toList();
       PlanningResult result = within.plan(task.withFeatures(cheap));
       if (result instanceof PlanningResult.Found found) {
-        bound = found.plan().cost();
+        bound = worthLookingAt(found.plan());
         double next = tiers.tailSet(Math.nextUp(tier)).first();
         if (bound <= next) {
           return result;
@@ -51,6 +52,16 @@ public final class TieredPlanner implements Planner {
     return within.plan(
         task.withFeatures(
             task.features().stream().filter(feature -> least.get(feature) <= most).toList()));
+  }
+
+  /**
+   * Where the plan searches, it may be better to look elsewhere first with a feature that is dearer
+   * than the whole of an optimistic plan.
+   */
+  private static double worthLookingAt(Plan plan) {
+    return plan.searches().stream()
+        .mapToDouble(PlannedSearch::dearestUsefulLook)
+        .reduce(plan.cost(), Math::max);
   }
 
   @Override
