@@ -28,7 +28,8 @@ import picocli.CommandLine.Spec;
       WhyCommand.class,
       CancelCommand.class,
       StopCommand.class,
-      CheckCommand.class
+      CheckCommand.class,
+      BenchCommand.class
     },
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {

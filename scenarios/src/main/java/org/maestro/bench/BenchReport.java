@@ -1,0 +1,74 @@
+package org.maestro.bench;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+
+/** What a benchmark measured, and on what. */
+public record BenchReport(String bench, String machine, List<Row> rows) {
+  public BenchReport {
+    rows = List.copyOf(rows);
+  }
+
+  /**
+   * A figure.
+   *
+   * @param baseline the same measured for what ours is compared with, in the same run
+   */
+  public record Row(String name, double value, String unit, OptionalDouble baseline) {
+
+    static Row of(String name, double value, String unit) {
+      return new Row(name, value, unit, OptionalDouble.empty());
+    }
+
+    OptionalDouble ratio() {
+      return baseline.isPresent() && baseline.getAsDouble() != 0
+          ? OptionalDouble.of(value / baseline.getAsDouble())
+          : OptionalDouble.empty();
+    }
+  }
+
+  static String thisMachine() {
+    return "%d cores, %s, Java %s"
+        .formatted(
+            Runtime.getRuntime().availableProcessors(),
+            System.getProperty("os.arch"),
+            Runtime.version());
+  }
+
+  /** A line for each figure. */
+  public List<String> lines() {
+    return rows.stream()
+        .map(
+            row ->
+                String.format(Locale.ROOT, "%-58s %12.2f %-9s", row.name(), row.value(), row.unit())
+                    + (row.ratio().isPresent()
+                        ? String.format(
+                            Locale.ROOT,
+                            " baseline %.2f, ratio %.2f",
+                            row.baseline().getAsDouble(),
+                            row.ratio().getAsDouble())
+                        : ""))
+        .map(String::stripTrailing)
+        .toList();
+  }
+
+  /** One document. */
+  public String json() {
+    ObjectNode document = new ObjectMapper().createObjectNode();
+    document.put("bench", bench);
+    document.put("machine", machine);
+    var array = document.putArray("rows");
+    for (Row row : rows) {
+      ObjectNode node = array.addObject();
+      node.put("name", row.name());
+      node.put("value", row.value());
+      node.put("unit", row.unit());
+      row.baseline().ifPresentOrElse(b -> node.put("baseline", b), () -> node.putNull("baseline"));
+      row.ratio().ifPresentOrElse(r -> node.put("ratio", r), () -> node.putNull("ratio"));
+    }
+    return document.toString();
+  }
+}

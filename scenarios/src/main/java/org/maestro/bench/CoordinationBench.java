@@ -1,0 +1,202 @@
+package org.maestro.bench;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
+import org.maestro.assembly.LocalSite;
+import org.maestro.assembly.SiteException;
+import org.maestro.assembly.SiteSettings;
+import org.maestro.coordination.StoryEntry;
+import org.maestro.ontology.home.Home;
+import org.maestro.platform.GoalReport;
+import org.maestro.sl.SlParser;
+
+/**
+ * Coordination under load, on a whole site: JADE agents, MQTT broker and simulated devices in one
+ * process. First goals one after the other, warm, for the time from a goal's arrival to its first
+ * call; then many goals stated within a second, for the time until each is awarded (its plan is
+ * found and its agents have it) and starts or queues. For one thread.
+ */
+public final class CoordinationBench {
+  private static final int SPEED = 20;
+  private static final int WARM_UP = 12;
+  private static final long PATIENCE_SECONDS = 120;
+  private static final double BURST_LIMIT_SECONDS = 5;
+
+  private final LargeHome large;
+  private final int goals;
+  private final Consumer<String> progress;
+  private final List<BenchReport.Row> rows = new ArrayList<>();
+
+  /**
+   * @param goals of the burst: two observe, two illuminate and one fetch of each five
+   * @param progress told what is being done
+   */
+  public CoordinationBench(LargeHome large, int goals, Consumer<String> progress) {
+    this.large = large;
+    this.goals = goals;
+    this.progress = progress;
+  }
+
+  public BenchReport run() {
+    Home home = large.home();
+    SiteSettings settings =
+        new SiteSettings(
+            "bench-coordination",
+            home,
+            Optional.of(large.scene(home)),
+            1,
+            Optional.empty(),
+            0,
+            false,
+            Optional.empty());
+    progress.accept(
+        "A site of %d devices, %d of them robots, starts."
+            .formatted(home.devices().size(), large.robots()));
+    try (LocalSite site = LocalSite.paced(settings, SPEED)) {
+      sequence(site);
+    }
+    try (LocalSite site = LocalSite.paced(settings, 1)) {
+      burst(site);
+    }
+    return new BenchReport("coordination", BenchReport.thisMachine(), rows);
+  }
+
+  private void sequence(LocalSite site) {
+    List<Double> quick = new ArrayList<>();
+    List<Double> fetch = new ArrayList<>();
+    int fetches = Math.max(1, large.robots() / 2);
+    int looks = 2 * large.rooms();
+    progress.accept("%d goals one after the other.".formatted(WARM_UP + looks + fetches));
+    for (int i = 0; i < WARM_UP; i++) {
+      ask(site, quickGoal(i, large.thingsPerRoom() - 1));
+    }
+    for (int i = 0; i < looks; i++) {
+      note(ask(site, quickGoal(i, 0)), quick);
+    }
+    for (int i = 0; i < fetches; i++) {
+      note(ask(site, fetchGoal(i, 1)), fetch);
+    }
+    add("decision, observe and illuminate", quick);
+    add("decision, fetch", fetch);
+  }
+
+  private void add(String name, List<Double> millis) {
+    List<Double> sorted = millis.stream().sorted().toList();
+    if (sorted.isEmpty()) {
+      throw new SiteException(
+          "No goal of the kind '" + name + "' needed a call; nothing measured.");
+    }
+    rows.add(BenchReport.Row.of(name + ", goals measured", sorted.size(), "goals"));
+    rows.add(BenchReport.Row.of(name + ", p50", percentile(sorted, 0.5), "ms"));
+    rows.add(BenchReport.Row.of(name + ", p99", percentile(sorted, 0.99), "ms"));
+  }
+
+  private static double percentile(List<Double> sorted, double share) {
+    return sorted.get((int) Math.min(sorted.size() - 1, Math.ceil(share * sorted.size()) - 1));
+  }
+
+  private static void note(GoalReport report, List<Double> millis) {
+    if (report.calls() > 0) {
+      millis.add(report.decisionMillis());
+    }
+  }
+
+  private void burst(LocalSite site) {
+    Map<String, Long> awardedNanos = new ConcurrentHashMap<>();
+    site.platform()
+        .onStory(
+            entry -> {
+              if (entry.kind() == StoryEntry.Kind.PLAN || entry.kind() == StoryEntry.Kind.END) {
+                awardedNanos.putIfAbsent(entry.goalId(), System.nanoTime());
+              }
+            });
+    Map<String, Boolean> accepted = new ConcurrentHashMap<>();
+    progress.accept("%d goals stated within one second.".formatted(goals));
+    long begin = System.nanoTime();
+    for (int i = 0; i < goals; i++) {
+      pause(begin + i * 1_000_000_000L / goals);
+      site.platform()
+          .pursue(
+              SlParser.formula(goal(i), site.platform().knowledge().home().vocabulary()::isFluent),
+              id -> accepted.put(id, true),
+              report -> {});
+    }
+    long limit = begin + PATIENCE_SECONDS * 1_000_000_000L;
+    while (awardedNanos.size() < goals && System.nanoTime() < limit) {
+      LockSupport.parkNanos(5_000_000);
+    }
+    List<Double> seconds =
+        awardedNanos.values().stream().map(at -> (at - begin) / 1e9).sorted().toList();
+    rows.add(
+        BenchReport.Row.of(
+            "burst: goals awarded or queued within 5 s",
+            seconds.stream().filter(s -> s <= BURST_LIMIT_SECONDS).count(),
+            "goals"));
+    rows.add(BenchReport.Row.of("burst: goals stated", accepted.size(), "goals"));
+    if (!seconds.isEmpty()) {
+      rows.add(
+          BenchReport.Row.of(
+              "burst: last of %d awarded or queued after".formatted(seconds.size()),
+              seconds.get(seconds.size() - 1),
+              "s"));
+    }
+  }
+
+  private static void pause(long untilNanos) {
+    while (System.nanoTime() < untilNanos) {
+      LockSupport.parkNanos(500_000);
+    }
+  }
+
+  private String goal(int number) {
+    return switch (number % 5) {
+      case 0, 2 ->
+          observeGoal(number % large.rooms(), number / large.rooms() % large.thingsPerRoom());
+      case 1, 3 -> illuminateGoal(number % large.rooms());
+      default -> fetchGoal(number % large.rooms(), number / large.rooms() % large.thingsPerRoom());
+    };
+  }
+
+  private String quickGoal(int number, int thing) {
+    int room = number / 2 % large.rooms();
+    return number % 2 == 0 ? observeGoal(room, thing) : illuminateGoal(room);
+  }
+
+  private String observeGoal(int room, int thing) {
+    return "(canSee ?agent " + large.thing(room, thing) + ")";
+  }
+
+  private String illuminateGoal(int room) {
+    return "(>= (illuminance " + large.zone(room) + ") 200)";
+  }
+
+  private String fetchGoal(int room, int thing) {
+    return "(nextTo " + large.thing(room, thing) + " " + large.person(room) + ")";
+  }
+
+  private static GoalReport ask(LocalSite site, String goal) {
+    CompletableFuture<GoalReport> ended = new CompletableFuture<>();
+    site.platform()
+        .pursue(
+            SlParser.formula(goal, site.platform().knowledge().home().vocabulary()::isFluent),
+            id -> {},
+            ended::complete);
+    try {
+      return ended.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+    } catch (TimeoutException | ExecutionException e) {
+      throw new SiteException("The goal " + goal + " did not end in time.", e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new SiteException("Interrupted while waiting for " + goal + ".", e);
+    }
+  }
+}

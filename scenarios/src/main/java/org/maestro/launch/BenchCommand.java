@@ -1,0 +1,59 @@
+package org.maestro.launch;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.Callable;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.maestro.bench.BenchReport;
+import org.maestro.bench.CoordinationBench;
+import org.maestro.bench.LargeHome;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Runs a benchmark and prints its figures. */
+@Command(name = "bench", description = "Run a benchmark: coordination.")
+final class BenchCommand implements Callable<Integer> {
+  private static final Map<String, Function<Consumer<String>, BenchReport>> BENCHES =
+      new TreeMap<>(
+          Map.of(
+              "coordination",
+              progress -> new CoordinationBench(new LargeHome(20, 20, 5), 100, progress).run()));
+
+  @Spec private CommandSpec spec;
+
+  @Parameters(paramLabel = "NAME", description = "Which benchmark.")
+  private String name;
+
+  @Option(names = "--json", description = "Print one JSON document.")
+  private boolean json;
+
+  @Override
+  public Integer call() {
+    Function<Consumer<String>, BenchReport> bench = BENCHES.get(name);
+    if (bench == null) {
+      throw CommandException.badInput(
+          "There is no benchmark %s; there is: %s."
+              .formatted(name, String.join(", ", BENCHES.keySet())));
+    }
+    PrintWriter out = spec.commandLine().getOut();
+    PrintWriter err = spec.commandLine().getErr();
+    BenchReport report =
+        bench.apply(
+            line -> {
+              err.println(line);
+              err.flush();
+            });
+    List<String> lines = json ? List.of(report.json()) : report.lines();
+    if (!json) {
+      out.printf("%s, on %s%n", report.bench(), report.machine());
+    }
+    lines.forEach(out::println);
+    return ExitCode.DONE;
+  }
+}
