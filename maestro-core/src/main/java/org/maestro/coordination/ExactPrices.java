@@ -1,23 +1,51 @@
 package org.maestro.coordination;
 
+import java.time.Duration;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
-import java.util.Optional;
+import java.util.Set;
+import java.util.function.Predicate;
+import org.maestro.coordination.Market.Quote;
 import org.maestro.planning.PricedFeature.ExactPrice;
 import org.maestro.planning.StepKey;
 import org.maestro.sl.Term;
 
-/** The prices that members computed when asked, kept until the member's own state changes. */
+/**
+ * What members said when asked for exact prices, kept until the member's own state changes. Silence
+ * is no refusal: it counts for five times as long as was waited in vain, so that a silent member
+ * costs no goal more than a sixth of its time, and then the member is asked again.
+ */
 final class ExactPrices {
-  /** An empty price: the member declined. */
-  private final Map<String, Map<StepKey, Optional<ExactPrice>>> byMember = new HashMap<>();
+  private static final int TIMES_THE_WAIT = 5;
 
-  void put(StepKey key, Optional<ExactPrice> price) {
-    byMember.computeIfAbsent(key.member(), m -> new HashMap<>()).put(key, price);
+  /**
+   * @param until when an unanswered question may be asked again; no meaning for the others
+   */
+  private record Known(Quote quote, Duration until) {}
+
+  private final Map<String, Map<StepKey, Known>> byMember = new HashMap<>();
+
+  /**
+   * @param asked when the question was put
+   * @param now when the answer came, or was not waited for any more
+   */
+  void put(StepKey key, Quote quote, Duration asked, Duration now) {
+    Duration until = now.plus(now.minus(asked).multipliedBy(TIMES_THE_WAIT));
+    byMember.computeIfAbsent(key.member(), m -> new HashMap<>()).put(key, new Known(quote, until));
   }
 
   void forget(String member) {
     byMember.remove(member);
+  }
+
+  /** Returns whether there was a question without an answer. */
+  boolean forgetUnanswered() {
+    boolean any = false;
+    for (Map<StepKey, Known> quotes : byMember.values()) {
+      any |= quotes.values().removeIf(known -> known.quote() instanceof Quote.Unanswered);
+    }
+    return any;
   }
 
   Map<Map<String, Term>, ExactPrice> of(String member, String feature) {
@@ -25,21 +53,30 @@ final class ExactPrices {
     byMember
         .getOrDefault(member, Map.of())
         .forEach(
-            (key, price) -> {
-              if (key.feature().equals(feature)) {
-                price.ifPresent(p -> prices.put(key.bindings(), p));
+            (key, known) -> {
+              if (key.feature().equals(feature) && known.quote() instanceof Quote.Priced priced) {
+                prices.put(key.bindings(), new ExactPrice(priced.cost(), priced.seconds()));
               }
             });
     return prices;
   }
 
-  /** Instances that their member declined to price: nobody plans with them. */
-  java.util.Set<StepKey> declined() {
-    java.util.Set<StepKey> declined = new java.util.HashSet<>();
+  /** Instances that their member declined to price, or gives no answer for: nobody plans so. */
+  Set<StepKey> unusable(Duration now) {
+    Set<StepKey> unusable = collect(known -> known.quote() instanceof Quote.Declined);
+    unusable.addAll(
+        collect(
+            known ->
+                known.quote() instanceof Quote.Unanswered && known.until().compareTo(now) > 0));
+    return unusable;
+  }
+
+  private Set<StepKey> collect(Predicate<Known> wanted) {
+    Set<StepKey> keys = new HashSet<>();
     byMember.values().stream()
         .flatMap(m -> m.entrySet().stream())
-        .filter(e -> e.getValue().isEmpty())
-        .forEach(e -> declined.add(e.getKey()));
-    return declined;
+        .filter(e -> wanted.test(e.getValue()))
+        .forEach(e -> keys.add(e.getKey()));
+    return keys;
   }
 }

@@ -292,7 +292,7 @@ final class GoalPursuit {
       return;
     }
     outlook.offered(round.features());
-    story.bids(round.tender().bids(), round.questions());
+    story.bids(round.tender().bids(), round.questions(), round.unpriced());
     Optional<String> why = planAgain.or(() -> changedMeanwhile(round.result()));
     planAgain = Optional.empty();
     if (why.isPresent() && !isStillGood(round.result())) {

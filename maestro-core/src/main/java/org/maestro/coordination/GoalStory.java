@@ -105,7 +105,7 @@ final class GoalStory {
     why.ifPresent(reason -> tell(StoryEntry.Kind.REPLAN, "Plan again, because " + reason + "."));
   }
 
-  void bids(List<Bid> bids, int questions) {
+  void bids(List<Bid> bids, int questions, List<String> unpriced) {
     List<String> offers =
         bids.stream()
             .filter(bid -> bid.refusal().isEmpty())
@@ -119,7 +119,9 @@ final class GoalStory {
     String told =
         (offers.isEmpty() ? "Nobody bids" : "Bids: " + String.join("; ", offers))
             + (refusals.isEmpty() ? "" : ". Refused: " + String.join("; ", refusals));
-    String prices = questions == 0 ? "" : " Exact prices asked: " + questions + ".";
+    String prices =
+        (questions == 0 ? "" : " Exact prices asked: " + questions + ".")
+            + (unpriced.isEmpty() ? "" : " Not priced: " + String.join("; ", unpriced) + ".");
     tell(
         StoryEntry.Kind.BIDS,
         told.equals(lastBids) ? "The bids are the same as before." + prices : told + "." + prices);
@@ -173,8 +175,7 @@ final class GoalStory {
     tell(
         StoryEntry.Kind.FAILED,
         "That failed: "
-            + step.member()
-            + " says "
+            + (problem.startsWith(step.member() + " ") ? "" : step.member() + " says ")
             + problem
             + (change.facts().isEmpty() ? "" : " (so " + facts(change) + ")")
             + ".");

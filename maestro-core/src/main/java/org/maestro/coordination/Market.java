@@ -35,6 +35,10 @@ public interface Market {
   sealed interface Quote {
     record Priced(double cost, double seconds) implements Quote {}
 
+    /** The member says that it cannot do it. */
     record Declined(String reason) implements Quote {}
+
+    /** Nothing usable came; the member may well be able to do it. */
+    record Unanswered(String reason) implements Quote {}
   }
 }

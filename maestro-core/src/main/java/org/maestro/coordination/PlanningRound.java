@@ -1,9 +1,11 @@
 package org.maestro.coordination;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,7 +21,6 @@ import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.PlanningResult;
 import org.maestro.planning.PlanningTask;
 import org.maestro.planning.PricedFeature;
-import org.maestro.planning.PricedFeature.ExactPrice;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
 import org.maestro.sl.Facts;
@@ -55,9 +56,17 @@ final class PlanningRound {
    * How the round ended.
    *
    * @param questions exact prices asked
+   * @param unpriced sentences about exact prices that were not given, the member's name first
    */
   record Ended(
-      Market.Tender tender, PlanningResult result, List<PricedFeature> features, int questions) {}
+      Market.Tender tender,
+      PlanningResult result,
+      List<PricedFeature> features,
+      int questions,
+      List<String> unpriced) {}
+
+  /** How often it is asked again before a goal is given up because of prices not named. */
+  private static final int LAST_CHANCES = 2;
 
   private static final Logger LOG = LoggerFactory.getLogger(PlanningRound.class);
 
@@ -68,7 +77,9 @@ final class PlanningRound {
   private final Set<String> without;
   private final Supplier<? extends Facts> facts;
   private final Consumer<Ended> then;
+  private final Set<String> unpriced = new LinkedHashSet<>();
   private int questions;
+  private int lastChances;
 
   PlanningRound(
       Ports ports,
@@ -102,7 +113,7 @@ final class PlanningRound {
     Snapshot snapshot = ports.knowledge().snapshot();
     List<PricedFeature> features = features(tender.bids(), home);
     Set<StepKey> unusable = new HashSet<>(barred);
-    unusable.addAll(exactPrices.declined());
+    unusable.addAll(exactPrices.unusable(ports.clock().now()));
     PlanningTask task =
         new PlanningTask(
             subject.vocabulary(home), facts.get(), features, subject.planned(), unusable);
@@ -139,9 +150,14 @@ final class PlanningRound {
       }
     }
     if (inexact.isEmpty()) {
-      then.accept(new Ended(tender, result, features, questions));
+      if (!(result instanceof PlanningResult.Found) && mayAskAgain()) {
+        solve(tender);
+      } else {
+        then.accept(new Ended(tender, result, features, questions, List.copyOf(unpriced)));
+      }
       return;
     }
+    Duration asked = ports.clock().now();
     CallArguments arguments = new CallArguments(home, snapshot);
     int[] open = {inexact.size()};
     inexact.forEach(
@@ -154,7 +170,7 @@ final class PlanningRound {
                   memberAndFeature.get(1),
                   steps.stream().map(s -> arguments.of(s.feature(), s.bindings())).toList(),
                   quotes -> {
-                    note(steps, quotes);
+                    note(steps, quotes, asked);
                     if (--open[0] == 0) {
                       solve(tender);
                     }
@@ -162,13 +178,25 @@ final class PlanningRound {
         });
   }
 
-  private void note(List<Step> steps, List<Market.Quote> quotes) {
+  /**
+   * What nobody answered is no reason to say that it cannot be done, as long as it may be asked.
+   */
+  private boolean mayAskAgain() {
+    return lastChances++ < LAST_CHANCES && exactPrices.forgetUnanswered();
+  }
+
+  private void note(List<Step> steps, List<Market.Quote> quotes, Duration asked) {
     for (int i = 0; i < steps.size(); i++) {
-      Optional<ExactPrice> price =
-          i < quotes.size() && quotes.get(i) instanceof Market.Quote.Priced priced
-              ? Optional.of(new ExactPrice(priced.cost(), priced.seconds()))
-              : Optional.empty();
-      exactPrices.put(steps.get(i).key(), price);
+      Step step = steps.get(i);
+      Market.Quote quote =
+          i < quotes.size() ? quotes.get(i) : new Market.Quote.Unanswered("named too few prices");
+      exactPrices.put(step.key(), quote, asked, ports.clock().now());
+      if (quote instanceof Market.Quote.Declined declined) {
+        unpriced.add(
+            "%s (%s: %s)".formatted(step.member(), step.feature().name(), declined.reason()));
+      } else if (quote instanceof Market.Quote.Unanswered unanswered) {
+        unpriced.add("%s (%s)".formatted(step.member(), unanswered.reason()));
+      }
     }
   }
 

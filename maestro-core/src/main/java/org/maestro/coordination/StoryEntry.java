@@ -19,6 +19,7 @@ public record StoryEntry(String goalId, Duration at, Kind kind, String text) {
     DONE,
     FAILED,
     LEARNT,
+    MISCONDUCT,
     REPLAN,
     CONFIRM,
     END

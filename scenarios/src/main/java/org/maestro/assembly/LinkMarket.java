@@ -61,9 +61,9 @@ final class LinkMarket implements Market {
       List<Map<String, Argument>> sets,
       Consumer<List<Quote>> answer) {
     if (deputies.of(member).isEmpty()) {
-      List<Quote> declined =
-          Collections.nCopies(sets.size(), new Quote.Declined(member + " is not there"));
-      deputies.later(member, () -> answer.accept(declined));
+      List<Quote> unanswered =
+          Collections.nCopies(sets.size(), new Quote.Unanswered("is not there"));
+      deputies.later(member, () -> answer.accept(unanswered));
       return;
     }
     link.cost(
@@ -85,7 +85,11 @@ final class LinkMarket implements Market {
     return answer
         .cost()
         .<Quote>map(cost -> new Quote.Priced(cost, answer.seconds().orElse(cost)))
-        .orElseGet(() -> new Quote.Declined(answer.reason().orElse("no reason given")));
+        .orElseGet(() -> unpriced(answer.answered(), answer.reason().orElse("no reason given")));
+  }
+
+  private static Quote unpriced(boolean answered, String reason) {
+    return answered ? new Quote.Declined(reason) : new Quote.Unanswered(reason);
   }
 
   /** Nobody waits for an award: the steps come as calls. */

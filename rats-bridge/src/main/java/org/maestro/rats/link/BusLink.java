@@ -14,9 +14,9 @@ import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.CostExchange;
 import org.maestro.rats.protocol.MalformedMessageException;
 import org.maestro.rats.protocol.MemberStatus;
-import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.RatsError;
 import org.maestro.rats.protocol.ReservedFeature;
+import org.maestro.rats.protocol.Result;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.protocol.WireFormat;
 import org.maestro.rats.time.Clock;
@@ -151,12 +151,17 @@ public final class BusLink implements RatsLink {
         exchange.parameters(),
         COST_TIMEOUT,
         Optional.empty(),
-        result ->
-            answer.accept(
-                result.outcome() == Outcome.SUCCEEDED
-                    ? exchange.answers(result.values())
-                    : exchange.refused(
-                        result.error().map(RatsError::message).orElse("no reason given"))));
+        result -> answer.accept(answers(exchange, result)));
+  }
+
+  /** Only what the member itself rejects is declined. */
+  private static List<CostAnswer> answers(CostExchange exchange, Result result) {
+    String reason = result.error().map(RatsError::message).orElse("no reason given");
+    return switch (result.outcome()) {
+      case SUCCEEDED -> exchange.answers(result.values());
+      case REJECTED -> exchange.refused(reason);
+      default -> exchange.unanswered(reason);
+    };
   }
 
   @Override

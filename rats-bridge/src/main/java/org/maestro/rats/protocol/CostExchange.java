@@ -52,9 +52,7 @@ public record CostExchange(String feature, List<Map<String, Object>> sets) {
     return values;
   }
 
-  /**
-   * What the result's values say; what is missing in them is an answer with a reason and no cost.
-   */
+  /** What the result's values say; what is missing in them was not answered. */
   public List<CostAnswer> answers(Map<String, Object> values) {
     List<?> costs = values.get("costs") instanceof List<?> list ? list : List.of();
     List<CostAnswer> answers = new ArrayList<>();
@@ -62,7 +60,7 @@ public record CostExchange(String feature, List<Map<String, Object>> sets) {
       answers.add(
           index < costs.size() && costs.get(index) instanceof Map<?, ?> cost
               ? answer(cost)
-              : none("the member gave no answer for this parameter set"));
+              : CostAnswer.unanswered("the member gave no answer for this parameter set"));
     }
     return List.copyOf(answers);
   }
@@ -70,6 +68,11 @@ public record CostExchange(String feature, List<Map<String, Object>> sets) {
   /** The same reason for every set. */
   public List<CostAnswer> refused(String reason) {
     return sets.stream().map(set -> none(reason)).toList();
+  }
+
+  /** Nothing came for any set. */
+  public List<CostAnswer> unanswered(String reason) {
+    return sets.stream().map(set -> CostAnswer.unanswered(reason)).toList();
   }
 
   private static CostAnswer none(String reason) {
