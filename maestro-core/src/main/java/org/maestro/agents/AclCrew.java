@@ -2,30 +2,34 @@ package org.maestro.agents;
 
 import jade.core.AID;
 import jade.lang.acl.ACLMessage;
-import java.time.Duration;
-import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.maestro.coordination.Crew;
-import org.maestro.knowledge.FeatureRun;
-import org.maestro.sl.Content;
-import org.maestro.sl.SlSyntaxException;
-import org.maestro.sl.Term;
 
-/** Orders to the generic agents by FIPA request. */
+/**
+ * Orders to the generic agents by FIPA request, once it is known that they hold their part. Every
+ * order is reported exactly once, whatever its agent does.
+ */
 final class AclCrew implements Crew {
-  /** Wall time in which the agent reports a timeout that it has noticed itself. */
-  private static final Duration GRACE = Duration.ofSeconds(10);
-
   private final MaestroAgent agent;
   private final Function<String, Optional<AID>> agentOf;
+  private final Contracts contracts;
+  private final Misconduct misconduct;
+  private final Map<OrderUnderway, String> underway = new LinkedHashMap<>();
 
-  AclCrew(MaestroAgent agent, Function<String, Optional<AID>> agentOf) {
+  AclCrew(
+      MaestroAgent agent,
+      Function<String, Optional<AID>> agentOf,
+      Contracts contracts,
+      Misconduct misconduct) {
     this.agent = agent;
     this.agentOf = agentOf;
+    this.contracts = contracts;
+    this.misconduct = misconduct;
   }
 
   @Override
@@ -33,27 +37,18 @@ final class AclCrew implements Crew {
     String member = order.step().member();
     Optional<AID> receiver = agentOf.apply(member);
     if (receiver.isEmpty()) {
-      agent.tell(() -> reported.accept(failed(member + " has no agent", List.of())));
+      agent.tell(() -> reported.accept(OrderUnderway.failed(member + " has no agent", List.of())));
       return () -> {};
     }
-    ACLMessage request = agent.message(ACLMessage.REQUEST, receiver.get(), Orders.order(order));
-    String conversation =
-        agent
-            .conversations()
-            .ask(
-                request,
-                order.timeout().plus(agent.patience(GRACE)),
-                reply -> {
-                  if (reply.getPerformative() != ACLMessage.AGREE) {
-                    reported.accept(report(reply));
-                  }
-                });
-    return () ->
-        agent.send(
-            agent.message(
-                ACLMessage.CANCEL,
-                receiver.get(),
-                Words.content("cancel", Words.named("order", Words.text(conversation)))));
+    OrderUnderway performance = new OrderUnderway(agent, receiver.get(), order, misconduct);
+    underway.put(performance, member);
+    performance.reportTo(
+        report -> {
+          underway.remove(performance);
+          reported.accept(report);
+        });
+    contracts.whenSettled(order.goalId(), member, performance::contractSettled);
+    return performance;
   }
 
   @Override
@@ -65,33 +60,10 @@ final class AclCrew implements Crew {
                 agent.send(agent.message(ACLMessage.CANCEL, receiver, Orders.callOff(call))));
   }
 
-  private static Report report(ACLMessage reply) {
-    try {
-      Words words =
-          Words.parse(reply.getContent()).stream().findFirst().map(Words::of).orElseThrow();
-      if (reply.getPerformative() == ACLMessage.INFORM) {
-        return new Report(true, words.termsOf("outputs"), Optional.empty(), List.of());
-      }
-      return failed(
-          words.string("problem").or(() -> words.string("reason")).orElse("no reason given"),
-          refs(words));
-    } catch (SlSyntaxException | java.util.NoSuchElementException e) {
-      return failed("an answer that cannot be read: " + reply.getContent(), List.of());
-    }
-  }
-
-  private static List<FeatureRun.Learnt> refs(Words words) {
-    List<FeatureRun.Learnt> refs = new ArrayList<>();
-    for (Content.Argument.Named ref : words.find("refs").map(Words::all).orElse(List.of())) {
-      List<Term> terms = Words.of(ref).terms();
-      if (terms.size() == 2) {
-        refs.add(new FeatureRun.Learnt(Words.plain(terms.get(0)), terms.get(1)));
-      }
-    }
-    return refs;
-  }
-
-  private static Report failed(String problem, List<FeatureRun.Learnt> refs) {
-    return new Report(false, Map.of(), Optional.of(problem), refs);
+  /** The member's agent is no more: whatever it was ordered is not reported by it. */
+  void agentEnded(String member) {
+    List.copyOf(underway.entrySet()).stream()
+        .filter(entry -> entry.getValue().equals(member))
+        .forEach(entry -> entry.getKey().agentEnded());
   }
 }

@@ -2,8 +2,8 @@ package org.maestro.agents;
 
 import jade.core.AID;
 import jade.lang.acl.ACLMessage;
-import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,32 +16,47 @@ import org.maestro.coordination.CallForPrices;
 import org.maestro.coordination.Market;
 import org.maestro.planning.Step;
 import org.maestro.sl.Content;
-import org.maestro.sl.SlSyntaxException;
-import org.maestro.sl.Term;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** The contract net over ACL. */
 final class AclMarket implements Market {
-  /** Wall time: answering takes what it takes, and the bus itself waits for five seconds. */
-  private static final Duration QUOTE_WITHIN = Duration.ofSeconds(7);
+  private static final Logger LOG = LoggerFactory.getLogger(AclMarket.class);
 
   private final MaestroAgent agent;
   private final Function<String, Optional<AID>> agentOf;
+  private final Contracts contracts;
+  private final Misconduct misconduct;
 
-  AclMarket(MaestroAgent agent, Function<String, Optional<AID>> agentOf) {
+  AclMarket(
+      MaestroAgent agent,
+      Function<String, Optional<AID>> agentOf,
+      Contracts contracts,
+      Misconduct misconduct) {
     this.agent = agent;
     this.agentOf = agentOf;
+    this.contracts = contracts;
+    this.misconduct = misconduct;
   }
 
   @Override
   public void callForPrices(CallForPrices call, Consumer<Tender> closed) {
-    Map<String, AID> agents = new LinkedHashMap<>();
+    Map<String, AID> asked = new LinkedHashMap<>();
+    List<Bid> distrusted = new ArrayList<>();
     for (String member : call.features().keySet()) {
-      agentOf.apply(member).ifPresent(aid -> agents.put(member, aid));
+      Optional<String> distrust = contracts.distrust(call.goalId(), member);
+      if (distrust.isPresent()) {
+        distrusted.add(new Bid(member, Map.of(), distrust));
+      } else {
+        agentOf.apply(member).ifPresent(aid -> asked.put(member, aid));
+      }
     }
-    if (agents.isEmpty()) {
-      closed.accept(new NobodyThere());
+    Consumer<Tender> complete =
+        tender -> closed.accept(distrusted.isEmpty() ? tender : new WithOthers(tender, distrusted));
+    if (asked.isEmpty()) {
+      complete.accept(new NobodyThere());
     } else {
-      agent.addBehaviour(new ContractNetRound(agent, call, agents, closed));
+      agent.addBehaviour(new ContractNetRound(agent, call, asked, contracts, misconduct, complete));
     }
   }
 
@@ -53,7 +68,7 @@ final class AclMarket implements Market {
       Consumer<List<Quote>> answer) {
     Optional<AID> receiver = agentOf.apply(member);
     if (receiver.isEmpty()) {
-      answer.accept(declined(sets.size(), member + " has no agent"));
+      answer.accept(unanswered(sets.size(), "has no agent"));
       return;
     }
     List<Content.Argument> arguments = new ArrayList<>();
@@ -61,39 +76,23 @@ final class AclMarket implements Market {
     sets.forEach(set -> arguments.add(Orders.parameters("set", set)));
     ACLMessage question =
         agent.message(ACLMessage.REQUEST, receiver.get(), new Content("cost", arguments));
-    agent.ask(
-        question, agent.patience(QUOTE_WITHIN), reply -> answered(reply, sets.size(), answer));
+    QuoteReader reader = new QuoteReader(member, feature, sets.size());
+    agent
+        .conversations()
+        .ask(
+            question,
+            agent.patience(agent.patience().quote()),
+            reply -> {
+              if (reply.getPerformative() != ACLMessage.AGREE) {
+                List<Quote> quotes = reader.read(reply, agent.patience().quote());
+                reader.faults().forEach(fault -> LOG.warn("{}", fault));
+                answer.accept(quotes);
+              }
+            });
   }
 
-  private static void answered(ACLMessage reply, int sets, Consumer<List<Quote>> answer) {
-    if (reply.getPerformative() == ACLMessage.AGREE) {
-      return;
-    }
-    List<Quote> quotes = new ArrayList<>();
-    try {
-      for (Content content : Words.parse(reply.getContent())) {
-        quotes.add(quote(Words.of(content)));
-      }
-    } catch (SlSyntaxException e) {
-      quotes.clear();
-      quotes.addAll(declined(sets, "answered unreadably: " + e.getMessage()));
-    }
-    answer.accept(quotes);
-  }
-
-  private static Quote quote(Words words) {
-    List<Term> numbers = words.find("price").map(Words::terms).orElse(List.of());
-    if (numbers.size() == 2
-        && numbers.get(0) instanceof Term.Number cost
-        && numbers.get(1) instanceof Term.Number seconds) {
-      return new Quote.Priced(cost.value(), seconds.value());
-    }
-    return new Quote.Declined(
-        words.string("reason").or(() -> words.string("problem")).orElse("no price given"));
-  }
-
-  private static List<Quote> declined(int sets, String reason) {
-    return java.util.Collections.nCopies(sets, new Quote.Declined(reason));
+  static List<Quote> unanswered(int sets, String reason) {
+    return Collections.nCopies(sets, new Quote.Unanswered(reason));
   }
 
   /** The round with nobody to ask. */
@@ -106,6 +105,21 @@ final class AclMarket implements Market {
     @Override
     public void award(Map<String, List<Step>> parts) {
       // Nobody bid, nobody is to be told.
+    }
+  }
+
+  /** A round with the bids of those who were not asked. */
+  private record WithOthers(Tender round, List<Bid> others) implements Tender {
+    @Override
+    public List<Bid> bids() {
+      List<Bid> all = new ArrayList<>(round.bids());
+      all.addAll(others);
+      return List.copyOf(all);
+    }
+
+    @Override
+    public void award(Map<String, List<Step>> parts) {
+      round.award(parts);
     }
   }
 }

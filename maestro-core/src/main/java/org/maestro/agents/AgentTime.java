@@ -9,10 +9,16 @@ import org.maestro.rats.time.Clock;
  *
  * @param mail what carries their messages on a stepped clock; empty on a paced one, where JADE does
  */
-public record AgentTime(Clock clock, Optional<SteppedMail> mail) {
+public record AgentTime(Clock clock, Optional<SteppedMail> mail, Patience patience) {
 
   public static AgentTime of(Clock clock) {
+    return of(clock, Patience.standard());
+  }
+
+  public static AgentTime of(Clock clock, Patience patience) {
     return new AgentTime(
-        clock, clock.isStepped() ? Optional.of(new SteppedMail(clock)) : Optional.empty());
+        clock,
+        clock.isStepped() ? Optional.of(new SteppedMail(clock)) : Optional.empty(),
+        patience);
   }
 }

@@ -5,8 +5,10 @@ import jade.core.behaviours.SimpleBehaviour;
 import jade.domain.FIPANames;
 import jade.lang.acl.ACLMessage;
 import jade.proto.ContractNetInitiator;
+import jade.proto.states.MsgReceiver;
+import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Date;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,42 +18,52 @@ import java.util.function.Consumer;
 import org.maestro.coordination.Bid;
 import org.maestro.coordination.CallForPrices;
 import org.maestro.coordination.Market;
-import org.maestro.ontology.vocabulary.Price;
 import org.maestro.planning.Step;
+import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
-import org.maestro.sl.SlParser;
-import org.maestro.sl.SlSyntaxException;
 
 /**
- * One FIPA contract-net round of the CCA (M76): a call for proposals to all candidates, early close
- * when all have answered, and accept or reject once the plan is made. The round stays open while
- * others plan; its behaviour blocks without holding the agent.
+ * One FIPA contract-net round of a coordinator (M76): a call for proposals to all candidates, early
+ * close when all have answered, accept or reject once the plan is made, and the word of each winner
+ * that it holds its part. The round stays open while others plan; its behaviour blocks without
+ * holding the agent.
+ *
+ * <p>The clock alone ends its waits: JADE's own deadlines are wall time, which means nothing on a
+ * stepped clock. The round ends within the patience for bids, offers and contracts, whatever the
+ * others do.
  */
 final class ContractNetRound extends ContractNetInitiator {
   private static final long serialVersionUID = 1L;
-  private static final long ANSWER_WITHIN_MILLIS = 10_000;
 
-  /** Wall time has no meaning on a stepped clock; this is only for the case that an agent died. */
-  private static final long ANSWER_WITHIN_MILLIS_STEPPED = 60_000;
-
-  private static final long RESULT_WITHIN_MILLIS = 10_000;
-
+  private final transient MaestroAgent agent;
   private final transient CallForPrices call;
   private final transient Map<String, AID> agents;
+  private final transient Contracts contracts;
+  private final transient Misconduct misconduct;
   private final transient Consumer<Market.Tender> closed;
-  private final long answerWithinMillis;
+  private final transient Map<String, ACLMessage> answers = new LinkedHashMap<>();
+  private final transient Map<String, String> memberByKey = new HashMap<>();
+  private final transient Map<String, Contracts.Contract> awarded = new LinkedHashMap<>();
+  private final transient List<String> receivers = new ArrayList<>();
+  private transient Clock.Timer timer = () -> {};
+  private boolean awarding;
+  private String conversation;
+  private int waits;
 
   ContractNetRound(
       MaestroAgent agent,
       CallForPrices call,
       Map<String, AID> agents,
+      Contracts contracts,
+      Misconduct misconduct,
       Consumer<Market.Tender> closed) {
     super(agent, null);
+    this.agent = agent;
     this.call = call;
     this.agents = agents;
+    this.contracts = contracts;
+    this.misconduct = misconduct;
     this.closed = closed;
-    this.answerWithinMillis =
-        agent.clock().isStepped() ? ANSWER_WITHIN_MILLIS_STEPPED : ANSWER_WITHIN_MILLIS;
     registerHandleAllResponses(new Deal());
   }
 
@@ -59,15 +71,12 @@ final class ContractNetRound extends ContractNetInitiator {
   protected Vector<ACLMessage> prepareCfps(ACLMessage none) {
     Vector<ACLMessage> cfps = new Vector<>();
     agents.forEach(
-        (member, agent) -> {
-          ACLMessage cfp = new ACLMessage(ACLMessage.CFP);
-          cfp.addReceiver(agent);
+        (member, receiver) -> {
+          ACLMessage cfp = agent.message(ACLMessage.CFP, receiver, question(member));
           cfp.setProtocol(FIPANames.InteractionProtocol.FIPA_CONTRACT_NET);
-          cfp.setLanguage(MaestroAgent.LANGUAGE);
-          cfp.setOntology(MaestroAgent.ONTOLOGY);
-          cfp.setReplyByDate(new Date(System.currentTimeMillis() + answerWithinMillis));
-          cfp.setContent(Words.print(question(member)));
+          cfp.setReplyByDate(agent.replyBy(patience().bid()));
           cfps.add(cfp);
+          receivers.add(member);
         });
     return cfps;
   }
@@ -79,119 +88,265 @@ final class ContractNetRound extends ContractNetInitiator {
         Words.named("features", call.features().get(member).stream().map(Words::name).toList()));
   }
 
-  private List<Bid> bids(List<ACLMessage> answers) {
-    Map<String, Bid> bids = new LinkedHashMap<>();
-    agents.forEach(
-        (member, agent) ->
-            bids.put(member, new Bid(member, Map.of(), Optional.of("did not answer in time"))));
-    for (ACLMessage answer : answers) {
-      agents.forEach(
-          (member, agent) -> {
-            if (agent.equals(answer.getSender())) {
-              bids.put(member, bid(member, answer));
-            }
-          });
+  /** Sends the calls, and later the decisions; then waits for the clock instead of JADE's. */
+  @Override
+  protected void sendInitiations(@SuppressWarnings("rawtypes") Vector initiations) {
+    super.sendInitiations(initiations);
+    replyReceiver.setDeadline(MsgReceiver.INFINITE);
+    memberByKey.clear();
+    Vector<?> sent = (Vector<?>) getDataStore().get(ALL_CFPS_KEY);
+    for (int i = 0; i < sent.size(); i++) {
+      ACLMessage message = (ACLMessage) sent.get(i);
+      conversation = message.getConversationId();
+      if (message.getReplyWith() != null) {
+        memberByKey.put(message.getReplyWith(), receivers.get(i));
+      }
     }
-    return List.copyOf(bids.values());
+    agent.conversations().adopt(conversation);
+    if (sessions.size() > 0) {
+      endWaitAfter(awarding ? patience().contract() : patience().bid());
+    }
   }
 
-  private static Bid bid(String member, ACLMessage answer) {
-    try {
-      List<Content> contents = Words.parse(answer.getContent());
-      if (answer.getPerformative() != ACLMessage.PROPOSE) {
-        String reason =
-            contents.stream()
-                .findFirst()
-                .flatMap(c -> Words.of(c).string("reason"))
-                .orElse(ACLMessage.getPerformative(answer.getPerformative()).toLowerCase());
-        return new Bid(member, Map.of(), Optional.of(reason));
-      }
-      Map<String, Price> prices = new LinkedHashMap<>();
-      for (Content content : contents) {
-        Words words = Words.of(content);
-        String feature = words.string("feature").orElse("");
-        words
-            .string("stated")
-            .ifPresent(text -> prices.put(feature, new Price.Stated(SlParser.expression(text))));
-        words
-            .string("at-least")
-            .ifPresent(text -> prices.put(feature, new Price.Asked(SlParser.expression(text))));
-      }
-      return new Bid(member, prices, Optional.empty());
-    } catch (SlSyntaxException e) {
-      return new Bid(member, Map.of(), Optional.of("answered unreadably: " + e.getMessage()));
+  private Patience patience() {
+    return agent.patience();
+  }
+
+  private void endWaitAfter(Duration wait) {
+    int number = ++waits;
+    timer =
+        agent
+            .clock()
+            .schedule(
+                agent.patience(wait),
+                agent.getLocalName(),
+                () -> agent.tell(() -> endWait(number)));
+  }
+
+  private void endWait(int number) {
+    if (number == waits) {
+      replyReceiver.interrupt();
     }
+  }
+
+  /** Sorts replies: from whom they are, what they answer, and whether they may. */
+  @Override
+  protected boolean checkInSequence(ACLMessage reply) {
+    String key = reply.getInReplyTo();
+    Optional<String> member =
+        Optional.ofNullable(memberByKey.get(key)).filter(m -> isFrom(m, reply));
+    if (member.isEmpty()) {
+      stray(reply);
+      return false;
+    }
+    boolean first = sessions.containsKey(key);
+    boolean inSequence = super.checkInSequence(reply);
+    if (first) {
+      sessions.remove(key);
+      answered(member.get(), reply, inSequence);
+    } else {
+      stray(reply);
+    }
+    return inSequence;
+  }
+
+  private boolean isFrom(String member, ACLMessage reply) {
+    return agents.get(member).equals(reply.getSender()) || Replies.isFromPlatform(reply);
+  }
+
+  private void answered(String member, ACLMessage reply, boolean inSequence) {
+    if (awarding) {
+      settle(member, reply, inSequence);
+    } else {
+      answers.put(member, reply);
+    }
+  }
+
+  private void settle(String member, ACLMessage reply, boolean inSequence) {
+    Contracts.Contract contract = awarded.get(member);
+    if (inSequence && reply.getPerformative() == ACLMessage.INFORM) {
+      contract.held();
+      return;
+    }
+    String why = Replies.reason(reply).map(Replies::shortened).map(r -> ": " + r).orElse("");
+    broken(
+        member,
+        Replies.isFromPlatform(reply)
+            ? " has no agent any more to hold its part"
+            : reply.getPerformative() == ACLMessage.FAILURE
+                ? " does not hold its part" + why
+                : " answered the award with " + BidReader.performative(reply) + why);
+  }
+
+  private void broken(String member, String how) {
+    misconduct.noted(call.goalId(), member + how);
+    awarded.get(member).broken(member + how);
+  }
+
+  /** A reply that nothing was waiting for. */
+  private void stray(ACLMessage reply) {
+    String what = BidReader.performative(reply);
+    Optional<String> member =
+        agents.entrySet().stream()
+            .filter(e -> e.getValue().equals(reply.getSender()))
+            .map(Map.Entry::getKey)
+            .findFirst();
+    String sentence;
+    if (member.isEmpty()) {
+      sentence =
+          Replies.sender(reply) + " answered (" + what + ") though it was not asked; ignored";
+    } else if (!answers.containsKey(member.get())) {
+      sentence = member.get() + " answered (" + what + ") after the round was closed; ignored";
+    } else if (!awarding && reply.getPerformative() == ACLMessage.INFORM) {
+      sentence = member.get() + " informed before its proposal was accepted; ignored";
+    } else {
+      sentence = member.get() + " answered once more (" + what + "); its first answer counts";
+    }
+    misconduct.noted(call.goalId(), sentence);
+  }
+
+  /** An answer that is against the protocol is an answer all the same: nobody waits for another. */
+  @Override
+  protected void handleOutOfSequence(ACLMessage reply) {
+    if (sessions.size() == 0) {
+      replyReceiver.interrupt();
+    }
+  }
+
+  @Override
+  protected int checkSessions(ACLMessage reply) {
+    int next = super.checkSessions(reply);
+    if (next != -1) {
+      timer.cancel();
+      waits++;
+    }
+    return next;
+  }
+
+  @Override
+  public int onEnd() {
+    timer.cancel();
+    agent.conversations().leave(conversation);
+    awarded.forEach(
+        (member, contract) -> {
+          if (!contract.isSettled()) {
+            broken(
+                member,
+                " did not say within "
+                    + Replies.seconds(patience().contract())
+                    + " that it holds its part");
+          }
+        });
+    return super.onEnd();
+  }
+
+  private List<Bid> readBids() {
+    List<Bid> bids = new ArrayList<>();
+    agents
+        .keySet()
+        .forEach(
+            member -> {
+              ACLMessage answer = answers.get(member);
+              if (answer == null) {
+                String silence =
+                    "did not answer the call for prices within "
+                        + Replies.seconds(patience().bid());
+                misconduct.noted(call.goalId(), member + " " + silence);
+                bids.add(new Bid(member, Map.of(), Optional.of(silence)));
+              } else {
+                BidReader reader = new BidReader(member, call.features().get(member));
+                bids.add(reader.read(answer));
+                reader.faults().forEach(fault -> misconduct.noted(call.goalId(), fault));
+              }
+            });
+    return List.copyOf(bids);
   }
 
   /** Waits for the award between the last response and the acceptances. */
   private final class Deal extends SimpleBehaviour implements Market.Tender {
     private static final long serialVersionUID = 1L;
     private boolean announced;
-    private boolean awarded;
-    private transient List<ACLMessage> answers = List.of();
+    private transient List<Bid> bids = List.of();
 
     @Override
     public void action() {
       if (!announced) {
         announced = true;
-        answers = messages(ALL_RESPONSES_KEY);
-        closed.accept(this);
+        bids = readBids();
+        int number = ++waits;
+        timer =
+            agent
+                .clock()
+                .schedule(
+                    agent.patience(patience().offer()),
+                    agent.getLocalName(),
+                    () -> agent.tell(() -> giveUp(number)));
+        agent.work(() -> closed.accept(this));
       }
-      if (!awarded) {
+      for (ACLMessage late = late(); late != null; late = late()) {
+        stray(late);
+      }
+      if (!awarding) {
         block();
+      }
+    }
+
+    private ACLMessage late() {
+      return awarding ? null : agent.receive(replyTemplate);
+    }
+
+    private void giveUp(int number) {
+      if (number == waits) {
+        award(Map.of());
       }
     }
 
     @Override
     public boolean done() {
-      return awarded;
+      return awarding;
     }
 
     @Override
     public List<Bid> bids() {
-      return ContractNetRound.this.bids(answers);
+      return bids;
     }
 
+    /** Once the offers have run out, a plan finds no contract any more. */
     @Override
     public void award(Map<String, List<Step>> parts) {
-      List<ACLMessage> decisions = new ArrayList<>();
-      for (ACLMessage answer : answers) {
-        if (answer.getPerformative() == ACLMessage.PROPOSE) {
-          decisions.add(decision(answer, parts));
-        }
+      if (awarding) {
+        return;
       }
-      acceptances().addAll(decisions);
-      awarded = true;
+      timer.cancel();
+      waits++;
+      receivers.clear();
+      answers.forEach(
+          (member, answer) -> {
+            if (answer.getPerformative() == ACLMessage.PROPOSE) {
+              acceptances().add(decision(member, answer, parts.getOrDefault(member, List.of())));
+              receivers.add(member);
+            }
+          });
+      awarding = true;
       restart();
     }
 
-    private ACLMessage decision(ACLMessage answer, Map<String, List<Step>> parts) {
-      List<Step> part =
-          agents.entrySet().stream()
-              .filter(e -> e.getValue().equals(answer.getSender()))
-              .map(e -> parts.getOrDefault(e.getKey(), List.of()))
-              .findFirst()
-              .orElse(List.of());
+    private ACLMessage decision(String member, ACLMessage answer, List<Step> part) {
       ACLMessage decision = answer.createReply();
+      decision.setLanguage(MaestroAgent.LANGUAGE);
+      decision.setOntology(MaestroAgent.ONTOLOGY);
       if (part.isEmpty()) {
         decision.setPerformative(ACLMessage.REJECT_PROPOSAL);
         decision.setContent(
             Words.print(Words.content("inform", Words.named("goal", Words.name(call.goalId())))));
       } else {
         decision.setPerformative(ACLMessage.ACCEPT_PROPOSAL);
-        decision.setReplyByDate(new Date(System.currentTimeMillis() + RESULT_WITHIN_MILLIS));
+        decision.setReplyByDate(agent.replyBy(patience().contract()));
         decision.setContent(
             Words.print(part.stream().map(step -> Orders.step(call.goalId(), step)).toList()));
+        awarded.put(member, contracts.award(call.goalId(), member));
       }
       return decision;
-    }
-
-    private List<ACLMessage> messages(String key) {
-      List<ACLMessage> messages = new ArrayList<>();
-      for (Object message : (Vector<?>) getDataStore().get(key)) {
-        messages.add((ACLMessage) message);
-      }
-      return messages;
     }
 
     @SuppressWarnings("unchecked")

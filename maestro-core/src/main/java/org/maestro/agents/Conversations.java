@@ -1,24 +1,54 @@
 package org.maestro.agents;
 
+import jade.core.AID;
 import jade.core.behaviours.CyclicBehaviour;
 import jade.lang.acl.ACLMessage;
 import jade.lang.acl.MessageTemplate;
 import java.time.Duration;
 import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.rats.time.Clock;
 
 /**
  * The requests an agent has made and waits for. Each gets its replies, and an end: a final reply,
- * or a FAILURE of our own when the time is up. Agent thread only.
+ * or a FAILURE of our own when the time is up. What comes later is told apart from other mail for a
+ * while. Agent thread only.
  */
 final class Conversations extends CyclicBehaviour {
   private static final long serialVersionUID = 1L;
+  private static final int REMEMBERED = 256;
 
-  private record Open(Consumer<ACLMessage> listener, boolean lasting, Clock.Timer timer) {}
+  private static final class Open {
+    private final AID partner;
+    private final Consumer<ACLMessage> listener;
+    private final Consumer<ACLMessage> late;
+    private final boolean lasting;
+    private Clock.Timer timer = () -> {};
+
+    private Open(
+        AID partner, Consumer<ACLMessage> listener, Consumer<ACLMessage> late, boolean lasting) {
+      this.partner = partner;
+      this.listener = listener;
+      this.late = late;
+      this.lasting = lasting;
+    }
+  }
 
   private final transient Map<String, Open> open = new HashMap<>();
+  private final transient Map<String, Open> ended =
+      new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, Open> eldest) {
+          return size() > REMEMBERED;
+        }
+      };
+  private final transient Set<String> adopted = new HashSet<>();
   private final transient MaestroAgent agent;
   private final transient Clock clock;
   private int number;
@@ -32,64 +62,141 @@ final class Conversations extends CyclicBehaviour {
   /**
    * Sends the request; AGREE and the final reply go to the listener.
    *
-   * @param timeout of wall time on a fast clock: messages do not travel faster on it
+   * @param timeout simulated time
+   * @param late is told of what comes after the end
    */
-  String ask(ACLMessage request, Duration timeout, Consumer<ACLMessage> listener) {
-    String id = begin(request);
-    Duration limit = Duration.ofMillis((long) (timeout.toMillis() * Math.max(1, clock.speed())));
-    Clock.Timer timer =
-        clock.schedule(limit, agent.getLocalName(), () -> agent.tell(() -> timedOut(id, timeout)));
-    open.put(id, new Open(listener, false, timer));
+  String ask(
+      ACLMessage request,
+      Duration timeout,
+      Consumer<ACLMessage> listener,
+      Consumer<ACLMessage> late) {
+    Open conversation = new Open(partner(request), listener, late, false);
+    String id = begin(request, conversation);
+    endAfter(id, conversation, timeout);
     agent.send(request);
     return id;
+  }
+
+  String ask(ACLMessage request, Duration timeout, Consumer<ACLMessage> listener) {
+    return ask(request, timeout, listener, reply -> {});
   }
 
   /** Sends the request; all replies go to the listener for good. */
   String subscribe(ACLMessage request, Consumer<ACLMessage> listener) {
-    String id = begin(request);
-    open.put(id, new Open(listener, true, () -> {}));
+    String id = begin(request, new Open(partner(request), listener, reply -> {}, true));
     agent.send(request);
     return id;
   }
 
-  private String begin(ACLMessage request) {
+  /** From now on the conversation has so much time more. */
+  void extend(String id, Duration timeout) {
+    Open conversation = open.get(id);
+    if (conversation != null) {
+      conversation.timer.cancel();
+      endAfter(id, conversation, timeout);
+    }
+  }
+
+  /** Nobody waits for the final reply any more. */
+  void close(String id) {
+    Open conversation = open.remove(id);
+    if (conversation != null) {
+      conversation.timer.cancel();
+      ended.put(id, conversation);
+    }
+  }
+
+  /** A conversation that a behaviour of its own leads: its messages are left to that. */
+  void adopt(String id) {
+    adopted.add(id);
+  }
+
+  void leave(String id) {
+    adopted.remove(id);
+    restart();
+  }
+
+  private static AID partner(ACLMessage request) {
+    return (AID) request.getAllReceiver().next();
+  }
+
+  private String begin(ACLMessage request, Open conversation) {
     String id = agent.getLocalName() + "-" + ++number;
     request.setConversationId(id);
     request.setReplyWith(id);
+    open.put(id, conversation);
     return id;
   }
 
-  boolean isOpen(String conversationId) {
-    return conversationId != null && open.containsKey(conversationId);
+  private void endAfter(String id, Open conversation, Duration timeout) {
+    Clock.Timer[] timer = new Clock.Timer[1];
+    timer[0] =
+        clock.schedule(
+            timeout,
+            agent.getLocalName(),
+            () -> agent.tell(() -> timedOut(id, conversation, timer[0], timeout)));
+    conversation.timer = timer[0];
+  }
+
+  /** Whether the message belongs to a conversation that somebody here leads. */
+  boolean isOpen(ACLMessage message) {
+    String id = message.getConversationId();
+    return id != null && (adopted.contains(id) || isFromPartner(open.get(id), message));
+  }
+
+  /** Whether the message answers what is over. */
+  private boolean isLate(ACLMessage message) {
+    String id = message.getConversationId();
+    return id != null && isFromPartner(ended.get(id), message);
+  }
+
+  boolean isOurs(ACLMessage message) {
+    return isOpen(message) || isLate(message);
+  }
+
+  /** Nobody else may answer; but the platform does for an agent that is no more. */
+  private static boolean isFromPartner(Open conversation, ACLMessage message) {
+    return conversation != null
+        && (conversation.partner.equals(message.getSender()) || Replies.isFromPlatform(message));
+  }
+
+  int openCount() {
+    return open.size() + adopted.size();
   }
 
   @Override
   public void action() {
-    ACLMessage message = agent.receive(new MessageTemplate(m -> isOpen(m.getConversationId())));
+    ACLMessage message =
+        agent.receive(
+            new MessageTemplate(
+                m ->
+                    isFromPartner(open.get(String.valueOf(m.getConversationId())), m)
+                        || isLate(m)));
     if (message == null) {
       block();
       return;
     }
-    Open conversation = open.get(message.getConversationId());
-    if (!conversation.lasting() && isFinal(message)) {
-      conversation.timer().cancel();
-      open.remove(message.getConversationId());
+    String id = message.getConversationId();
+    Open conversation = open.get(id);
+    if (conversation == null) {
+      agent.work(() -> ended.get(id).late.accept(message));
+      return;
     }
-    conversation.listener().accept(message);
+    if (!conversation.lasting && isFinal(message)) {
+      close(id);
+    }
+    agent.work(() -> conversation.listener.accept(message));
   }
 
-  private void timedOut(String id, Duration timeout) {
-    Open conversation = open.remove(id);
-    if (conversation != null) {
+  private void timedOut(String id, Open conversation, Clock.Timer timer, Duration timeout) {
+    if (open.get(id) == conversation && conversation.timer == timer) {
+      close(id);
       ACLMessage failure = new ACLMessage(ACLMessage.FAILURE);
       failure.setConversationId(id);
+      String problem = "no answer within " + Replies.seconds(agent.wallTime(timeout));
       failure.setContent(
-          Words.print(
-              Words.content(
-                  "inform",
-                  Words.named(
-                      "problem", Words.text("no answer within " + timeout.toSeconds() + " s")))));
-      conversation.listener().accept(failure);
+          Words.print(Words.content("inform", Words.named("problem", Words.text(problem)))));
+      conversation.listener.accept(failure);
     }
   }
 

@@ -33,6 +33,8 @@ import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Substitution;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * The Central Coordination Agent (M76): takes goals by FIPA request, and is the coordinator's voice
@@ -41,11 +43,14 @@ import org.maestro.sl.Substitution;
  */
 public final class CoordinatorAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
+  private static final Logger LOG = LoggerFactory.getLogger(CoordinatorAgent.class);
 
   /** The paper's name of this agent. */
   public static final String NAME = "CCA";
 
   private final transient KnowledgeBase knowledge;
+  private final transient Contracts contracts = new Contracts();
+  private final transient AclCrew crew;
   private final transient Coordinator coordinator;
   private final transient Story archive;
   private final transient Duration decisionTime;
@@ -72,13 +77,14 @@ public final class CoordinatorAgent extends MaestroAgent {
     this.knowledge = knowledge;
     this.archive = archive;
     this.decisionTime = decisionTime;
+    this.crew = new AclCrew(this, this::agentOf, contracts, this::misconduct);
     this.coordinator =
         new Coordinator(
             new Ports(
                 knowledge,
                 planner,
-                new AclMarket(this, this::agentOf),
-                new AclCrew(this, this::agentOf),
+                new AclMarket(this, this::agentOf, contracts, this::misconduct),
+                crew,
                 new OwnThread(),
                 time.clock(),
                 this::told));
@@ -94,7 +100,20 @@ public final class CoordinatorAgent extends MaestroAgent {
    * may call.
    */
   public void agentMoves(String member) {
-    tell(() -> gone(member, "its agent moves to another container"));
+    tell(() -> agentGone(member, "its agent moves to another container"));
+  }
+
+  /** The member's agent is no more, killed or with its container. Any thread may call. */
+  public void agentEnded(String member) {
+    tell(() -> agentGone(member, "its agent has ended"));
+  }
+
+  private void agentGone(String member, String reason) {
+    if (agentByMember.remove(member) == null) {
+      return;
+    }
+    gone(member, reason);
+    crew.agentEnded(member);
   }
 
   private void gone(String member, String reason) {
@@ -130,7 +149,7 @@ public final class CoordinatorAgent extends MaestroAgent {
                 message,
                 ACLMessage.NOT_UNDERSTOOD,
                 "The CCA does not know the operator "
-                    + content.operator()
+                    + Replies.shortened(content.operator())
                     + "; it knows initCNP, cancel, explain, subscribe and query-ref.");
       }
     }
@@ -214,6 +233,11 @@ public final class CoordinatorAgent extends MaestroAgent {
       } else {
         gone(member.get(), words.string("reason").orElse("lost"));
       }
+    } else {
+      refuse(
+          message,
+          ACLMessage.NOT_UNDERSTOOD,
+          "The CCA is informed of members only: (inform (:member NAME) (:phase ready)).");
     }
   }
 
@@ -274,6 +298,17 @@ public final class CoordinatorAgent extends MaestroAgent {
         : "There is no goal " + id + "; there are " + String.join(", ", stories.keySet()) + ".";
   }
 
+  /** Into the log always, into the goal's story once, as long as it is told. */
+  private void misconduct(String goalId, String sentence) {
+    LOG.warn("{}: {}", goalId, sentence);
+    List<StoryEntry> story = stories.getOrDefault(goalId, List.of());
+    boolean isOver = !story.isEmpty() && story.get(story.size() - 1).kind() == StoryEntry.Kind.END;
+    String text = sentence + ".";
+    if (!isOver && story.stream().noneMatch(entry -> entry.text().equals(text))) {
+      told(new StoryEntry(goalId, clock().now(), StoryEntry.Kind.MISCONDUCT, text));
+    }
+  }
+
   private void told(StoryEntry entry) {
     archive.tell(entry);
     stories.computeIfAbsent(entry.goalId(), id -> new ArrayList<>()).add(entry);
@@ -281,6 +316,7 @@ public final class CoordinatorAgent extends MaestroAgent {
         .filter(s -> s.goalId().equals(entry.goalId()))
         .forEach(s -> inform(s.request(), entry));
     if (entry.kind() == StoryEntry.Kind.END) {
+      contracts.forget(entry.goalId());
       subscriptions.removeIf(s -> s.goalId().equals(entry.goalId()));
     }
   }

@@ -21,7 +21,10 @@ public final class DeskAgent extends MaestroAgent {
 
   @Override
   protected void received(ACLMessage message) {
-    // Nobody asks the desk for anything; replies come through its conversations.
+    refuse(
+        message,
+        ACLMessage.NOT_UNDERSTOOD,
+        "The desk answers no questions; state goals to the CCA by request.");
   }
 
   /** States a goal; AGREE brings its id, the last reply how it ended. */

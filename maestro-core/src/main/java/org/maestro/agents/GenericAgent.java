@@ -173,23 +173,42 @@ public final class GenericAgent extends MaestroAgent {
   }
 
   @Override
+  protected boolean expects(ACLMessage message) {
+    return PriceResponder.isCall(message);
+  }
+
+  @Override
   protected void received(ACLMessage message) {
     for (Content content : Words.parse(message.getContent())) {
       Words words = Words.of(content);
       switch (content.operator()) {
-        case "perform" -> perform(message, words);
-        case "cost" -> cost(message, words);
-        case "cancel" -> cancel(words);
-        case "inform" -> LOG.debug("{} was told {}", member, message.getContent());
+        case "perform" -> when(message, ACLMessage.REQUEST, () -> perform(message, words));
+        case "cost" -> when(message, ACLMessage.REQUEST, () -> cost(message, words));
+        case "cancel" -> when(message, ACLMessage.CANCEL, () -> cancel(words));
         default ->
             refuse(
                 message,
                 ACLMessage.NOT_UNDERSTOOD,
                 member
                     + " does not know the operator "
-                    + content.operator()
+                    + Replies.shortened(content.operator())
                     + "; it knows perform, cost and cancel.");
       }
+    }
+  }
+
+  /** A device must not move because of a message that does not order it to. */
+  private void when(ACLMessage message, int performative, Runnable deed) {
+    if (message.getPerformative() == performative) {
+      deed.run();
+    } else {
+      refuse(
+          message,
+          ACLMessage.NOT_UNDERSTOOD,
+          "This is understood in a %s only, and this message is a %s."
+              .formatted(
+                  ACLMessage.getPerformative(performative).toLowerCase(),
+                  BidReader.performative(message)));
     }
   }
 
@@ -275,7 +294,10 @@ public final class GenericAgent extends MaestroAgent {
               Words.number(answer.seconds().orElse(answer.cost().get()))));
     }
     return Words.content(
-        "cost", Words.named("reason", Words.text(answer.reason().orElse("no reason given"))));
+        "cost",
+        Words.named(
+            answer.answered() ? "reason" : "unanswered",
+            Words.text(answer.reason().orElse("no reason given"))));
   }
 
   private void cancel(Words words) {

@@ -10,6 +10,8 @@ import jade.domain.FIPANames;
 import jade.lang.acl.ACLMessage;
 import jade.lang.acl.MessageTemplate;
 import java.time.Duration;
+import java.util.Date;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -43,6 +45,7 @@ public abstract class MaestroAgent extends Agent {
   private final transient WorkTickets tickets;
   private final transient IdleDetector idleDetector;
   private final transient Conversations conversations;
+  private final transient Protest protest;
   private final transient Inbox inbox;
   private final transient CountDownLatch started = new CountDownLatch(1);
 
@@ -51,6 +54,7 @@ public abstract class MaestroAgent extends Agent {
     this.tickets = new WorkTickets(time.clock(), getClass().getSimpleName());
     this.idleDetector = new IdleDetector(tickets, started::countDown);
     this.conversations = new Conversations(this, time.clock());
+    this.protest = new Protest(this);
     this.inbox = new Inbox(this, time.clock(), tickets, idleDetector);
   }
 
@@ -80,9 +84,26 @@ public abstract class MaestroAgent extends Agent {
     return time.clock();
   }
 
-  /** So much wall time, as simulated time. */
+  /** How long this agent waits for others. */
+  final Patience patience() {
+    return time.patience();
+  }
+
+  /** So much wall time, as simulated time; on a stepped clock they are the same. */
   final Duration patience(Duration wallTime) {
     return Duration.ofMillis(Math.round(wallTime.toMillis() * clock().speed()));
+  }
+
+  /** The opposite of {@link #patience(Duration)}. */
+  final Duration wallTime(Duration simulated) {
+    return Duration.ofMillis(Math.round(simulated.toMillis() / clock().speed()));
+  }
+
+  /** What to write into the reply-by slot: the time of other agents is wall time, if any is. */
+  final Date replyBy(Duration wallTime) {
+    return clock().isStepped()
+        ? Date.from(clock().instant().plus(wallTime))
+        : new Date(System.currentTimeMillis() + wallTime.toMillis());
   }
 
   final Conversations conversations() {
@@ -121,6 +142,7 @@ public abstract class MaestroAgent extends Agent {
     inbox.add(action);
   }
 
+  /** What goes wrong in it goes to the log: JADE ends an agent whose behaviour throws. */
   final void work(Runnable action) {
     try {
       action.run();
@@ -132,8 +154,16 @@ public abstract class MaestroAgent extends Agent {
   /** A message that belongs to no conversation of ours and no contract net. */
   protected abstract void received(ACLMessage message);
 
+  /**
+   * @param timeout of wall time on a fast clock: messages do not travel faster on it
+   */
   protected final void ask(ACLMessage request, Duration timeout, Consumer<ACLMessage> reply) {
-    conversations.ask(request, timeout, reply);
+    conversations.ask(request, patience(timeout), reply);
+  }
+
+  /** How many behaviours this agent has now. For its own thread. */
+  final int behaviourCount() {
+    return idleDetector.behaviourCount();
   }
 
   protected final ACLMessage message(int performative, AID receiver, Content... contents) {
@@ -154,43 +184,76 @@ public abstract class MaestroAgent extends Agent {
     send(reply);
   }
 
-  /** Says no, with a sentence. */
+  /** Says no, with a sentence; a message that is not understood is told so once only. */
   protected final void refuse(ACLMessage to, int performative, String sentence) {
+    if (performative == ACLMessage.NOT_UNDERSTOOD) {
+      protest.against(to, sentence);
+      return;
+    }
     reply(to, performative, Words.content("inform", Words.named("reason", Words.text(sentence))));
   }
 
-  /** Messages that are neither replies to our requests nor part of a contract net. */
+  /**
+   * Whether a behaviour of the agent's own, beside those that all agents have, takes the message.
+   */
+  protected boolean expects(ACLMessage message) {
+    return false;
+  }
+
+  /** Messages that are neither replies to our requests nor part of a contract net under way. */
   private final class Mail extends CyclicBehaviour {
     private static final long serialVersionUID = 1L;
     private final transient MessageTemplate template =
-        new MessageTemplate(
-            m ->
-                !FIPANames.InteractionProtocol.FIPA_CONTRACT_NET.equals(m.getProtocol())
-                    && !conversations.isOpen(m.getConversationId()));
+        new MessageTemplate(m -> !conversations.isOurs(m) && !expects(m));
 
     @Override
     public void action() {
       ACLMessage message = receive(template);
       if (message == null) {
         block();
-      } else if (!isFromPlatform(message)) {
-        handle(message);
+      } else {
+        sort(message);
       }
     }
 
-    /** Receipts of AMS and DF, which nobody waits for. */
-    private boolean isFromPlatform(ACLMessage message) {
-      AID sender = message.getSender();
-      return sender != null && (sender.equals(getAMS()) || sender.equals(getDefaultDF()));
+    private void sort(ACLMessage message) {
+      if (message.getSender() == null || message.getSender().getName() == null) {
+        protest.drop(message, "it has no sender who could be answered");
+      } else if (Replies.isFromPlatform(message) || isFromYellowPages(message)) {
+        protest.drop(message, "a receipt that nobody waits for");
+      } else if (message.getPerformative() == ACLMessage.NOT_UNDERSTOOD) {
+        protest.drop(message, Replies.reason(message).orElse("it did not understand something"));
+      } else if (isContractNet(message) && message.getPerformative() != ACLMessage.CFP) {
+        protest.drop(message, "its contract net is over");
+      } else {
+        Optional<String> objection = Admission.objection(message);
+        if (objection.isPresent()) {
+          protest.against(message, objection.get());
+        } else {
+          handle(message);
+        }
+      }
+    }
+
+    private boolean isContractNet(ACLMessage message) {
+      return FIPANames.InteractionProtocol.FIPA_CONTRACT_NET.equals(message.getProtocol());
+    }
+
+    private boolean isFromYellowPages(ACLMessage message) {
+      return message.getSender().equals(getDefaultDF());
     }
 
     private void handle(ACLMessage message) {
       try {
         received(message);
       } catch (SlSyntaxException e) {
-        refuse(message, ACLMessage.NOT_UNDERSTOOD, e.getMessage());
+        protest.against(message, e.getMessage());
       } catch (RuntimeException e) {
-        LOG.error("{} could not handle {}", getLocalName(), message.getContent(), e);
+        LOG.error(
+            "{} could not handle {}",
+            getLocalName(),
+            Replies.shortened(String.valueOf(message.getContent())),
+            e);
         refuse(
             message,
             ACLMessage.FAILURE,

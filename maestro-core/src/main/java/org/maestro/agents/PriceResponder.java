@@ -6,32 +6,38 @@ import jade.lang.acl.ACLMessage;
 import jade.lang.acl.MessageTemplate;
 import jade.proto.SSContractNetResponder;
 import jade.proto.SSResponderDispatcher;
+import jade.proto.states.MsgReceiver;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Price;
+import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.SlSyntaxException;
 import org.maestro.sl.Term;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** Answers calls for prices, several at a time, each in a session of its own. */
 final class PriceResponder extends SSResponderDispatcher {
   private static final long serialVersionUID = 1L;
+  private static final Logger LOG = LoggerFactory.getLogger(PriceResponder.class);
 
   private final transient MaestroAgent agent;
   private final transient MemberView view;
 
   PriceResponder(MaestroAgent agent, MemberView view) {
-    super(
-        agent,
-        MessageTemplate.and(
-            MessageTemplate.MatchProtocol(FIPANames.InteractionProtocol.FIPA_CONTRACT_NET),
-            MessageTemplate.MatchPerformative(ACLMessage.CFP)));
+    super(agent, new MessageTemplate(PriceResponder::isCall));
     this.agent = agent;
     this.view = view;
+  }
+
+  static boolean isCall(ACLMessage message) {
+    return message.getPerformative() == ACLMessage.CFP
+        && FIPANames.InteractionProtocol.FIPA_CONTRACT_NET.equals(message.getProtocol());
   }
 
   @Override
@@ -42,6 +48,13 @@ final class PriceResponder extends SSResponderDispatcher {
   private ACLMessage answer(ACLMessage cfp) {
     ACLMessage answer = cfp.createReply();
     answer.setLanguage(MaestroAgent.LANGUAGE);
+    answer.setOntology(MaestroAgent.ONTOLOGY);
+    Optional<String> objection = Admission.objection(cfp);
+    if (objection.isPresent()) {
+      answer.setPerformative(ACLMessage.NOT_UNDERSTOOD);
+      answer.setContent(reason(objection.get()));
+      return answer;
+    }
     try {
       List<Content> prices = prices(cfp);
       if (prices.isEmpty()) {
@@ -51,6 +64,7 @@ final class PriceResponder extends SSResponderDispatcher {
             reason(view.isReady() ? name + " has none of these features" : name + " is not there"));
       } else {
         answer.setPerformative(ACLMessage.PROPOSE);
+        answer.setReplyByDate(agent.replyBy(agent.patience().offer()));
         answer.setContent(Words.print(prices));
       }
     } catch (SlSyntaxException e) {
@@ -85,12 +99,21 @@ final class PriceResponder extends SSResponderDispatcher {
     return Words.content("cost", Words.named("feature", Words.name(feature.name())), price);
   }
 
-  /** One call for prices, up to the award. */
+  /**
+   * One call for prices, up to the award. The contract is that the agent holds itself ready for its
+   * part at the prices it named; the steps themselves are ordered one by one. An offer that nobody
+   * takes up or rejects ends by the clock.
+   */
   private final class Session extends SSContractNetResponder {
     private static final long serialVersionUID = 1L;
+    private final String conversation;
+    private transient Clock.Timer timer = () -> {};
 
     Session(ACLMessage cfp) {
       super(agent, cfp);
+      conversation = cfp.getConversationId();
+      registerTransition(RECEIVE_NEXT, HANDLE_REJECT_PROPOSAL, MsgReceiver.INTERRUPTED);
+      agent.conversations().adopt(conversation);
     }
 
     @Override
@@ -99,15 +122,70 @@ final class PriceResponder extends SSResponderDispatcher {
     }
 
     @Override
+    protected void afterReply(ACLMessage reply) {
+      super.afterReply(reply);
+      MsgReceiver next = (MsgReceiver) getState(RECEIVE_NEXT);
+      next.setDeadline(MsgReceiver.INFINITE);
+      if (reply != null && reply.getPerformative() == ACLMessage.PROPOSE) {
+        timer =
+            agent
+                .clock()
+                .schedule(
+                    agent.patience(agent.patience().offer()),
+                    agent.getLocalName(),
+                    () -> agent.tell(next::interrupt));
+      }
+    }
+
+    @Override
     protected ACLMessage handleAcceptProposal(
         ACLMessage cfp, ACLMessage propose, ACLMessage accept) {
-      ACLMessage held = accept.createReply();
-      held.setPerformative(ACLMessage.INFORM);
-      held.setLanguage(MaestroAgent.LANGUAGE);
-      held.setContent(
-          Words.print(
-              Words.content("inform", Words.named("holds", Words.name(agent.getLocalName())))));
-      return held;
+      ACLMessage word = accept.createReply();
+      word.setLanguage(MaestroAgent.LANGUAGE);
+      word.setOntology(MaestroAgent.ONTOLOGY);
+      Optional<String> obstacle = obstacle(accept);
+      word.setPerformative(obstacle.isPresent() ? ACLMessage.FAILURE : ACLMessage.INFORM);
+      word.setContent(
+          obstacle
+              .map(PriceResponder::reason)
+              .orElseGet(
+                  () ->
+                      Words.print(
+                          Words.content(
+                              "inform", Words.named("holds", Words.name(agent.getLocalName()))))));
+      return word;
+    }
+
+    @Override
+    protected void handleOutOfSequence(ACLMessage cfp, ACLMessage propose, ACLMessage message) {
+      LOG.warn(
+          "{} sent {} {} in the middle of a contract net; ignored",
+          Replies.sender(message),
+          agent.getLocalName(),
+          BidReader.performative(message));
+    }
+
+    @Override
+    public int onEnd() {
+      timer.cancel();
+      agent.conversations().leave(conversation);
+      return super.onEnd();
+    }
+  }
+
+  /** Why the agent cannot hold the part it is awarded, though it has proposed to. */
+  private Optional<String> obstacle(ACLMessage accept) {
+    if (!view.isReady()) {
+      return Optional.of(agent.getLocalName() + " is not there any more");
+    }
+    try {
+      return Words.parse(accept.getContent()).stream()
+          .map(content -> Words.of(content).string("feature").orElse("without a name"))
+          .filter(name -> view.feature(name).isEmpty())
+          .map(name -> agent.getLocalName() + " has no feature " + name)
+          .findFirst();
+    } catch (SlSyntaxException e) {
+      return Optional.of("the award cannot be read: " + e.getMessage());
     }
   }
 }

@@ -58,6 +58,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private final TopicContainers topics;
   private final CoordinatorAgent coordinator;
   private final DeskAgent desk;
+  private volatile boolean closing;
   private final Collection<Story> listeners = new ConcurrentLinkedQueue<>();
 
   private MaestroPlatform(
@@ -131,9 +132,7 @@ public final class MaestroPlatform implements AutoCloseable {
         .sorted(Comparator.comparingDouble(Device::order).thenComparing(Device::id))
         .forEach(device -> place(device.id(), topic(device)));
     link.watch(this::memberChanged);
-    if (settings.brokerUri().isPresent()) {
-      AgentDeaths.watch(main, this::agentDied);
-    }
+    AgentDeaths.watch(main, this::agentDied);
     if (settings.gui()) {
       try {
         main.createNewAgent("rma", "jade.tools.rma.rma", new Object[0]).start();
@@ -184,13 +183,21 @@ public final class MaestroPlatform implements AutoCloseable {
     return new GenericAgent(time, link, member, describedBy);
   }
 
-  /** A process that had taken a topic ended or was killed: its members get agents here again. */
+  /**
+   * A process that had taken a topic ended or was killed: its members get agents here again. One
+   * that ended here is not counted on any more.
+   */
   private void agentDied(String member) {
+    if (closing) {
+      return;
+    }
     if (topics.endedElsewhere(member)) {
       coordinator.agentMoves(member);
       Thread starter = new Thread(() -> topics.reclaim(member, this::agentFor), "agent-starter");
       starter.setDaemon(true);
       starter.start();
+    } else {
+      coordinator.agentEnded(member);
     }
   }
 
@@ -265,6 +272,7 @@ public final class MaestroPlatform implements AutoCloseable {
 
   @Override
   public void close() {
+    closing = true;
     List<AgentContainer> containers = new ArrayList<>(topics.close());
     containers.add(main);
     JadeRuntime.end(containers, sinceNanos);

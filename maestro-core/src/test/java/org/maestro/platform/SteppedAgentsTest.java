@@ -84,6 +84,10 @@ class SteppedAgentsTest {
     }
   }
 
+  private static boolean isContractNet(ACLMessage message) {
+    return FIPANames.InteractionProtocol.FIPA_CONTRACT_NET.equals(message.getProtocol());
+  }
+
   private static void burn() {
     double value = 1;
     while (!Thread.currentThread().isInterrupted()) {
@@ -126,6 +130,11 @@ class SteppedAgentsTest {
       super(time);
       this.bidders = bidders;
       this.log = log;
+    }
+
+    @Override
+    protected boolean expects(ACLMessage message) {
+      return isContractNet(message);
     }
 
     @Override
@@ -237,6 +246,11 @@ class SteppedAgentsTest {
                         answer.setContent(content);
                         send(answer);
                       }));
+    }
+
+    @Override
+    protected boolean expects(ACLMessage message) {
+      return isContractNet(message);
     }
 
     @Override

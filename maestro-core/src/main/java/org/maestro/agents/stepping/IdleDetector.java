@@ -48,6 +48,12 @@ public final class IdleDetector extends CyclicBehaviour {
     block();
   }
 
+  /** The agent's behaviours that are not done, without this one. */
+  public synchronized int behaviourCount() {
+    others.removeIf(Behaviour::done);
+    return others.size();
+  }
+
   private synchronized boolean othersCanRun() {
     others.removeIf(Behaviour::done);
     return List.copyOf(others).stream().anyMatch(Behaviour::isRunnable);

@@ -5,6 +5,7 @@ import jade.core.Agent;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.maestro.rats.time.Clock;
 
@@ -20,33 +21,58 @@ public final class SteppedMail {
 
   private final Clock clock;
   private final Map<String, Box> boxByName = new ConcurrentHashMap<>();
+  private final Set<String> closed = ConcurrentHashMap.newKeySet();
 
   public SteppedMail(Clock clock) {
     this.clock = clock;
   }
 
   public void open(Agent agent, WorkTickets tickets) {
+    closed.remove(agent.getName());
     boxByName.put(agent.getName(), new Box(agent, tickets));
   }
 
   public void close(Agent agent) {
+    closed.add(agent.getName());
     boxByName.remove(agent.getName());
   }
 
-  /** Takes the message on if its receiver is stepped too; otherwise JADE delivers it. */
+  /**
+   * Takes the message on if its receiver is stepped too, or was while it lived; otherwise JADE
+   * delivers it.
+   */
   boolean take(ACLMessage message, AID receiver) {
-    if (!boxByName.containsKey(receiver.getName())) {
+    String name = receiver.getName();
+    if (!boxByName.containsKey(name) && !closed.contains(name)) {
       return false;
     }
-    clock.schedule(TRANSIT, receiver.getLocalName(), () -> deliver(message, receiver.getName()));
+    clock.schedule(TRANSIT, receiver.getLocalName(), () -> deliver(message, name));
     return true;
   }
 
   private void deliver(ACLMessage message, String receiver) {
     Box box = boxByName.get(receiver);
     if (box != null) {
-      box.tickets().expect(message);
-      box.agent().postMessage(message);
+      post(message, box);
+    } else {
+      giveBack(message, receiver);
     }
+  }
+
+  /** As JADE does by its agent management system when there is no such agent. */
+  private void giveBack(ACLMessage message, String receiver) {
+    Box sender = boxByName.get(message.getSender().getName());
+    if (sender != null) {
+      ACLMessage failure = message.createReply();
+      failure.setPerformative(ACLMessage.FAILURE);
+      failure.setSender(sender.agent().getAMS());
+      failure.setContent("((MTS-error " + receiver + " \"There is no such agent.\"))");
+      post(failure, sender);
+    }
+  }
+
+  private static void post(ACLMessage message, Box box) {
+    box.tickets().expect(message);
+    box.agent().postMessage(message);
   }
 }

@@ -1,0 +1,215 @@
+package org.maestro.agents;
+
+import jade.core.AID;
+import jade.lang.acl.ACLMessage;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.NoSuchElementException;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.maestro.coordination.Crew;
+import org.maestro.knowledge.FeatureRun;
+import org.maestro.sl.Content;
+import org.maestro.sl.SlSyntaxException;
+import org.maestro.sl.Term;
+
+/**
+ * One order to one agent, from the contract to the report. An agent has to agree soon, and to
+ * report within the step's time and a grace; one that does not is called off and reported as
+ * failed. The order may be sent before the contract is settled only if there is none.
+ */
+final class OrderUnderway implements Crew.Performance {
+  private final MaestroAgent agent;
+  private final AID receiver;
+  private final Crew.Order order;
+  private final Misconduct misconduct;
+  private Consumer<Crew.Report> reported = report -> {};
+  private Optional<String> conversation = Optional.empty();
+  private boolean agreed;
+  private boolean over;
+
+  OrderUnderway(MaestroAgent agent, AID receiver, Crew.Order order, Misconduct misconduct) {
+    this.agent = agent;
+    this.receiver = receiver;
+    this.order = order;
+    this.misconduct = misconduct;
+  }
+
+  void reportTo(Consumer<Crew.Report> listener) {
+    reported = listener;
+  }
+
+  /**
+   * @param broken how the agent broke its contract; empty when it holds or there is none
+   */
+  void contractSettled(Optional<String> broken) {
+    if (over) {
+      return;
+    }
+    if (broken.isPresent()) {
+      // Later, as the order may still be on its way to being noted by who gave it.
+      agent.tell(() -> report(failed(broken.get(), List.of())));
+    } else {
+      send();
+    }
+  }
+
+  private void send() {
+    ACLMessage request = agent.message(ACLMessage.REQUEST, receiver, Orders.order(order));
+    conversation =
+        Optional.of(
+            agent
+                .conversations()
+                .ask(
+                    request,
+                    agent.patience(agent.patience().agreement()),
+                    this::answered,
+                    this::late));
+  }
+
+  private void answered(ACLMessage reply) {
+    if (Conversations.isOverdue(reply)) {
+      overdue();
+    } else if (reply.getPerformative() == ACLMessage.AGREE) {
+      if (agreed) {
+        note("agreed twice; ignored");
+        return;
+      }
+      agreed = true;
+      agent.conversations().extend(conversation.orElseThrow(), timeLimit());
+    } else {
+      if (reply.getPerformative() == ACLMessage.INFORM && !agreed) {
+        note("reported " + feature() + " before it agreed to it; the report counts");
+      }
+      report(read(reply));
+    }
+  }
+
+  private Duration timeLimit() {
+    return order.timeout().plus(agent.patience(agent.patience().report()));
+  }
+
+  private void overdue() {
+    String what =
+        agreed
+            ? "agreed to "
+                + feature()
+                + " and did not report within "
+                + Replies.seconds(timeLimit())
+            : "did not take up "
+                + feature()
+                + " within "
+                + Replies.seconds(agent.patience().agreement());
+    note(what);
+    callOff();
+    report(failed(member() + " " + what, List.of()));
+  }
+
+  private void late(ACLMessage reply) {
+    note(
+        "sent "
+            + BidReader.performative(reply)
+            + " for "
+            + feature()
+            + " after that was over; ignored");
+  }
+
+  void agentEnded() {
+    conversation.ifPresent(agent.conversations()::close);
+    report(failed(member() + " has lost its agent while it was at " + feature(), List.of()));
+  }
+
+  private void note(String what) {
+    misconduct.noted(order.goalId(), member() + " " + what);
+  }
+
+  private String member() {
+    return order.step().member();
+  }
+
+  private String feature() {
+    return order.step().feature().name();
+  }
+
+  private void report(Crew.Report report) {
+    if (!over) {
+      over = true;
+      reported.accept(report);
+    }
+  }
+
+  /** A step that was not ordered yet reports its end at once, one under way when it has ended. */
+  @Override
+  public void cancel() {
+    if (conversation.isPresent()) {
+      callOff();
+    } else {
+      agent.tell(() -> report(failed("called off before it began", List.of())));
+    }
+  }
+
+  private void callOff() {
+    ACLMessage cancel =
+        agent.message(
+            ACLMessage.CANCEL,
+            receiver,
+            Words.content("cancel", Words.named("order", Words.text(conversation.orElseThrow()))));
+    cancel.setConversationId(conversation.orElseThrow());
+    agent.send(cancel);
+  }
+
+  private Crew.Report read(ACLMessage reply) {
+    if (Replies.isFromPlatform(reply)) {
+      return failed(member() + " has no agent any more to do " + feature(), List.of());
+    }
+    try {
+      Words words =
+          Words.parse(reply.getContent()).stream().findFirst().map(Words::of).orElseThrow();
+      return switch (reply.getPerformative()) {
+        case ACLMessage.INFORM ->
+            new Crew.Report(true, words.termsOf("outputs"), Optional.empty(), List.of());
+        case ACLMessage.FAILURE, ACLMessage.REFUSE ->
+            failed(
+                words.string("problem").or(() -> words.string("reason")).orElse("no reason given"),
+                refs(words));
+        default -> misunderstood(reply);
+      };
+    } catch (SlSyntaxException | NoSuchElementException e) {
+      return reply.getPerformative() == ACLMessage.INFORM
+          ? unreadable(reply)
+          : misunderstood(reply);
+    }
+  }
+
+  private Crew.Report unreadable(ACLMessage reply) {
+    String content = reply.getContent() == null ? "" : Replies.shortened(reply.getContent());
+    String what = "reported " + feature() + " unreadably (" + content + ")";
+    note(what);
+    return failed(member() + " " + what, List.of());
+  }
+
+  private Crew.Report misunderstood(ACLMessage reply) {
+    String why = Replies.reason(reply).map(Replies::shortened).map(r -> ": " + r).orElse("");
+    String what =
+        "answered the order of " + feature() + " with " + BidReader.performative(reply) + why;
+    note(what);
+    return failed(member() + " " + what, List.of());
+  }
+
+  private static List<FeatureRun.Learnt> refs(Words words) {
+    List<FeatureRun.Learnt> refs = new ArrayList<>();
+    for (Content.Argument.Named ref : words.find("refs").map(Words::all).orElse(List.of())) {
+      List<Term> terms = Words.of(ref).terms();
+      if (terms.size() == 2) {
+        refs.add(new FeatureRun.Learnt(Words.plain(terms.get(0)), terms.get(1)));
+      }
+    }
+    return refs;
+  }
+
+  static Crew.Report failed(String problem, List<FeatureRun.Learnt> refs) {
+    return new Crew.Report(false, Map.of(), Optional.of(problem), refs);
+  }
+}
