@@ -67,6 +67,18 @@ final class Cell {
     return standing;
   }
 
+  /** What the source says of the value, if that stands. */
+  Optional<Held> claim(Source source, Term value, boolean has) {
+    for (Claim claim : standing) {
+      if (claim.has() == has
+          && claim.value().equals(value)
+          && claim.held().source().equals(source)) {
+        return Optional.of(claim.held());
+      }
+    }
+    return Optional.empty();
+  }
+
   /** Claims of other sources that a later one of no less weight contradicts. */
   List<Claim> overruled() {
     return overruled;

@@ -2,6 +2,7 @@ package org.maestro.knowledge;
 
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -37,7 +38,8 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private final Instant opened;
   private final Lock writing = new ReentrantLock();
   private final List<Consumer<Change>> listeners = new CopyOnWriteArrayList<>();
-  private final History history = new History();
+  private final History history;
+  private final Optional<HistoryFile> file;
   private final Statements statements = new Statements();
   private final Ageing ageing;
   private volatile World world;
@@ -45,11 +47,17 @@ public final class CollectiveKnowledge implements KnowledgeBase {
 
   /** A knowledge base in memory. */
   public CollectiveKnowledge(Home home, Clock clock) {
-    this(home, clock, HomeMeasures::new, new MemoryStorage());
+    this(home, clock, HomeMeasures::new, new MemoryStorage(), KnowledgeSettings.inMemory());
   }
 
   CollectiveKnowledge(
-      Home home, Clock clock, Function<Home, Measures> measures, GraphStorage storage) {
+      Home home,
+      Clock clock,
+      Function<Home, Measures> measures,
+      GraphStorage storage,
+      KnowledgeSettings settings) {
+    this.history = new History(settings.kept(), settings.mostOfEach());
+    this.file = settings.directory().map(place -> new HistoryFile(place, settings.kept()));
     this.clock = clock;
     this.measures = measures;
     this.storage = storage;
@@ -65,6 +73,45 @@ public final class CollectiveKnowledge implements KnowledgeBase {
             .flatMap(individual -> graphs.individual(individual).stream())
             .toList());
     home.devices().values().forEach(device -> store(graphs, device));
+  }
+
+  /**
+   * A knowledge base that knows what was said before a restart. What was believed then is not
+   * believed any more, only remembered: nobody can tell what happened meanwhile.
+   *
+   * @throws KnowledgeException when the directory of its settings cannot be used
+   */
+  public static CollectiveKnowledge open(Home home, Clock clock, KnowledgeSettings settings) {
+    CollectiveKnowledge knowledge =
+        new CollectiveKnowledge(home, clock, HomeMeasures::new, new MemoryStorage(), settings);
+    knowledge.restore();
+    return knowledge;
+  }
+
+  void restore() {
+    if (file.isEmpty()) {
+      return;
+    }
+    Instant now = clock.instant();
+    Map<Long, Outcome.News> read = new LinkedHashMap<>();
+    Cells[] cells = {world.cells()};
+    file.get()
+        .read(
+            now,
+            line -> {
+              Remembered old = Remembered.of(world.declarations(), line.belief(), serial++);
+              if (line.believed() && old.has()) {
+                cells[0] = cells[0].with(old.variable(), Cell.remembered(old.held()));
+              }
+              read.put(old.held().serial(), old.news());
+              note(old.news(), line.belief(), now).forEach(gone -> read.remove(gone.serial()));
+            });
+    world = world.with(cells[0], world.version());
+    Graphs graphs = new Graphs(world.home());
+    storage.commit(
+        List.of(),
+        List.of(),
+        read.values().stream().flatMap(news -> graphs.provenance(news).stream()).toList());
   }
 
   @Override
@@ -143,13 +190,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     listeners.add(listener);
   }
 
-  /**
-   * The latest beliefs of what the fact speaks of, oldest first, at most 16: for a functional
-   * predicate all its values for the same thing. Statements that lost against another source are
-   * among them.
-   *
-   * @param fact a ground atom, or a fluent
-   */
+  @Override
   public List<Belief> history(String fact) {
     Formula.Atom atom = FactReader.atom(FactReader.read(fact, "the reader"));
     return guarded(() -> history.of(new Draft(world, opened, () -> 0).variable(atom)));
@@ -163,6 +204,11 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   @Override
   public void close() {
     ageing.close();
+    guarded(
+        () -> {
+          file.ifPresent(HistoryFile::close);
+          return HOME;
+        });
     storage.close();
   }
 
@@ -192,8 +238,8 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     }
     World written = draft.world();
     boolean isNews = !outcome.facts().isEmpty();
-    world = isNews ? written : written.atVersion(world.version());
-    store(outcome, first);
+    world = isNews ? written : written.with(written.cells(), world.version());
+    store(outcome, first, now);
     ageing.expect(draft.nextExpiry());
     Change change = new Change(world.version(), source, outcome.facts());
     return isNews ? tell(change) : change;
@@ -207,7 +253,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
               write(
                   TIME,
                   (draft, positions) -> {
-                    world.variables().forEach(positions::age);
+                    world.cells().forEach((variable, cell) -> positions.age(variable, cell));
                     return List.of();
                   });
           ageing.expect(world.nextExpiry());
@@ -215,7 +261,10 @@ public final class CollectiveKnowledge implements KnowledgeBase {
         });
   }
 
-  private void store(Outcome outcome, long first) {
+  private void store(Outcome outcome, long first, Instant now) {
+    if (outcome.news().isEmpty() && outcome.gone().isEmpty()) {
+      return;
+    }
     Graphs graphs = new Graphs(world.home());
     List<Quad> removed = new ArrayList<>();
     List<GraphStorage.Subject> forgotten = new ArrayList<>();
@@ -226,20 +275,24 @@ public final class CollectiveKnowledge implements KnowledgeBase {
         added.addAll(graphs.current(news));
       }
       Held held = news.held();
-      if (held.serial() < first) {
-        continue;
+      if (held.serial() >= first) {
+        added.addAll(graphs.provenance(news));
+        Belief belief = new Belief(news.fact(), held.source(), held.since(), held.confidence());
+        file.ifPresent(f -> f.write(new HistoryFile.Line(belief, news.current()), now));
+        for (History.Note old : note(news, belief, now)) {
+          forgotten.add(
+              new GraphStorage.Subject(
+                  graphs.observationsGraph(), graphs.observation(old.serial())));
+        }
       }
-      added.addAll(graphs.provenance(news));
-      Belief belief = new Belief(news.fact(), held.source(), held.since(), held.confidence());
-      history
-          .add(news.variable(), belief, held.serial())
-          .ifPresent(
-              old ->
-                  forgotten.add(
-                      new GraphStorage.Subject(
-                          graphs.observationsGraph(), graphs.observation(old))));
     }
+    file.ifPresent(HistoryFile::flush);
     storage.commit(removed, forgotten, added);
+  }
+
+  private List<History.Note> note(Outcome.News news, Belief belief, Instant now) {
+    return history.add(
+        new History.Note(news.variable(), belief, news.current(), news.held().serial()), now);
   }
 
   private void store(Graphs graphs, Device device) {

@@ -3,13 +3,10 @@ package org.maestro.knowledge;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.function.LongSupplier;
 import java.util.function.Predicate;
 import org.maestro.sl.Expression;
@@ -31,8 +28,7 @@ final class Draft {
   private final World base;
   private final Instant now;
   private final LongSupplier serials;
-  private final Map<String, Map<List<Term>, Cell>> cells;
-  private final Set<String> copied = new LinkedHashSet<>();
+  private Cells cells;
   private final Set<StateVariable> touched = new LinkedHashSet<>();
   private final List<Loser> losers = new ArrayList<>();
 
@@ -45,7 +41,7 @@ final class Draft {
     this.base = base;
     this.now = now;
     this.serials = serials;
-    this.cells = new TreeMap<>(base.cells());
+    this.cells = base.cells();
   }
 
   World base() {
@@ -54,14 +50,7 @@ final class Draft {
 
   /** The world with what was written until now. */
   World world() {
-    copied.clear();
-    return new World(
-        base.version() + 1,
-        base.home(),
-        base.declarations(),
-        base.described(),
-        base.measures(),
-        cells);
+    return base.with(cells, base.version() + 1);
   }
 
   /** The first instant after which something that was touched does not count any more. */
@@ -87,8 +76,7 @@ final class Draft {
   }
 
   Optional<Cell> cell(StateVariable variable) {
-    return Optional.ofNullable(
-        cells.getOrDefault(variable.predicate(), Map.of()).get(variable.arguments()));
+    return cells.get(variable);
   }
 
   /** Returns whether it is believed now. */
@@ -150,7 +138,8 @@ final class Draft {
       return set(variable, new Term.Truth(false), speech);
     }
     Term value = base.declarations().valueOf(atom);
-    Claim claim = new Claim(held(variable, value, speech, speech.voice().confidence()), false);
+    Claim claim =
+        new Claim(held(variable, value, false, speech, speech.voice().confidence()), false);
     boolean contradicts =
         believed(variable).filter(present -> present.value().equals(value)).isPresent();
     if (contradicts && standsAgainst(believed(variable), claim.held())) {
@@ -171,7 +160,7 @@ final class Draft {
 
   private boolean set(StateVariable variable, Term value, Speech speech) {
     Optional<Held> present = believed(variable);
-    Held held = held(variable, value, speech, confidence(speech.voice(), present));
+    Held held = held(variable, value, true, speech, confidence(speech.voice(), present));
     boolean differs = present.filter(p -> !p.value().equals(value)).isPresent();
     if (differs && standsAgainst(present, held)) {
       losers.add(new Loser(variable, new Claim(held, true)));
@@ -212,16 +201,23 @@ final class Draft {
     return cell(variable).flatMap(cell -> cell.settled(held -> held.isFresh(now)).value());
   }
 
-  private Held held(StateVariable variable, Term value, Speech speech, double confidence) {
+  private Held held(
+      StateVariable variable, Term value, boolean has, Speech speech, double confidence) {
     Source source = speech.voice().source();
+    Instant expires = base.declarations().expires(variable, value, source, speech.since());
+    Optional<Held> before =
+        cell(variable)
+            .flatMap(cell -> cell.claim(source, value, has))
+            .filter(held -> held.isRepeatedBy(speech.since(), expires));
     return new Held(
         value,
         source,
         speech.since(),
-        base.declarations().expires(variable, value, source, speech.since()),
+        expires,
+        before.map(Held::noted).orElse(speech.since()),
         confidence,
         speech.fromPosition(),
-        serials.getAsLong());
+        before.map(Held::serial).orElseGet(serials::getAsLong));
   }
 
   private boolean put(StateVariable variable, Claim claim) {
@@ -231,12 +227,7 @@ final class Draft {
   }
 
   private void put(StateVariable variable, Cell cell) {
-    if (copied.add(variable.predicate())) {
-      cells.put(
-          variable.predicate(),
-          new LinkedHashMap<>(cells.getOrDefault(variable.predicate(), Map.of())));
-    }
-    cells.get(variable.predicate()).put(variable.arguments(), cell);
+    cells = cells.with(variable, cell);
     touched.add(variable);
   }
 }

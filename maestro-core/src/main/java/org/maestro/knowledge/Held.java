@@ -1,5 +1,6 @@
 package org.maestro.knowledge;
 
+import java.time.Duration;
 import java.time.Instant;
 import org.maestro.sl.Term;
 
@@ -9,6 +10,7 @@ import org.maestro.sl.Term;
  * @param value of a number, of a functional predicate, or a truth value
  * @param since by time of receipt
  * @param expires the last instant at which it counts; {@link Instant#MAX} when it does not age
+ * @param noted when what it says was written down; what is repeated soon after is not written anew
  * @param confidence of the source in it, 0 to 1
  * @param fromPosition it follows from where things were seen, and goes when the position goes
  * @param serial names the observation in the dataset
@@ -18,9 +20,13 @@ record Held(
     Source source,
     Instant since,
     Instant expires,
+    Instant noted,
     double confidence,
     boolean fromPosition,
     long serial) {
+
+  private static final int TENTH = 10;
+  private static final Duration LASTING = Duration.ofMinutes(1);
 
   boolean isExpected() {
     return source.kind() == Source.Kind.EXPECTED;
@@ -32,5 +38,17 @@ record Held(
 
   boolean isFresh(Instant now) {
     return !expires.isBefore(now);
+  }
+
+  /**
+   * Whether the same, said again then, need not be written down again: what is written may be older
+   * than what is known by a tenth of its validity.
+   */
+  boolean isRepeatedBy(Instant then, Instant untilThen) {
+    Duration tolerance =
+        untilThen.equals(Instant.MAX)
+            ? LASTING
+            : Duration.between(then, untilThen).dividedBy(TENTH);
+    return !noted.plus(tolerance).isBefore(then);
   }
 }

@@ -1,31 +1,70 @@
 package org.maestro.knowledge;
 
+import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
-/** The latest beliefs of every state variable, those that lost included. Not thread-safe. */
+/**
+ * Who said what of every state variable, when and how surely; statements that lost are among them.
+ * What is older than the kept time goes, but for the last statement of each variable. Not
+ * thread-safe.
+ */
 final class History {
 
-  /** Beliefs kept of one variable. */
-  static final int LENGTH = 16;
+  private final Duration kept;
+  private final int mostOfEach;
+  private final Map<StateVariable, Deque<Note>> pasts = new LinkedHashMap<>();
+  private final Map<Long, Note> inOrder = new LinkedHashMap<>();
 
-  private final Map<StateVariable, Deque<Past>> pasts = new LinkedHashMap<>();
+  /**
+   * A statement.
+   *
+   * @param believed false when it lost against another
+   */
+  record Note(StateVariable variable, Belief belief, boolean believed, long serial) {}
 
-  private record Past(Belief belief, long serial) {}
+  History(Duration kept, int mostOfEach) {
+    this.kept = kept;
+    this.mostOfEach = mostOfEach;
+  }
 
-  /** Returns the serial of the belief that is forgotten for it, if any. */
-  Optional<Long> add(StateVariable variable, Belief belief, long serial) {
-    Deque<Past> past = pasts.computeIfAbsent(variable, key -> new ArrayDeque<>());
-    past.addLast(new Past(belief, serial));
-    return past.size() > LENGTH ? Optional.of(past.removeFirst().serial()) : Optional.empty();
+  /** Returns what is forgotten instead. */
+  List<Note> add(Note note, Instant now) {
+    List<Note> forgotten = new ArrayList<>();
+    Deque<Note> past = pasts.computeIfAbsent(note.variable(), key -> new ArrayDeque<>());
+    past.addLast(note);
+    inOrder.put(note.serial(), note);
+    while (past.size() > mostOfEach || past.size() > 1 && isTooOld(past.getFirst(), now)) {
+      inOrder.remove(past.getFirst().serial());
+      forgotten.add(past.removeFirst());
+    }
+    Iterator<Note> oldest = inOrder.values().iterator();
+    while (oldest.hasNext()) {
+      Note old = oldest.next();
+      if (!isTooOld(old, now)) {
+        break;
+      }
+      oldest.remove();
+      Deque<Note> its = pasts.get(old.variable());
+      if (its.size() > 1 && its.getFirst().equals(old)) {
+        forgotten.add(its.removeFirst());
+      }
+    }
+    return forgotten;
+  }
+
+  private boolean isTooOld(Note note, Instant now) {
+    return note.belief().since().plus(kept).isBefore(now);
   }
 
   /** Oldest first. */
   List<Belief> of(StateVariable variable) {
-    return pasts.getOrDefault(variable, new ArrayDeque<>()).stream().map(Past::belief).toList();
+    return pasts.getOrDefault(variable, new ArrayDeque<>()).stream().map(Note::belief).toList();
   }
 }

@@ -32,6 +32,15 @@ public interface KnowledgeBase extends AutoCloseable {
 
   Snapshot snapshot();
 
+  /**
+   * Who said what of what the fact speaks of, when and how surely, oldest first: for a functional
+   * predicate all its values for the same thing. Statements that lost against another source are
+   * among them, and those from before a restart if they were kept.
+   *
+   * @param fact a ground atom, or a fluent
+   */
+  List<Belief> history(String fact);
+
   /** Listeners are told after each change, on the writer's thread, and must hand over at once. */
   void watch(Consumer<Change> listener);
 

@@ -69,7 +69,7 @@ record Outcome(List<String> facts, List<News> news, List<News> gone) {
       after.settled().losers().stream()
           .filter(claim -> !before.standing().contains(claim))
           .forEach(claim -> news.add(new News(variable, claim.held(), claim.has(), false)));
-      if (!before.value().equals(after.value())) {
+      if (!isOneNote(before.value(), after.value())) {
         before.value().ifPresent(held -> left(variable, held, true));
         after.value().ifPresent(held -> came(variable, held, true, before.value()));
         before
@@ -79,7 +79,7 @@ record Outcome(List<String> facts, List<News> news, List<News> gone) {
       }
       for (Term value : before.excluded().keySet()) {
         Held held = before.excluded().get(value);
-        if (!held.equals(after.excluded().get(value))) {
+        if (!isOneNote(Optional.of(held), Optional.ofNullable(after.excluded().get(value)))) {
           left(variable, held, false);
           if (!known && !after.excluded().containsKey(value)) {
             lost(variable, held);
@@ -88,15 +88,22 @@ record Outcome(List<String> facts, List<News> news, List<News> gone) {
       }
       for (Held held : after.excluded().values()) {
         Optional<Held> same = Optional.ofNullable(before.excluded().get(held.value()));
-        if (!same.equals(Optional.of(held))) {
+        if (!isOneNote(same, Optional.of(held))) {
           came(variable, held, false, same);
         }
       }
     }
 
+    private static boolean isOneNote(Optional<Held> before, Optional<Held> after) {
+      return before.map(Held::serial).equals(after.map(Held::serial));
+    }
+
     private void came(StateVariable variable, Held held, boolean has, Optional<Held> before) {
       News came = new News(variable, held, has, true);
-      news.add(came);
+      boolean says = has && isSo(held);
+      if (says || !held.fromPosition() || before.filter(Comparison::isSo).isPresent()) {
+        news.add(came);
+      }
       boolean same =
           before
               .filter(old -> old.value().equals(held.value()))
@@ -104,9 +111,12 @@ record Outcome(List<String> facts, List<News> news, List<News> gone) {
               .filter(old -> old.isFresh(now))
               .isPresent();
       if (!same && !rulesOutWhatNobodyBelieved(held, has, before)) {
-        boolean says = has && !held.value().equals(new Term.Truth(false));
         (says ? facts : exclusions).add(came.fact());
       }
+    }
+
+    private static boolean isSo(Held held) {
+      return !held.value().equals(new Term.Truth(false));
     }
 
     /** Effects rule out a lot in one sweep; only what was believed before is worth telling. */

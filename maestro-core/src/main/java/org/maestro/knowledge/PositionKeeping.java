@@ -95,8 +95,7 @@ final class PositionKeeping {
   }
 
   /** What is too old does not count any more. */
-  void age(StateVariable variable) {
-    Cell cell = draft.cell(variable).orElse(Cell.LOST);
+  void age(StateVariable variable, Cell cell) {
     if (cell.nextExpiry().isBefore(draft.now())) {
       boolean left = cell.standing().stream().anyMatch(this::isFresh);
       draft.keep(variable, this::isFresh);
@@ -172,12 +171,20 @@ final class PositionKeeping {
   }
 
   private void forgetWhatFollowed(Term thing) {
-    for (StateVariable variable : draft.world().variables()) {
-      boolean about = variable.arguments().contains(thing);
-      draft.keep(
-          variable,
-          claim -> !claim.held().fromPosition() || !about && !claim.value().equals(thing));
-    }
+    draft
+        .world()
+        .cells()
+        .forEach(
+            (variable, cell) -> {
+              if (cell.standing().stream().anyMatch(claim -> follows(variable, claim, thing))) {
+                draft.keep(variable, claim -> !follows(variable, claim, thing));
+              }
+            });
+  }
+
+  private static boolean follows(StateVariable variable, Claim claim, Term thing) {
+    return claim.held().fromPosition()
+        && (claim.value().equals(thing) || variable.arguments().contains(thing));
   }
 
   private Sightings sightings() {

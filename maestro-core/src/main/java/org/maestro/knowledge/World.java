@@ -2,33 +2,21 @@ package org.maestro.knowledge;
 
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import org.maestro.ontology.home.Home;
-import org.maestro.sl.Term;
 
-/**
- * All that is known, by predicate and arguments. Immutable; a write copies only the predicates it
- * touches, so that a snapshot costs nothing.
- *
- * @param cells by predicate, then by the variable's arguments
- */
+/** All that is known. Immutable; a snapshot costs nothing. */
 record World(
     long version,
     Home home,
     Declarations declarations,
     Described described,
     Measures measures,
-    Map<String, Map<List<Term>, Cell>> cells) {
-  World {
-    cells = Collections.unmodifiableMap(new TreeMap<>(cells));
-  }
+    Cells cells) {
 
   static World of(Home home, Measures measures) {
-    return new World(0, home, new Declarations(home), new Described(home), measures, Map.of());
+    return new World(0, home, new Declarations(home), new Described(home), measures, Cells.none());
   }
 
   World with(Home changed, Measures itsMeasures, long newVersion) {
@@ -36,35 +24,29 @@ record World(
         newVersion, changed, new Declarations(changed), new Described(changed), itsMeasures, cells);
   }
 
-  World atVersion(long same) {
-    return new World(same, home, declarations, described, measures, cells);
+  World with(Cells changed, long newVersion) {
+    return new World(newVersion, home, declarations, described, measures, changed);
   }
 
   Optional<Cell> cell(StateVariable variable) {
-    return Optional.ofNullable(
-        cells.getOrDefault(variable.predicate(), Map.of()).get(variable.arguments()));
+    return cells.get(variable);
   }
 
-  /**
-   * The variables of which something is known, in no order that means anything but always the same.
-   */
+  /** The variables of which something is or was known, in the order of first mention. */
   List<StateVariable> variables() {
     List<StateVariable> variables = new ArrayList<>();
-    cells.forEach(
-        (predicate, byArguments) ->
-            byArguments.keySet().forEach(a -> variables.add(new StateVariable(predicate, a))));
+    cells.forEach((variable, cell) -> variables.add(variable));
     return variables;
   }
 
   /** The first instant after which something that is known does not count any more. */
   Instant nextExpiry() {
-    Instant earliest = Instant.MAX;
-    for (Map<List<Term>, Cell> byArguments : cells.values()) {
-      for (Cell cell : byArguments.values()) {
-        Instant own = cell.nextExpiry();
-        earliest = own.isBefore(earliest) ? own : earliest;
-      }
-    }
-    return earliest;
+    Instant[] earliest = {Instant.MAX};
+    cells.forEach(
+        (variable, cell) -> {
+          Instant own = cell.nextExpiry();
+          earliest[0] = own.isBefore(earliest[0]) ? own : earliest[0];
+        });
+    return earliest[0];
   }
 }

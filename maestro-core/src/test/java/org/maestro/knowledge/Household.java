@@ -34,8 +34,17 @@ final class Household {
   static final Source ROBOT = new Source(Source.Kind.STATED, "rose");
 
   final SteppedClock clock = new SteppedClock();
-  final CollectiveKnowledge knowledge =
-      new CollectiveKnowledge(home(), clock, home -> new Plane(), new MemoryStorage());
+  final CollectiveKnowledge knowledge;
+
+  Household() {
+    this(KnowledgeSettings.inMemory());
+  }
+
+  Household(KnowledgeSettings settings) {
+    knowledge =
+        new CollectiveKnowledge(home(), clock, home -> new Plane(), new MemoryStorage(), settings);
+    knowledge.restore();
+  }
 
   static Home home() {
     Map<String, PredicateDeclaration> predicates = new TreeMap<>();

@@ -1,0 +1,41 @@
+package org.maestro.knowledge;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Optional;
+
+/**
+ * How much of the past is kept.
+ *
+ * @param kept how long statements are kept; what is known now is kept however old it is
+ * @param mostOfEach statements kept of one state variable, so that a stream of positions cannot
+ *     fill the memory
+ * @param directory where statements are written, to be read again after a restart; empty: they end
+ *     with the process
+ */
+public record KnowledgeSettings(Duration kept, int mostOfEach, Optional<Path> directory) {
+
+  private static final Duration A_DAY = Duration.ofDays(1);
+  private static final int MOST_OF_EACH = 200;
+
+  public KnowledgeSettings {
+    if (kept.isNegative() || mostOfEach < 1) {
+      throw new IllegalArgumentException(
+          "History is kept for "
+              + kept
+              + " and "
+              + mostOfEach
+              + " statements of each; give a time from 0 and a number from 1.");
+    }
+  }
+
+  /** A day, in memory. */
+  public static KnowledgeSettings inMemory() {
+    return new KnowledgeSettings(A_DAY, MOST_OF_EACH, Optional.empty());
+  }
+
+  /** A day, also on disk; the directory is made when it is not there. */
+  public static KnowledgeSettings in(Path directory) {
+    return new KnowledgeSettings(A_DAY, MOST_OF_EACH, Optional.of(directory));
+  }
+}
