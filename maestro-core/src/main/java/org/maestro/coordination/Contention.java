@@ -35,6 +35,7 @@ final class Contention {
   private final StepsUnderway underway;
   private final Set<Formula.Atom> carried = new LinkedHashSet<>();
   private Optional<Interest> broughtAbout = Optional.empty();
+  private JournalEntry.Keeps written;
 
   Contention(
       String goalId,
@@ -49,6 +50,23 @@ final class Contention {
     this.rivals = rivals;
     this.plan = plan;
     this.underway = underway;
+    this.written = JournalEntry.Keeps.nothing(goalId);
+  }
+
+  /** What it had before this coordinator was there. */
+  void takeUp(JournalEntry.Keeps former) {
+    written = former;
+    leases().keep(goalId, former.components());
+    carried.addAll(former.carried());
+  }
+
+  private void writeDown() {
+    JournalEntry.Keeps now =
+        new JournalEntry.Keeps(goalId, leases().kept(goalId), Set.copyOf(carried));
+    if (!now.equals(written)) {
+      written = now;
+      ports.journal().write(now);
+    }
   }
 
   private Leases leases() {
@@ -105,6 +123,7 @@ final class Contention {
     List<WaitsFor> obstacles = leases().obstaclesToKeep(goalId, wanted);
     if (obstacles.isEmpty()) {
       leases().keep(goalId, wanted);
+      writeDown();
     }
     return obstacles;
   }
@@ -163,6 +182,7 @@ final class Contention {
         carried.add(truth.atom());
       }
     }
+    writeDown();
   }
 
   /** A fact about something else that names the member: it has that thing. */
@@ -185,6 +205,7 @@ final class Contention {
     spare.removeIf(resource -> isTied(resource.owner()));
     leases().letGo(goalId, spare);
     leases().moved(goalId);
+    writeDown();
   }
 
   /** Lets go of all that no step is using and no member is tied to. */
@@ -194,6 +215,7 @@ final class Contention {
     spare.removeIf(resource -> isTied(resource.owner()));
     leases().letGo(goalId, spare);
     leases().moved(goalId);
+    writeDown();
   }
 
   /** Lets go even of what it carries. */

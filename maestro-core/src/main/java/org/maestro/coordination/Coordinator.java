@@ -2,6 +2,7 @@ package org.maestro.coordination;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -17,12 +18,16 @@ import org.maestro.rats.time.Clock;
  * <p>Source: paper section 3.3, checklist M4, M17, M21, M55, M76.
  */
 public final class Coordinator {
+  static final String PREFIX = "G";
+
   private final Ports ports;
   private final JournaledCrew crew;
   private final Roster roster = new Roster();
   private final Rivals rivals = new Rivals();
   private final ExactPrices exactPrices = new ExactPrices();
   private final Map<String, GoalPursuit> pursuits = new LinkedHashMap<>();
+  private final Map<String, Recovery.EndedGoal> ended = new LinkedHashMap<>();
+  private final Comeback comeback = new Comeback();
   private int lastNumber;
 
   public Coordinator(Ports ports) {
@@ -40,7 +45,16 @@ public final class Coordinator {
   public String submit(GoalRequest request, Consumer<GoalOutcome> ended) {
     new GoalCheck(ports.knowledge().home()).check(request.goal());
     int number = ++lastNumber;
-    String id = "G" + number;
+    String id = PREFIX + number;
+    GoalPursuit pursuit = pursuit(id, request, number, ended);
+    ports.journal().write(new JournalEntry.Submitted(id, request));
+    comeback.afterwards(
+        () -> ports.thinking().think(() -> id, started -> rivals.run(pursuit::start)));
+    return id;
+  }
+
+  private GoalPursuit pursuit(
+      String id, GoalRequest request, int number, Consumer<GoalOutcome> told) {
     GoalPursuit pursuit =
         new GoalPursuit(
             id,
@@ -49,13 +63,49 @@ public final class Coordinator {
             roster,
             rivals,
             exactPrices,
-            outcome -> ports.journal().afterwards(() -> ended.accept(outcome)));
+            outcome -> ports.journal().afterwards(() -> told.accept(outcome)));
     pursuits.put(id, pursuit);
     rivals.enter(pursuit, new Standing(request.priority(), request.deadline(), number));
-    ports.journal().write(new JournalEntry.Submitted(id, request));
-    ports.thinking().think(() -> id, started -> rivals.run(pursuit::start));
     request.deadline().ifPresent(deadline -> endAt(deadline, pursuit));
-    return id;
+    return pursuit;
+  }
+
+  /**
+   * Goes on with what coordinators before this one have left. To be called before anything else.
+   * Nothing begins before the members are back that were there then, or that time has passed.
+   *
+   * @param patience simulated time for members to show up again
+   * @param told once of each goal that had no end yet, how it ended
+   */
+  public void resume(Recovery recovery, Duration patience, Consumer<GoalOutcome> told) {
+    lastNumber = Math.max(lastNumber, recovery.lastGoalNumber());
+    recovery.ended().forEach(goal -> ended.put(goal.outcome().id(), goal));
+    recovery.members().stream().filter(m -> !roster.isPresent(m)).forEach(comeback::await);
+    for (Recovery.UnfinishedGoal goal : recovery.goals()) {
+      pursuit(goal.id(), goal.request(), number(goal.id()), told)
+          .prepareToTakeUp(goal, "for its devices to come back after the restart");
+    }
+    FormerCalls former = new FormerCalls(ports, roster);
+    comeback.afterwards(() -> rivals.run(() -> takeUp(recovery, former)));
+    Clock clock = ports.clock();
+    clock.schedule(
+        patience,
+        "comeback",
+        () -> ports.thinking().think(() -> patience, passed -> comeback.giveUp()));
+  }
+
+  /** Goals with something under way go first: what their steps use is theirs. */
+  private void takeUp(Recovery recovery, FormerCalls former) {
+    recovery.unwanted().forEach(call -> former.giveUp(call, "nobody wants it"));
+    recovery.goals().stream()
+        .sorted(Comparator.comparing(goal -> goal.calls().isEmpty()))
+        .forEach(goal -> pursuits.get(goal.id()).takeUp(goal, former));
+  }
+
+  /** Of a goal's id; 0 when it is none of ours. */
+  static int number(String goalId) {
+    String digits = goalId.startsWith(PREFIX) ? goalId.substring(PREFIX.length()) : "";
+    return digits.matches("[0-9]{1,9}") ? Integer.parseInt(digits) : 0;
   }
 
   /** The clock's thread only hands over. */
@@ -90,6 +140,7 @@ public final class Coordinator {
   public void memberPresent(String member, Optional<String> life) {
     roster.present(member, life);
     ports.journal().write(new JournalEntry.MemberCame(member, life));
+    comeback.present(member);
   }
 
   /**
@@ -123,6 +174,7 @@ public final class Coordinator {
 
   public List<GoalStatus> goals() {
     List<GoalStatus> goals = new ArrayList<>();
+    ended.values().forEach(goal -> goals.add(status(goal)));
     pursuits.values().forEach(pursuit -> goals.add(pursuit.status()));
     return goals;
   }
@@ -130,5 +182,19 @@ public final class Coordinator {
   /** The wait-for graph: which goal waits for what, and which goal has it. */
   public List<WaitsFor> waits() {
     return rivals.leases().graph();
+  }
+
+  private GoalStatus status(Recovery.EndedGoal goal) {
+    GoalOutcome outcome = goal.outcome();
+    return new GoalStatus(
+        outcome.id(),
+        outcome.goal(),
+        goal.request().requester(),
+        outcome.state(),
+        String.join(" ", outcome.reasons()),
+        goal.request().priority(),
+        goal.request().deadline().map(deadline -> deadline.minus(ports.clock().now())),
+        ports.clock().now().minus(outcome.submittedAt()),
+        List.of());
   }
 }

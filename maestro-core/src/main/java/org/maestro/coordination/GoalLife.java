@@ -17,7 +17,7 @@ final class GoalLife {
   private final Journal journal;
   private final GoalStory story;
   private final Consumer<GoalOutcome> ended;
-  private final Duration submittedAt;
+  private Duration submittedAt;
   private final long submittedNanos = System.nanoTime();
 
   private GoalState state = GoalState.SUBMITTED;
@@ -73,6 +73,14 @@ final class GoalLife {
   String standingInWords() {
     String where = state.name().toLowerCase(Locale.ROOT);
     return detail.isEmpty() ? " while " + where : " while " + where + " (" + detail + ")";
+  }
+
+  /** It began before this coordinator was there. */
+  void takeUp(Recovery.UnfinishedGoal former) {
+    submittedAt = former.submittedAt();
+    effort = former.effort();
+    state = former.state();
+    detail = former.detail();
   }
 
   /** The only way to another state, except to an end. */

@@ -83,6 +83,39 @@ final class GoalPursuit {
     return life.id();
   }
 
+  /** It was begun by a coordinator before this one, and goes on when the members are back. */
+  void prepareToTakeUp(Recovery.UnfinishedGoal goal, String awaited) {
+    life.takeUp(goal);
+    contention.takeUp(goal.keeps());
+    life.become(GoalState.WAITING, awaited);
+  }
+
+  /** What was under way is asked for again; after its end, or at once, it is planned anew. */
+  void takeUp(Recovery.UnfinishedGoal goal, FormerCalls former) {
+    if (life.isOver()) {
+      goal.calls().forEach(call -> former.giveUp(call, "its goal was cancelled"));
+      return;
+    }
+    story.takenUp(goal);
+    for (Recovery.UnfinishedCall call : goal.calls()) {
+      Optional<String> obstacle = former.obstacle(call);
+      story.takenUp(call, obstacle);
+      if (obstacle.isPresent()) {
+        former.giveUp(call, obstacle.get());
+      } else {
+        execution.takeUp(former.order(call));
+      }
+    }
+    if (underway.isEmpty()) {
+      makePlan(
+          goal.effort().plans() == 0
+              ? Optional.empty()
+              : Optional.of("the coordinator was started again"));
+    } else {
+      life.become(GoalState.WAITING, "what was under way before the restart has to end first");
+    }
+  }
+
   GoalStatus status() {
     return life.status(rivals.leases().waitsOf(life.id()));
   }

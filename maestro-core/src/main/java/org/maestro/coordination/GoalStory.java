@@ -59,6 +59,28 @@ final class GoalStory {
     }
   }
 
+  /** The coordinator ended and another goes on. */
+  void takenUp(Recovery.UnfinishedGoal goal) {
+    tell(
+        StoryEntry.Kind.RESTART,
+        "Taken up again after a restart, "
+            + (goal.calls().isEmpty() ? "with nothing under way" : "with steps under way")
+            + ".");
+  }
+
+  /** What becomes of a call that was under way then; empty: it is asked for again. */
+  void takenUp(Recovery.UnfinishedCall call, Optional<String> obstacle) {
+    JournalEntry.Begun begun = call.begun();
+    String step =
+        "Step %d (%s by %s)"
+            .formatted(begun.number(), begun.step().feature(), begun.step().member());
+    tell(
+        StoryEntry.Kind.RESTART,
+        obstacle
+            .map(why -> step + " was under way, and nobody knows what became of it: " + why + ".")
+            .orElse(step + " was under way; asked for again, which is no second time."));
+  }
+
   private List<String> names(GoalRequest request) {
     String text = SlPrinter.print(request.goal());
     return knowledge.home().individuals().keySet().stream()

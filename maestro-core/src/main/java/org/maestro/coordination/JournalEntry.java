@@ -3,7 +3,9 @@ package org.maestro.coordination;
 import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.maestro.planning.StepKey;
+import org.maestro.sl.Formula;
 
 /** What a {@link Journal} is told. */
 public sealed interface JournalEntry {
@@ -18,6 +20,19 @@ public sealed interface JournalEntry {
    */
   record Became(String goalId, GoalState state, String reason, GoalEffort effort)
       implements JournalEntry {}
+
+  /**
+   * A goal has these for itself from now on.
+   *
+   * @param components of members
+   * @param carried facts that it has brought about, and that tie a member to it
+   */
+  record Keeps(String goalId, Set<Resource> components, Set<Formula.Atom> carried)
+      implements JournalEntry {
+    static Keeps nothing(String goalId) {
+      return new Keeps(goalId, Set.of(), Set.of());
+    }
+  }
 
   /**
    * A call is about to be sent.

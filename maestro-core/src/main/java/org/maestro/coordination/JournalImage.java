@@ -15,8 +15,6 @@ import java.util.TreeSet;
  * safe for use by several threads.
  */
 public final class JournalImage {
-  private static final String PREFIX = "G";
-
   /** An entry and the clock's time at which it was written. */
   public record Dated(Duration at, JournalEntry entry) {}
 
@@ -25,6 +23,7 @@ public final class JournalImage {
     private final Map<String, Call> calls = new LinkedHashMap<>();
     private Optional<Dated> became = Optional.empty();
     private int callsSince;
+    private Optional<Dated> keeps = Optional.empty();
     private Optional<Dated> over = Optional.empty();
 
     private Goal(Dated submitted) {
@@ -54,7 +53,7 @@ public final class JournalImage {
     JournalEntry entry = dated.entry();
     if (entry instanceof JournalEntry.Submitted submitted) {
       goals.put(submitted.goalId(), new Goal(dated));
-      lastGoalNumber = Math.max(lastGoalNumber, number(submitted.goalId()));
+      lastGoalNumber = Math.max(lastGoalNumber, Coordinator.number(submitted.goalId()));
     } else if (entry instanceof JournalEntry.Became became) {
       goal(became.goalId())
           .ifPresent(
@@ -62,6 +61,8 @@ public final class JournalImage {
                 goal.became = Optional.of(dated);
                 goal.callsSince = 0;
               });
+    } else if (entry instanceof JournalEntry.Keeps keeps) {
+      goal(keeps.goalId()).ifPresent(goal -> goal.keeps = Optional.of(dated));
     } else if (entry instanceof JournalEntry.Begun begun) {
       goal(begun.goalId())
           .ifPresent(
@@ -126,6 +127,7 @@ public final class JournalImage {
         call.calledOff.ifPresent(entries::add);
       }
       goal.became.map(became -> counted(goal, became)).ifPresent(entries::add);
+      goal.keeps.ifPresent(entries::add);
       goal.over.ifPresent(entries::add);
     }
     return entries;
@@ -186,6 +188,9 @@ public final class JournalImage {
         became.map(JournalEntry.Became::state).orElse(GoalState.SUBMITTED),
         became.map(JournalEntry.Became::reason).orElse(""),
         effort(goal),
+        goal.keeps
+            .map(dated -> (JournalEntry.Keeps) dated.entry())
+            .orElseGet(() -> JournalEntry.Keeps.nothing(id)),
         calls);
   }
 
@@ -195,10 +200,5 @@ public final class JournalImage {
 
   private Optional<Call> call(String goalId, String callId) {
     return goal(goalId).map(goal -> goal.calls.get(callId));
-  }
-
-  private static int number(String goalId) {
-    String digits = goalId.startsWith(PREFIX) ? goalId.substring(PREFIX.length()) : "";
-    return digits.matches("[0-9]{1,9}") ? Integer.parseInt(digits) : 0;
   }
 }

@@ -28,8 +28,14 @@ final class JournaledCrew implements Crew {
     this.life = Long.toString(since.toEpochMilli(), Character.MAX_RADIX);
   }
 
+  /** An order that names its call already stands in the journal. */
   @Override
   public Performance perform(Order order, Consumer<Report> reported) {
+    if (order.call().isPresent()) {
+      Sending again = new Sending(order, reported);
+      again.send();
+      return again;
+    }
     Order named = order.named(name(order));
     journal.write(
         new JournalEntry.Begun(
@@ -43,18 +49,6 @@ final class JournaledCrew implements Crew {
     Sending sending = new Sending(named, reported);
     journal.afterwards(sending::send);
     return sending;
-  }
-
-  /** Sends a call again that stands in the journal already. */
-  Performance repeat(Order named, Consumer<Report> reported) {
-    Sending sending = new Sending(named, reported);
-    sending.send();
-    return sending;
-  }
-
-  /** A call of a coordinator before this one is not asked for again. */
-  void giveUp(String goalId, String callId, String problem) {
-    journal.write(new JournalEntry.Ended(goalId, callId, Optional.of(problem)));
   }
 
   @Override

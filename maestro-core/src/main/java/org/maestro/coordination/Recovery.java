@@ -27,6 +27,7 @@ public record Recovery(
   /**
    * A goal to be taken up.
    *
+   * @param keeps what it had for itself
    * @param calls begun for it, and not known to be over
    */
   public record UnfinishedGoal(
@@ -36,6 +37,7 @@ public record Recovery(
       GoalState state,
       String detail,
       GoalEffort effort,
+      JournalEntry.Keeps keeps,
       List<UnfinishedCall> calls) {}
 
   public record EndedGoal(GoalRequest request, GoalOutcome outcome) {}

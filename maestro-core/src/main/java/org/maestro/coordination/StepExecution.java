@@ -71,12 +71,22 @@ final class StepExecution {
     Snapshot before = ports.knowledge().snapshot();
     Map<String, Argument> arguments =
         new CallArguments(ports.knowledge().home(), before).of(step.feature(), step.bindings());
+    perform(new Crew.Order(goalId, step, arguments, timeout(step)), used, before);
+  }
+
+  /** A step that was begun before this coordinator was there, in its former words. */
+  void takeUp(Crew.Order order) {
+    perform(order, contention.begin(order.step()), ports.knowledge().snapshot());
+  }
+
+  private void perform(Crew.Order order, Set<Resource> used, Snapshot before) {
+    Step step = order.step();
     Crew.Performance[] performance = new Crew.Performance[1];
     performance[0] =
         ports
             .crew()
             .perform(
-                new Crew.Order(goalId, step, arguments, timeout(step)),
+                order,
                 report -> rivals.run(() -> reported(step, used, before, report, performance[0])));
     underway.begun(step, before, performance[0]);
   }

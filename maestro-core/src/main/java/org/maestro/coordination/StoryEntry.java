@@ -11,6 +11,7 @@ public record StoryEntry(String goalId, Duration at, Kind kind, String text) {
 
   public enum Kind {
     GOAL,
+    RESTART,
     KNOWN,
     BIDS,
     PLAN,
