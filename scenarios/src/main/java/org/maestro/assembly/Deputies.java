@@ -81,7 +81,7 @@ final class Deputies {
     @Override
     public void described(String description) {
       view.device().ifPresent(knowledge::describe);
-      coordinator.memberPresent(member);
+      coordinator.memberPresent(member, Optional.of(news.boot()));
     }
 
     @Override

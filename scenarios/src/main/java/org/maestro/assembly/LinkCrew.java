@@ -36,15 +36,23 @@ final class LinkCrew implements Crew {
     deputy.get().view().begun(conversation, step.bindings());
     RatsLink.CallHandle call =
         link.call(
-            step.member(),
-            step.feature().name(),
-            LinkMarket.json(order.parameters()),
-            order.timeout(),
-            Optional.of(order.goalId()),
+            new RatsLink.Order(
+                order.call().map(Call::id),
+                step.member(),
+                order.call().flatMap(Call::life),
+                step.feature().name(),
+                LinkMarket.json(order.parameters()),
+                order.timeout(),
+                Optional.of(order.goalId())),
             new CallReporter(
                 action -> deputies.later(step.member(), action),
                 new Performing(deputy.get(), step, conversation, reported)));
     return call::cancel;
+  }
+
+  @Override
+  public void callOff(String member, Call call) {
+    call.life().ifPresent(boot -> link.cancel(member, boot, call.id()));
   }
 
   /** What becomes of one order. */
