@@ -141,7 +141,7 @@ final class Contention {
     if (!changes.isEmpty()) {
       for (GoalPursuit other : rivals.others(goalId)) {
         other
-            .countsOn(changes, now)
+            .countsOn(changes, now, goalId)
             .ifPresent(
                 fact ->
                     obstacles.add(
@@ -238,14 +238,17 @@ final class Contention {
    * What the changes would spoil for this goal, if anything.
    *
    * @param wholeGoal all of the goal is to stay so, whoever brought it about
-   * @param atWork its plan is under way: what the rest of it needs counts too
+   * @param goesFirst all that the rest of its plan needs counts, not only what it has brought about
    */
   Optional<Formula> spoiledBy(
-      List<Change> changes, Snapshot now, boolean wholeGoal, boolean atWork) {
+      List<Change> changes, Snapshot now, boolean wholeGoal, boolean goesFirst) {
     Reliance reliance = new Reliance(vocabulary());
     underway.steps().forEach(reliance::addConditions);
-    if (atWork && (hasAnything() || plan.hasBegun())) {
+    if (goesFirst && (hasAnything() || plan.hasBegun())) {
       plan.remaining().forEach(reliance::addConditions);
+    } else {
+      broughtAbout.ifPresent(
+          about -> plan.remaining().forEach(step -> reliance.addAchievedConditions(step, about)));
     }
     if (wholeGoal) {
       reliance.addAll(request.goal(), plan.goalBinding());

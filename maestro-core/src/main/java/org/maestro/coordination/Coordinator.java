@@ -3,6 +3,7 @@ package org.maestro.coordination;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -28,6 +29,7 @@ public final class Coordinator {
   private final Map<String, GoalPursuit> pursuits = new LinkedHashMap<>();
   private final Map<String, Recovery.EndedGoal> ended = new LinkedHashMap<>();
   private final Comeback comeback = new Comeback();
+  private final Map<String, Clock.Timer> deadlines = new HashMap<>();
   private int lastNumber;
 
   public Coordinator(Ports ports) {
@@ -63,7 +65,10 @@ public final class Coordinator {
             roster,
             rivals,
             exactPrices,
-            outcome -> ports.journal().afterwards(() -> told.accept(outcome)));
+            outcome -> {
+              Optional.ofNullable(deadlines.remove(id)).ifPresent(Clock.Timer::cancel);
+              ports.journal().afterwards(() -> told.accept(outcome));
+            });
     pursuits.put(id, pursuit);
     rivals.enter(pursuit, new Standing(request.priority(), request.deadline(), number));
     request.deadline().ifPresent(deadline -> endAt(deadline, pursuit));
@@ -111,10 +116,13 @@ public final class Coordinator {
   /** The clock's thread only hands over. */
   private void endAt(Duration deadline, GoalPursuit pursuit) {
     Clock clock = ports.clock();
-    clock.schedule(
-        deadline.minus(clock.now()),
-        pursuit.id(),
-        () -> ports.thinking().think(pursuit::id, passed -> rivals.run(pursuit::deadlinePassed)));
+    Clock.Timer timer =
+        clock.schedule(
+            deadline.minus(clock.now()),
+            pursuit.id(),
+            () ->
+                ports.thinking().think(pursuit::id, passed -> rivals.run(pursuit::deadlinePassed)));
+    deadlines.put(pursuit.id(), timer);
   }
 
   /** Returns whether there is such a goal, and it had not ended yet. */

@@ -243,12 +243,13 @@ final class GoalPursuit {
     return life.state() == GoalState.HOLDING;
   }
 
-  /** What the changes would spoil that this goal counts on, if anything. */
-  Optional<Formula> countsOn(List<Change> changes, Snapshot now) {
+  /** What the other's changes would spoil that this goal counts on, if anything. */
+  Optional<Formula> countsOn(List<Change> changes, Snapshot now, String other) {
     if (life.isOver() || life.state() == GoalState.SUSPENDED) {
       return Optional.empty();
     }
-    return contention.spoiledBy(changes, now, isHolding(), !turn.isAwaited());
+    return contention.spoiledBy(
+        changes, now, isHolding(), !turn.isAwaited() && rivals.leases().isBefore(id(), other));
   }
 
   boolean isTied(String member) {

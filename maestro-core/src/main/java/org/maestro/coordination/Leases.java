@@ -83,12 +83,8 @@ final class Leases {
 
   /** Nobody is overtaken by one who comes later and has nothing yet. */
   private Optional<String> firstInQueue(String goal, Resource resource) {
-    Standing mine = standing(goal);
-    return waits.entrySet().stream()
-        .filter(e -> !e.getKey().equals(goal) && e.getValue().wanted().contains(resource))
-        .map(Map.Entry::getKey)
-        .filter(other -> standing(other).compareTo(mine) < 0)
-        .min(Comparator.comparing(this::standing));
+    return before(goal, resource).stream()
+        .min(Comparator.comparing(other -> standingWithout(other, goal)));
   }
 
   /** To be called only when nothing stands in the way. */
@@ -211,10 +207,11 @@ final class Leases {
 
   /** The goals that stand in the queue for the resource before this one. */
   List<String> before(String goal, Resource resource) {
+    Standing mine = standing(goal);
     return waits.entrySet().stream()
         .filter(e -> !e.getKey().equals(goal) && e.getValue().wanted().contains(resource))
         .map(Map.Entry::getKey)
-        .filter(other -> standing(other).compareTo(standing(goal)) < 0)
+        .filter(other -> standingWithout(other, goal).compareTo(mine) < 0)
         .toList();
   }
 
@@ -240,13 +237,27 @@ final class Leases {
     path.addLast(from);
     for (WaitsFor edge : waitsOf(from)) {
       String next = edge.holder();
-      if (!next.equals(from)
+      if (isSoStill(edge)
+          && !next.equals(from)
           && (next.equals(to) || seen.add(next) && leads(next, to, path, seen))) {
         return true;
       }
     }
     path.removeLast();
     return false;
+  }
+
+  boolean isBefore(String goal, String other) {
+    return ownStanding(goal).compareTo(ownStanding(other)) < 0;
+  }
+
+  /** Who waits is told of a change only after it. */
+  private boolean isSoStill(WaitsFor edge) {
+    Wait next = waits.get(edge.holder());
+    return edge.resource().kind() == Resource.Kind.FACT
+        || edge.resource().kind() == Resource.Kind.END
+        || holder(edge.goalId(), edge.resource()).filter(edge.holder()::equals).isPresent()
+        || next != null && next.wanted().contains(edge.resource());
   }
 
   Standing ownStanding(String goal) {

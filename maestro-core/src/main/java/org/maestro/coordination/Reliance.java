@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.Step;
 import org.maestro.sl.Change;
@@ -31,21 +30,31 @@ final class Reliance {
     this.unfolding = new Unfolding(vocabulary);
   }
 
+  /** What the step needs to begin, and while it runs. */
   void addConditions(Step step) {
-    Map<String, Term> bindings = new TreeMap<>(step.bindings());
-    bindings.put("self", new Term.Name(step.member()));
-    unfolding.conjuncts(step.feature().precondition(), bindings).stream()
+    conditions(step).forEach(this::add);
+  }
+
+  /** That of it which depends on what was brought about. */
+  void addAchievedConditions(Step step, Interest broughtAbout) {
+    conditions(step).forEach(formula -> addIfConcerned(formula, broughtAbout));
+  }
+
+  private List<Formula> conditions(Step step) {
+    return unfolding.conjuncts(step.feature().precondition(), Contention.bindings(step)).stream()
         .filter(formula -> !mentionsUnknown(formula))
-        .forEach(this::add);
+        .toList();
   }
 
   /** The parts of the goal that depend on what was brought about. */
   void addAchieved(Formula goal, Map<String, Term> binding, Interest broughtAbout) {
-    for (Formula part : unfolding.conjuncts(goal, binding)) {
-      Interest subjects = subjects(part);
-      if (subjects.isConcernedBy(broughtAbout)) {
-        conditions.add(new Condition(part, subjects));
-      }
+    unfolding.conjuncts(goal, binding).forEach(formula -> addIfConcerned(formula, broughtAbout));
+  }
+
+  private void addIfConcerned(Formula formula, Interest broughtAbout) {
+    Interest subjects = subjects(formula);
+    if (subjects.isConcernedBy(broughtAbout)) {
+      conditions.add(new Condition(formula, subjects));
     }
   }
 

@@ -82,13 +82,13 @@ final class StepExecution {
   private void perform(Crew.Order order, Set<Resource> used, Snapshot before) {
     Step step = order.step();
     Crew.Performance[] performance = new Crew.Performance[1];
-    performance[0] =
-        ports
-            .crew()
-            .perform(
-                order,
-                report -> rivals.run(() -> reported(step, used, before, report, performance[0])));
+    AwaitedReport awaited =
+        new AwaitedReport(
+            ports,
+            report -> rivals.run(() -> reported(step, used, before, report, performance[0])));
+    performance[0] = ports.crew().perform(order, awaited::arrived);
     underway.begun(step, before, performance[0]);
+    awaited.until(order.timeout().plus(busTime().multipliedBy(2)), step.member());
   }
 
   /** Steps under way that the new plan does not want are called off. */
@@ -106,8 +106,11 @@ final class StepExecution {
 
   /** Thrice the expected time, and what the bus may take, which no fast clock makes shorter. */
   private Duration timeout(Step step) {
-    double busMillis = 15_000 * Math.max(1, ports.clock().speed());
-    return Duration.ofMillis((long) (step.seconds() * 3_000 + busMillis));
+    return Duration.ofMillis((long) (step.seconds() * 3_000)).plus(busTime());
+  }
+
+  private Duration busTime() {
+    return Duration.ofMillis((long) (15_000 * Math.max(1, ports.clock().speed())));
   }
 
   private void reported(

@@ -77,7 +77,15 @@ final class Turn {
     wait(
         obstacles.stream().map(WaitsFor::resource).collect(Collectors.toCollection(TreeSet::new)),
         obstacles);
+    if (underway.isEmpty() && obstacles.stream().anyMatch(Turn::mayTakeLong)) {
+      contention.letGo();
+    }
     breakCircle();
+  }
+
+  /** A door is free as soon as a step ends; what others count on, they may need for long. */
+  private static boolean mayTakeLong(WaitsFor obstacle) {
+    return obstacle.resource().kind() == Resource.Kind.FACT;
   }
 
   private void wait(Set<Resource> wanted, List<WaitsFor> obstacles) {

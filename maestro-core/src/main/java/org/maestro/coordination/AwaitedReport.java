@@ -1,0 +1,52 @@
+package org.maestro.coordination;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.maestro.rats.time.Clock;
+
+/**
+ * A step's report, awaited once and not for ever: a member that never answers loses what the step
+ * had, and its goal goes on without it.
+ */
+final class AwaitedReport {
+  private final Ports ports;
+  private Optional<Consumer<Crew.Report>> then;
+  private Optional<Clock.Timer> timer = Optional.empty();
+
+  AwaitedReport(Ports ports, Consumer<Crew.Report> then) {
+    this.ports = ports;
+    this.then = Optional.of(then);
+  }
+
+  /** Waits no longer than this, by the clock. */
+  void until(Duration longest, String member) {
+    if (then.isPresent()) {
+      Crew.Report none =
+          new Crew.Report(
+              false,
+              Map.of(),
+              Optional.of(
+                  member
+                      + " has not answered for "
+                      + Sentences.number(longest.toMillis() / 1000.0)
+                      + " s"),
+              List.of());
+      timer =
+          Optional.of(
+              ports
+                  .clock()
+                  .schedule(
+                      longest, member, () -> ports.thinking().think(() -> none, this::arrived)));
+    }
+  }
+
+  void arrived(Crew.Report report) {
+    timer.ifPresent(Clock.Timer::cancel);
+    Optional<Consumer<Crew.Report>> first = then;
+    then = Optional.empty();
+    first.ifPresent(consumer -> consumer.accept(report));
+  }
+}

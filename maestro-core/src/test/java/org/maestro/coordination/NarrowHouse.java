@@ -1,0 +1,258 @@
+package org.maestro.coordination;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Random;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.maestro.knowledge.CollectiveKnowledge;
+import org.maestro.knowledge.FeatureRun;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.knowledge.Source;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.Price;
+import org.maestro.planning.OptimalPlanner;
+import org.maestro.planning.Step;
+import org.maestro.rats.time.SteppedClock;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.Term;
+
+/**
+ * Robots in rooms with narrow doors, without devices, bus or agents. It is a strict house: two
+ * robots in one door, or two things at once done by one robot, are written down as accidents.
+ */
+final class NarrowHouse implements Market, Crew {
+  final SteppedClock clock = new SteppedClock();
+  final KnowledgeBase knowledge;
+  final Coordinator coordinator;
+  final List<String> story = new ArrayList<>();
+  final List<String> accidents = new ArrayList<>();
+  final List<String> calls = new ArrayList<>();
+  final Map<String, String> place = new TreeMap<>();
+  final Map<String, GoalOutcome> outcomes = new LinkedHashMap<>();
+  final Set<String> dead = new TreeSet<>();
+  final Set<String> mute = new TreeSet<>();
+  double failures;
+  private final Random random;
+  private final Map<String, String> busy = new TreeMap<>();
+
+  NarrowHouse(Home home, long seed) {
+    random = new Random(seed);
+    knowledge = new CollectiveKnowledge(home, clock);
+    coordinator =
+        new Coordinator(
+            new Ports(
+                knowledge,
+                new OptimalPlanner(),
+                this,
+                this,
+                new Thinking() {
+                  @Override
+                  public <T> void think(Supplier<T> work, Consumer<T> then) {
+                    clock.schedule(
+                        Duration.ofMillis(20), "planning", () -> then.accept(work.get()));
+                  }
+                },
+                clock,
+                entry ->
+                    story.add(
+                        "%6.2f %s %s %s"
+                            .formatted(
+                                entry.at().toMillis() / 1000.0,
+                                entry.goalId(),
+                                entry.kind(),
+                                entry.text()))));
+    knowledge.watch(
+        change ->
+            clock.schedule(Duration.ZERO, "knowledge", () -> coordinator.knowledgeChanged(change)));
+    home.devices().keySet().forEach(coordinator::memberPresent);
+  }
+
+  NarrowHouse with(String thing, String zone) {
+    place.put(thing, zone);
+    knowledge.state(
+        new Source(
+            Source.Kind.STATED, knowledge.home().devices().containsKey(thing) ? thing : "us"),
+        List.of("(in %s %s)".formatted(thing, zone)));
+    return this;
+  }
+
+  String wish(String goal) {
+    return wish(goal, 0, Optional.empty());
+  }
+
+  String wish(String goal, int priority, Optional<Duration> deadline) {
+    return coordinator.submit(
+        new GoalRequest(SlParser.formula(goal), "Bob", priority, deadline),
+        outcome -> outcomes.put(outcome.id(), outcome));
+  }
+
+  /** Returns whether all wishes have come to an end. */
+  boolean run(int wishes, Duration limit) {
+    clock.runUntil(() -> outcomes.size() == wishes, limit);
+    return outcomes.size() == wishes;
+  }
+
+  GoalState state(String goal) {
+    return status(goal).state();
+  }
+
+  GoalStatus status(String goal) {
+    return coordinator.goals().stream().filter(g -> g.id().equals(goal)).findFirst().orElseThrow();
+  }
+
+  String told() {
+    return String.join("\n", story);
+  }
+
+  void die(String robot) {
+    dead.add(robot);
+    busy.values().removeIf(robot::equals);
+    coordinator.memberLost(robot, "no power");
+  }
+
+  @Override
+  public void callForPrices(CallForPrices call, Consumer<Tender> closed) {
+    List<Bid> bids = new ArrayList<>();
+    call.features()
+        .forEach(
+            (member, names) -> {
+              Map<String, Price> prices = new TreeMap<>();
+              for (FeatureType feature : knowledge.home().devices().get(member).features()) {
+                if (names.contains(feature.name())) {
+                  prices.put(feature.name(), feature.cost());
+                }
+              }
+              bids.add(
+                  coordinator.isPresent(member)
+                      ? new Bid(member, prices, Optional.empty())
+                      : new Bid(member, Map.of(), Optional.of("not there")));
+            });
+    clock.schedule(
+        Duration.ofMillis(2),
+        "market",
+        () ->
+            closed.accept(
+                new Tender() {
+                  @Override
+                  public List<Bid> bids() {
+                    return bids;
+                  }
+
+                  @Override
+                  public void award(Map<String, List<Step>> parts) {}
+                }));
+  }
+
+  @Override
+  public void exactPrices(
+      String member,
+      String feature,
+      List<Map<String, Argument>> sets,
+      Consumer<List<Quote>> answer) {
+    clock.schedule(
+        Duration.ofMillis(2),
+        member,
+        () ->
+            answer.accept(
+                sets.stream()
+                    .map(s -> (Quote) new Quote.Priced(seconds(feature), seconds(feature)))
+                    .toList()));
+  }
+
+  private static double seconds(String procedure) {
+    return procedure.equals("move") ? 5 : procedure.equals("pick") ? 4 : 3;
+  }
+
+  @Override
+  public Performance perform(Order order, Consumer<Report> reported) {
+    Step step = order.step();
+    String robot = step.member();
+    calls.add(step.feature().procedure() + " " + robot);
+    List<String> taken = new ArrayList<>();
+    step.feature().occupies().forEach(c -> taken.add(robot + " " + c));
+    if (step.feature().procedure().equals("move")) {
+      taken.add(door(name(step, "from"), name(step, "to")));
+    }
+    for (String thing : taken) {
+      String other = busy.putIfAbsent(thing, robot);
+      if (other != null) {
+        accidents.add(
+            clock.now() + " " + robot + " needs " + thing + ", which " + other + " has: " + order);
+      }
+    }
+    double seconds = seconds(step.feature().procedure()) * (0.5 + random.nextDouble());
+    boolean fails = random.nextDouble() < failures;
+    clock.schedule(
+        Duration.ofMillis((long) (1000 * seconds)),
+        robot,
+        () -> {
+          taken.forEach(thing -> busy.remove(thing, robot));
+          if (!mute.contains(robot)) {
+            reported.accept(
+                fails || dead.contains(robot)
+                    ? failed("it went wrong", robot, name(step, "object"))
+                    : done(step));
+          }
+        });
+    return () -> {};
+  }
+
+  private static String door(String from, String to) {
+    return from.compareTo(to) < 0 ? from + to : to + from;
+  }
+
+  private Report done(Step step) {
+    String robot = step.member();
+    String object = name(step, "object");
+    switch (step.feature().procedure()) {
+      case "move":
+        if (!place.get(robot).equals(name(step, "from"))) {
+          return failed(robot + " is not there", robot);
+        }
+        place.put(robot, name(step, "to"));
+        return succeeded();
+      case "pick":
+        if (!place.get(object).equals(place.get(robot)) || place.containsValue(robot)) {
+          return failed(object + " cannot be picked", robot, object);
+        }
+        place.put(object, robot);
+        return succeeded();
+      default:
+        if (!place.get(object).equals(robot)) {
+          return failed(object + " is not in the hand", robot, object);
+        }
+        place.put(object, place.get(robot));
+        return succeeded();
+    }
+  }
+
+  private static String name(Step step, String parameter) {
+    return step.bindings().get(parameter) instanceof Term.Name name ? name.text() : "";
+  }
+
+  private static Report succeeded() {
+    return new Report(true, Map.of(), Optional.empty(), List.of());
+  }
+
+  /** A failure tells where these are. */
+  private Report failed(String problem, String... things) {
+    List<FeatureRun.Learnt> refs =
+        List.of(things).stream()
+            .filter(place::containsKey)
+            .map(
+                t ->
+                    new FeatureRun.Learnt(
+                        "(in %s %s)".formatted(t, place.get(t)), new Term.Truth(true)))
+            .toList();
+    return new Report(false, Map.of(), Optional.of(problem), refs);
+  }
+}
