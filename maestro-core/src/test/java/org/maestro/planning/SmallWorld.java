@@ -35,6 +35,24 @@ final class SmallWorld implements Facts {
   private final Map<Formula.Atom, Boolean> truths = new LinkedHashMap<>();
   private final Map<Expression.Fluent, Double> numbers = new LinkedHashMap<>();
 
+  /** Another world that begins with the same words, facts and offers. */
+  SmallWorld copy() {
+    SmallWorld copy = new SmallWorld();
+    copy.predicates.putAll(predicates);
+    copy.types.putAll(types);
+    copy.offers.addAll(offers);
+    copy.members.putAll(members);
+    copy.everybody.addAll(everybody);
+    copy.truths.putAll(truths);
+    copy.numbers.putAll(numbers);
+    return copy;
+  }
+
+  /** All that may change, as a key. */
+  String situation() {
+    return truths + " " + numbers;
+  }
+
   SmallWorld individuals(String classNames, String... names) {
     for (String name : names) {
       everybody.add(new Term.Name(name));

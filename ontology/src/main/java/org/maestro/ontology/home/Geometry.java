@@ -12,10 +12,10 @@ import org.maestro.sl.Truth;
 
 /**
  * The closed list of geometry functions over a home: {@code distance}, {@code inside}, {@code
- * viewShare}, {@code luxAt} and {@code shortestPath}. They ask for properties such as pose and view
- * angle, never for a kind of device. Fixed devices stand where the home says, movable things where
- * {@link Positions} says. Doors let robots through; light and sight through them are not counted
- * on. Safe for threads.
+ * viewShare}, {@code luxAt}, {@code shortestPath} and {@code floorArea}. They ask for properties
+ * such as pose and view angle, never for a kind of device. Fixed devices stand where the home says,
+ * movable things where {@link Positions} says. Doors let robots through; light and sight through
+ * them are not counted on. Safe for threads.
  */
 public final class Geometry {
 
@@ -23,6 +23,8 @@ public final class Geometry {
   private static final double SAMPLE_SPACING = 0.1;
 
   private static final double HEMISPHERE_DEGREES = 180;
+
+  private static final String FLOOR_AREA = "floorArea";
 
   private final Map<String, Individual> individuals;
   private final Map<String, Polygon> outlines = new TreeMap<>();
@@ -60,7 +62,7 @@ public final class Geometry {
 
   /** Whether a function of this name gives a number. */
   public static boolean isNumber(String function) {
-    return List.of("distance", "viewShare", "luxAt", "shortestPath").contains(function);
+    return List.of("distance", "viewShare", "luxAt", "shortestPath", FLOOR_AREA).contains(function);
   }
 
   /** Whether a function of this name gives a truth value. */
@@ -80,11 +82,16 @@ public final class Geometry {
   }
 
   /**
-   * The value of a function with two arguments, as formulas write it.
+   * The value of a function with two arguments, or one for a floor's area, as formulas write it.
    *
    * @return empty when a position is unknown or the function is none of numbers
    */
   public OptionalDouble number(String function, List<Term> arguments, Positions positions) {
+    if (function.equals(FLOOR_AREA)
+        && arguments.size() == 1
+        && arguments.get(0) instanceof Term.Name place) {
+      return floorArea(place.text());
+    }
     if (arguments.size() != 2
         || !(arguments.get(0) instanceof Term.Name first)
         || !(arguments.get(1) instanceof Term.Name second)) {
@@ -108,6 +115,12 @@ public final class Geometry {
       return inside(thing.text(), zone.text(), positions);
     }
     return Truth.UNKNOWN;
+  }
+
+  /** Square metres within an outline; empty for what has none. */
+  public OptionalDouble floorArea(String place) {
+    Polygon outline = outlines.get(place);
+    return outline == null ? OptionalDouble.empty() : OptionalDouble.of(outline.area());
   }
 
   /** Horizontal distance in metres; of zones and rooms the middle counts. */

@@ -71,8 +71,14 @@ public final class VocabularyCheck {
                     "is no geometry function",
                     Nearest.cure(
                         function,
-                        List.of("distance", "inside", "viewShare", "luxAt", "shortestPath"),
-                        "write one of distance, inside, viewShare, luxAt, shortestPath")));
+                        List.of(
+                            "distance",
+                            "inside",
+                            "viewShare",
+                            "luxAt",
+                            "shortestPath",
+                            "floorArea"),
+                        "write one of distance, inside, viewShare, luxAt, shortestPath, floorArea")));
     for (TypedVariable parameter : predicate.parameters()) {
       parameter
           .className()
