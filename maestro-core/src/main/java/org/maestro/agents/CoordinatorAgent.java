@@ -18,8 +18,6 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.GoalOutcome;
-import org.maestro.coordination.GoalRequest;
-import org.maestro.coordination.GoalStatus;
 import org.maestro.coordination.InvalidGoalException;
 import org.maestro.coordination.Ports;
 import org.maestro.coordination.Story;
@@ -33,6 +31,7 @@ import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -143,7 +142,7 @@ public final class CoordinatorAgent extends MaestroAgent {
         case "cancel" -> cancel(message, words);
         case "explain" -> explain(message, words);
         case "subscribe" -> subscribe(message, words);
-        case "query-ref" -> goals(message);
+        case "query-ref" -> list(message, words);
         default ->
             refuse(
                 message,
@@ -177,7 +176,8 @@ public final class CoordinatorAgent extends MaestroAgent {
     try {
       String id =
           coordinator.submit(
-              new GoalRequest(goal, requester), outcome -> answer(message, goal, outcome));
+              GoalWords.request(goal, requester, words, clock().now()),
+              outcome -> answer(message, goal, outcome));
       reply(
           message, ACLMessage.AGREE, Words.content("initCNP", Words.named("goal", Words.name(id))));
     } catch (InvalidGoalException e) {
@@ -278,17 +278,13 @@ public final class CoordinatorAgent extends MaestroAgent {
     }
   }
 
-  private void goals(ACLMessage message) {
-    List<Content> lines = new ArrayList<>();
-    for (GoalStatus goal : coordinator.goals()) {
-      lines.add(
-          Words.content(
-              "inform",
-              Words.named("goal", Words.name(goal.id()), Words.text(goal.goal())),
-              Words.named("requester", Words.text(goal.requester())),
-              Words.named("state", Words.name(goal.state().name().toLowerCase())),
-              Words.named("detail", Words.text(goal.detail()))));
-    }
+  /** The goals, or with {@code (query-ref waits)} the wait-for graph. */
+  private void list(ACLMessage message, Words words) {
+    boolean waits = words.terms().contains(new Term.Name("waits"));
+    List<Content> lines =
+        waits
+            ? coordinator.waits().stream().map(GoalWords::wait).toList()
+            : coordinator.goals().stream().map(GoalWords::status).toList();
     reply(message, ACLMessage.INFORM, lines.toArray(Content[]::new));
   }
 

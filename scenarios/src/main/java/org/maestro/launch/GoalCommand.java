@@ -5,14 +5,17 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.Words;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.platform.JoinedContainer;
+import org.maestro.sl.Content;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -30,6 +33,19 @@ final class GoalCommand implements Callable<Integer> {
 
   @Parameters(paramLabel = "GOAL", description = "In MAESTRO-SL, such as \"(nextTo Cup Bob)\".")
   private String goal;
+
+  @Option(
+      names = "--priority",
+      paramLabel = "N",
+      defaultValue = "0",
+      description = "A whole number; a higher one goes first. Usual: ${DEFAULT-VALUE}.")
+  private int priority;
+
+  @Option(
+      names = "--deadline",
+      paramLabel = "SECONDS",
+      description = "Simulated seconds from now by which it has to be reached; else it fails.")
+  private Optional<Double> deadlineSeconds = Optional.empty();
 
   @Option(names = "--json", description = "Print one JSON document instead of the story.")
   private boolean json;
@@ -51,7 +67,7 @@ final class GoalCommand implements Callable<Integer> {
                   ended.complete(reply);
                 }
               },
-              Words.content("initCNP", Words.named("goal", Words.text(goal))));
+              request());
       ACLMessage reply = ended.join();
       if (reply.getPerformative() == ACLMessage.NOT_UNDERSTOOD
           || reply.getPerformative() == ACLMessage.REFUSE) {
@@ -59,6 +75,17 @@ final class GoalCommand implements Callable<Integer> {
       }
       return tell(reply);
     }
+  }
+
+  private Content request() {
+    List<Content.Argument> arguments = new ArrayList<>();
+    arguments.add(Words.named("goal", Words.text(goal)));
+    if (priority != 0) {
+      arguments.add(Words.named("priority", Words.number(priority)));
+    }
+    deadlineSeconds.ifPresent(
+        seconds -> arguments.add(Words.named("deadline", Words.number(seconds))));
+    return new Content("initCNP", arguments);
   }
 
   private void follow(JoinedContainer container, ACLMessage agreed) {

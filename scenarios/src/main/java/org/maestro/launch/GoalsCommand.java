@@ -1,9 +1,14 @@
 package org.maestro.launch;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.Words;
 import org.maestro.platform.JoinedContainer;
@@ -16,7 +21,9 @@ import picocli.CommandLine.Spec;
 /** Lists a platform's goals. */
 @Command(name = "goals", description = "List the goals of a running platform.")
 final class GoalsCommand implements Callable<Integer> {
-  private static final List<String> COLUMNS = List.of("id", "goal", "requester", "state", "detail");
+  private static final List<String> COLUMNS =
+      List.of(
+          "id", "goal", "requester", "state", "priority", "deadline", "age", "waits for", "detail");
 
   @Spec private CommandSpec spec;
   @Mixin private PlatformOptions platform;
@@ -31,27 +38,74 @@ final class GoalsCommand implements Callable<Integer> {
           Reply.lines(
               container.ask(
                   ACLMessage.QUERY_REF, CoordinatorAgent.NAME, Words.content("query-ref")));
-      Table table = new Table(COLUMNS, lines.stream().map(GoalsCommand::row).toList());
       PrintWriter out = spec.commandLine().getOut();
       if (json) {
-        out.println(table.json("goals"));
+        out.println(document(lines));
       } else if (lines.isEmpty()) {
         out.println("No goal was stated yet; try ./maestro goal \"(nextTo Cup Bob)\"");
       } else {
-        table.print(out);
+        new Table(COLUMNS, lines.stream().map(GoalsCommand::row).toList()).print(out);
       }
       return ExitCode.DONE;
     }
   }
 
   private static List<String> row(Words words) {
-    List<String> goal =
-        words.find("goal").map(Words::terms).orElse(List.of()).stream().map(Words::plain).toList();
+    List<String> goal = goal(words);
     return List.of(
         goal.isEmpty() ? "-" : goal.get(0),
         goal.size() > 1 ? goal.get(1) : "-",
         words.string("requester").orElse("-"),
         words.string("state").orElse("-"),
+        String.valueOf((int) words.number("priority", 0)),
+        words.term("deadline").map(left -> seconds(words, "deadline")).orElse("-"),
+        seconds(words, "age"),
+        waits(words).isEmpty()
+            ? "-"
+            : waits(words).stream()
+                .map(wait -> wait.get(0) + " (" + wait.get(1) + ")")
+                .distinct()
+                .collect(Collectors.joining(", ")),
         words.string("detail").orElse(""));
+  }
+
+  private static List<String> goal(Words words) {
+    return words.find("goal").map(Words::terms).orElse(List.of()).stream()
+        .map(Words::plain)
+        .toList();
+  }
+
+  private static String seconds(Words words, String name) {
+    return String.format(Locale.ROOT, "%.1f s", words.number(name, 0));
+  }
+
+  /** What it waits for, and which goal has that. */
+  private static List<List<String>> waits(Words words) {
+    return words.find("waits").map(Words::all).orElse(List.of()).stream()
+        .map(edge -> Words.of(edge).terms().stream().map(Words::plain).toList())
+        .filter(edge -> edge.size() == 2)
+        .toList();
+  }
+
+  private static String document(List<Words> lines) {
+    ObjectNode document = new ObjectMapper().createObjectNode();
+    ArrayNode goals = document.putArray("goals");
+    for (Words words : lines) {
+      List<String> goal = goal(words);
+      ObjectNode node = goals.addObject();
+      node.put("id", goal.isEmpty() ? "-" : goal.get(0));
+      node.put("goal", goal.size() > 1 ? goal.get(1) : "-");
+      node.put("requester", words.string("requester").orElse("-"));
+      node.put("state", words.string("state").orElse("-"));
+      node.put("detail", words.string("detail").orElse(""));
+      node.put("priority", (int) words.number("priority", 0));
+      words.term("deadline").ifPresent(t -> node.put("deadline_s", words.number("deadline", 0)));
+      node.put("age_s", words.number("age", 0));
+      ArrayNode waits = node.putArray("waits");
+      for (List<String> edge : waits(words)) {
+        waits.addObject().put("for", edge.get(0)).put("holder", edge.get(1));
+      }
+    }
+    return document.toString();
   }
 }
