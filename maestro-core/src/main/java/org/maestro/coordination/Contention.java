@@ -139,7 +139,7 @@ final class Contention {
     Snapshot now = ports.knowledge().snapshot();
     List<Change> changes = changes(step, now);
     if (!changes.isEmpty()) {
-      for (GoalPursuit other : rivals.others(goalId)) {
+      for (Pursuit other : rivals.others(goalId)) {
         other
             .countsOn(changes, now, goalId)
             .ifPresent(

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.rats.time.Clock;
+import org.maestro.sl.Formula;
 
 /**
  * Pursues the goals of one scope. Confined to one thread: the owner's, on which all ports answer
@@ -26,7 +27,7 @@ public final class Coordinator {
   private final Roster roster = new Roster();
   private final Rivals rivals = new Rivals();
   private final ExactPrices exactPrices = new ExactPrices();
-  private final Map<String, GoalPursuit> pursuits = new LinkedHashMap<>();
+  private final Map<String, Pursuit> pursuits = new LinkedHashMap<>();
   private final Map<String, Recovery.EndedGoal> ended = new LinkedHashMap<>();
   private final Comeback comeback = new Comeback();
   private final Map<String, Clock.Timer> deadlines = new HashMap<>();
@@ -37,40 +38,57 @@ public final class Coordinator {
     this.ports = ports.with(crew);
   }
 
+  /** Takes a goal on, of which only the end is wanted to be known. */
+  public String submit(GoalRequest request, Consumer<GoalOutcome> ended) {
+    return submit(request, news -> {}, ended);
+  }
+
   /**
    * Takes a goal on.
    *
-   * @param ended told once, how it ended
+   * @param news told of a held goal each time that it begins or ceases to be so
+   * @param ended told once, how it ended; a held one ends when it is cancelled
    * @return the goal's id, G1, G2 ...
    * @throws InvalidGoalException when it speaks of what nobody knows
    */
-  public String submit(GoalRequest request, Consumer<GoalOutcome> ended) {
+  public String submit(GoalRequest request, Consumer<HeldNews> news, Consumer<GoalOutcome> ended) {
     new GoalCheck(ports.knowledge().home()).check(request.goal());
     int number = ++lastNumber;
     String id = PREFIX + number;
-    GoalPursuit pursuit = pursuit(id, request, number, ended);
+    Pursuit pursuit = pursuit(id, request, number, news, ended);
     ports.journal().write(new JournalEntry.Submitted(id, request));
     comeback.afterwards(
         () -> ports.thinking().think(() -> id, started -> rivals.run(pursuit::start)));
     return id;
   }
 
-  private GoalPursuit pursuit(
-      String id, GoalRequest request, int number, Consumer<GoalOutcome> told) {
-    GoalPursuit pursuit =
-        new GoalPursuit(
-            id,
-            request,
-            ports,
-            roster,
-            rivals,
-            exactPrices,
-            outcome -> {
-              Optional.ofNullable(deadlines.remove(id)).ifPresent(Clock.Timer::cancel);
-              ports.journal().afterwards(() -> told.accept(outcome));
-            });
+  private Pursuit pursuit(
+      String id,
+      GoalRequest request,
+      int number,
+      Consumer<HeldNews> news,
+      Consumer<GoalOutcome> told) {
+    Standing standing = new Standing(request.priority(), request.deadline(), number);
+    Consumer<GoalOutcome> over =
+        outcome -> {
+          Optional.ofNullable(deadlines.remove(id)).ifPresent(Clock.Timer::cancel);
+          ports.journal().afterwards(() -> told.accept(outcome));
+        };
+    HeldPursuit.Reaching reaching =
+        (wish, with, then) -> new GoalPursuit(id, wish, with, roster, rivals, exactPrices, then);
+    Pursuit pursuit =
+        request.goal() instanceof Formula.Keep
+            ? new HeldPursuit(
+                new HeldPursuit.Wish(id, request, standing),
+                ports,
+                rivals,
+                exactPrices,
+                reaching,
+                heard -> ports.journal().afterwards(() -> news.accept(heard)),
+                over)
+            : reaching.pursuit(request, ports, over);
     pursuits.put(id, pursuit);
-    rivals.enter(pursuit, new Standing(request.priority(), request.deadline(), number));
+    rivals.enter(pursuit, standing);
     request.deadline().ifPresent(deadline -> endAt(deadline, pursuit));
     return pursuit;
   }
@@ -87,7 +105,7 @@ public final class Coordinator {
     recovery.ended().forEach(goal -> ended.put(goal.outcome().id(), goal));
     recovery.members().stream().filter(m -> !roster.isPresent(m)).forEach(comeback::await);
     for (Recovery.UnfinishedGoal goal : recovery.goals()) {
-      pursuit(goal.id(), goal.request(), number(goal.id()), told)
+      pursuit(goal.id(), goal.request(), number(goal.id()), news -> {}, told)
           .prepareToTakeUp(goal, "for its devices to come back after the restart");
     }
     FormerCalls former = new FormerCalls(ports, roster);
@@ -114,7 +132,7 @@ public final class Coordinator {
   }
 
   /** The clock's thread only hands over. */
-  private void endAt(Duration deadline, GoalPursuit pursuit) {
+  private void endAt(Duration deadline, Pursuit pursuit) {
     Clock clock = ports.clock();
     Clock.Timer timer =
         clock.schedule(
@@ -127,7 +145,7 @@ public final class Coordinator {
 
   /** Returns whether there is such a goal, and it had not ended yet. */
   public boolean cancel(String goalId, String who) {
-    GoalPursuit pursuit = pursuits.get(goalId);
+    Pursuit pursuit = pursuits.get(goalId);
     if (pursuit == null || pursuit.status().state().isFinal()) {
       return false;
     }
@@ -149,6 +167,7 @@ public final class Coordinator {
     roster.present(member, life);
     ports.journal().write(new JournalEntry.MemberCame(member, life));
     comeback.present(member);
+    rivals.run(() -> rivals.all().forEach(pursuit -> pursuit.memberPresent(member)));
   }
 
   /**

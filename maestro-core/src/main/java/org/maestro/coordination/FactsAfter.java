@@ -1,6 +1,7 @@
 package org.maestro.coordination;
 
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -8,14 +9,16 @@ import java.util.OptionalDouble;
 import java.util.function.Predicate;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.planning.Step;
 import org.maestro.sl.Change;
+import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
-/** Facts as they would be after changes. Derived predicates have to be spelled out before. */
+/** Facts as they would be after changes. */
 final class FactsAfter implements Facts {
   private final Facts before;
   private final Vocabulary vocabulary;
@@ -34,8 +37,34 @@ final class FactsAfter implements Facts {
     }
   }
 
+  /** After the step's effect, as it is stated for planning; what it senses stays as it is. */
+  static FactsAfter of(Facts before, Vocabulary vocabulary, Step step) {
+    return new FactsAfter(before, changes(before, step), vocabulary);
+  }
+
+  /** What the step would change. */
+  static List<Change> changes(Facts before, Step step) {
+    return new Evaluation(before).changes(step.feature().effect(), Contention.bindings(step));
+  }
+
   @Override
   public Truth truth(Formula.Atom atom) {
+    PredicateDeclaration declared = vocabulary.predicates().get(atom.predicate());
+    return declared != null && declared.derivedWhen().isPresent()
+        ? derived(declared, declared.derivedWhen().get(), atom.arguments())
+        : plain(atom);
+  }
+
+  private Truth derived(PredicateDeclaration declared, Formula when, List<Term> arguments) {
+    Map<String, Term> bindings = new HashMap<>();
+    for (int i = 0; i < Math.min(arguments.size(), declared.parameters().size()); i++) {
+      bindings.put(declared.parameters().get(i).name(), arguments.get(i));
+    }
+    Truth truth = new Evaluation(this).truth(when, bindings);
+    return truth == Truth.UNKNOWN && !declared.observable() ? Truth.FALSE : truth;
+  }
+
+  private Truth plain(Formula.Atom atom) {
     Boolean direct = truths.get(atom);
     if (direct == null && is(atom, PredicateDeclaration::symmetric)) {
       direct = truths.get(mirrored(atom));

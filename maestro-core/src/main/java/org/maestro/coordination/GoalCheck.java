@@ -23,10 +23,6 @@ final class GoalCheck {
 
   /** Throws {@link InvalidGoalException} for the first thing that is wrong. */
   void check(Formula goal) {
-    if (goal instanceof Formula.Keep) {
-      throw new InvalidGoalException(
-          "A goal that is kept until cancelled, (keep ...), is not supported yet; state what is to be reached once.");
-    }
     Leaves.of(goal, atom -> checkNames(atom.arguments()), fluent -> checkNames(fluent.arguments()));
     new NameCheck(
             home.vocabulary(),

@@ -20,7 +20,7 @@ import org.maestro.sl.Term;
  * What one goal does next: plan, award, have steps done, compare what is known with what the plan
  * needs, plan again, have it seen, end. The coordinator's thread only.
  */
-final class GoalPursuit {
+final class GoalPursuit implements Pursuit {
   private static final int MOST_PLANS = 60;
 
   private final Ports ports;
@@ -72,26 +72,28 @@ final class GoalPursuit {
             this::stepEnded);
   }
 
-  void start() {
+  @Override
+  public void start() {
     if (!life.isOver()) {
       story.submitted(life.request());
       makePlan(Optional.empty());
     }
   }
 
-  String id() {
+  @Override
+  public String id() {
     return life.id();
   }
 
-  /** It was begun by a coordinator before this one, and goes on when the members are back. */
-  void prepareToTakeUp(Recovery.UnfinishedGoal goal, String awaited) {
+  @Override
+  public void prepareToTakeUp(Recovery.UnfinishedGoal goal, String awaited) {
     life.takeUp(goal);
     contention.takeUp(goal.keeps());
     life.become(GoalState.WAITING, awaited);
   }
 
-  /** What was under way is asked for again; after its end, or at once, it is planned anew. */
-  void takeUp(Recovery.UnfinishedGoal goal, FormerCalls former) {
+  @Override
+  public void takeUp(Recovery.UnfinishedGoal goal, FormerCalls former) {
     if (life.isOver()) {
       goal.calls().forEach(call -> former.giveUp(call, "its goal was cancelled"));
       return;
@@ -116,22 +118,25 @@ final class GoalPursuit {
     }
   }
 
-  GoalStatus status() {
+  @Override
+  public GoalStatus status() {
     return life.status(rivals.leases().waitsOf(life.id()));
   }
 
-  StepsUnderway underway() {
+  @Override
+  public StepsUnderway underway() {
     return underway;
   }
 
-  void cancel(String who) {
+  @Override
+  public void cancel(String who) {
     if (!life.isOver()) {
       end(GoalState.CANCELLED, false, Map.of(), List.of("Cancelled by " + who + "."));
     }
   }
 
-  /** The time by which it had to be reached is over. */
-  void deadlinePassed() {
+  @Override
+  public void deadlinePassed() {
     if (!life.isOver()) {
       end(
           GoalState.FAILED,
@@ -141,8 +146,8 @@ final class GoalPursuit {
     }
   }
 
-  /** Something changed that no step of this goal reported. */
-  void knowledgeChanged(KnowledgeBase.Change change, Interest changed) {
+  @Override
+  public void knowledgeChanged(KnowledgeBase.Change change, Interest changed) {
     if (planning) {
       changedMeanwhile.addAll(changed);
     }
@@ -170,15 +175,16 @@ final class GoalPursuit {
     return interest;
   }
 
-  void memberLost(String member) {
+  @Override
+  public void memberLost(String member) {
     if (isFollowingPlan()
         && plan.remaining().stream().anyMatch(step -> step.member().equals(member))) {
       makePlan(Optional.of(member + " is lost (" + roster.absence(member) + ")"));
     }
   }
 
-  /** Begins what may begin; what a step waits for may have become free. */
-  void advance() {
+  @Override
+  public void advance() {
     if (!isFollowingPlan() || turn.isAfterAnother()) {
       return;
     }
@@ -200,7 +206,7 @@ final class GoalPursuit {
         continue;
       }
       List<WaitsFor> obstacles = contention.obstacles(step);
-      Optional<GoalPursuit> spoiled = heldBy(obstacles);
+      Optional<Pursuit> spoiled = heldBy(obstacles);
       if (spoiled.isPresent()) {
         leaveAlone(step, spoiled.get());
         return;
@@ -219,16 +225,16 @@ final class GoalPursuit {
   }
 
   /** A wish that is kept has no end to wait for. */
-  private Optional<GoalPursuit> heldBy(List<WaitsFor> obstacles) {
+  private Optional<Pursuit> heldBy(List<WaitsFor> obstacles) {
     return obstacles.stream()
         .flatMap(obstacle -> rivals.find(obstacle.holder()).stream())
-        .filter(GoalPursuit::isHolding)
+        .filter(Pursuit::isHolding)
         .findFirst();
   }
 
-  private void leaveAlone(Step step, GoalPursuit holding) {
-    if (life.request().priority() > holding.life.request().priority()) {
-      holding.turn.standBackFor(id());
+  private void leaveAlone(Step step, Pursuit holding) {
+    if (priority() > holding.priority()) {
+      holding.standBackFor(id());
       advance();
     } else {
       outlook.leaveAlone(step, holding.id());
@@ -239,12 +245,13 @@ final class GoalPursuit {
     }
   }
 
-  boolean isHolding() {
+  @Override
+  public boolean isHolding() {
     return life.state() == GoalState.HOLDING;
   }
 
-  /** What the other's changes would spoil that this goal counts on, if anything. */
-  Optional<Formula> countsOn(List<Change> changes, Snapshot now, String other) {
+  @Override
+  public Optional<Formula> countsOn(List<Change> changes, Snapshot now, String other) {
     if (life.isOver() || life.state() == GoalState.SUSPENDED) {
       return Optional.empty();
     }
@@ -252,20 +259,39 @@ final class GoalPursuit {
         changes, now, isHolding(), !turn.isAwaited() && rivals.leases().isBefore(id(), other));
   }
 
-  boolean isTied(String member) {
+  @Override
+  public boolean isTied(String member) {
     return contention.isTied(member);
   }
 
-  double remainingSeconds() {
+  @Override
+  public double remainingSeconds() {
     return plan.remaining().stream().mapToDouble(Step::seconds).sum();
   }
 
-  double secondsOfRunningSteps() {
+  @Override
+  public double secondsOfRunningSteps() {
     return underway.steps().stream().mapToDouble(Step::seconds).max().orElse(0);
   }
 
-  Turn turn() {
-    return turn;
+  @Override
+  public void giveWayTo(String other) {
+    turn.giveWay(other);
+  }
+
+  @Override
+  public void standBackFor(String other) {
+    turn.standBackFor(other);
+  }
+
+  @Override
+  public void stepBackFor(String other) {
+    turn.stepBackFor(other);
+  }
+
+  @Override
+  public int priority() {
+    return life.request().priority();
   }
 
   private boolean isFollowingPlan() {

@@ -25,4 +25,9 @@ public record GoalStatus(
   public GoalStatus {
     waits = List.copyOf(waits);
   }
+
+  /** The same goal in another state. */
+  GoalStatus as(GoalState other, String why) {
+    return new GoalStatus(id, goal, requester, other, why, priority, timeLeft, age, waits);
+  }
 }

@@ -100,7 +100,7 @@ final class Outlook {
     return leftAlone.values().stream()
         .distinct()
         .flatMap(keeper -> rivals.find(keeper).stream())
-        .filter(GoalPursuit::isHolding)
+        .filter(Pursuit::isHolding)
         .map(
             keeper ->
                 "It would end what %s keeps, %s; cancel that one, or give this one a higher priority."
@@ -112,9 +112,7 @@ final class Outlook {
    * Steps that failed too often with facts as they are, and those that would end what others keep.
    */
   Set<StepKey> barred() {
-    leftAlone
-        .values()
-        .removeIf(keeper -> rivals.find(keeper).filter(GoalPursuit::isHolding).isEmpty());
+    leftAlone.values().removeIf(keeper -> rivals.find(keeper).filter(Pursuit::isHolding).isEmpty());
     Set<StepKey> barred = new HashSet<>(failures.barred(this::factsUnder));
     barred.addAll(leftAlone.keySet());
     return barred;

@@ -21,7 +21,7 @@ import org.maestro.ontology.vocabulary.Vocabulary;
  */
 final class Rivals {
   private final Leases leases = new Leases(this::wake);
-  private final Map<String, GoalPursuit> pursuits = new LinkedHashMap<>();
+  private final Map<String, Pursuit> pursuits = new LinkedHashMap<>();
   private final Deque<Runnable> errands = new ArrayDeque<>();
   private final Set<String> woken = new LinkedHashSet<>();
   private boolean atWork;
@@ -30,7 +30,7 @@ final class Rivals {
     return leases;
   }
 
-  void enter(GoalPursuit pursuit, Standing standing) {
+  void enter(Pursuit pursuit, Standing standing) {
     pursuits.put(pursuit.id(), pursuit);
     leases.enter(pursuit.id(), standing);
   }
@@ -41,16 +41,16 @@ final class Rivals {
     leases.leave(goal);
   }
 
-  Optional<GoalPursuit> find(String goal) {
+  Optional<Pursuit> find(String goal) {
     return Optional.ofNullable(pursuits.get(goal));
   }
 
   /** Those that are not over, oldest first. */
-  List<GoalPursuit> all() {
+  List<Pursuit> all() {
     return new ArrayList<>(pursuits.values());
   }
 
-  List<GoalPursuit> others(String goal) {
+  List<Pursuit> others(String goal) {
     return pursuits.values().stream().filter(p -> !p.id().equals(goal)).toList();
   }
 
@@ -79,7 +79,7 @@ final class Rivals {
           find(obstacle.holder()).map(holder -> secondsOf(goal, holder, obstacle)).orElse(0.0);
       for (String other : leases.before(goal, obstacle.resource())) {
         if (!other.equals(obstacle.holder())) {
-          seconds += find(other).map(GoalPursuit::remainingSeconds).orElse(0.0);
+          seconds += find(other).map(Pursuit::remainingSeconds).orElse(0.0);
         }
       }
       longest = Math.max(longest, seconds);
@@ -87,7 +87,7 @@ final class Rivals {
     return longest;
   }
 
-  private double secondsOf(String goal, GoalPursuit holder, WaitsFor obstacle) {
+  private double secondsOf(String goal, Pursuit holder, WaitsFor obstacle) {
     boolean givesWay =
         leases.standing(goal).priority() > leases.standing(holder.id()).priority()
             && !holder.isTied(obstacle.resource().owner());
@@ -117,7 +117,7 @@ final class Rivals {
       run(
           () -> {
             woken.remove(goal);
-            find(goal).ifPresent(GoalPursuit::advance);
+            find(goal).ifPresent(Pursuit::advance);
           });
     }
   }

@@ -122,14 +122,14 @@ final class Turn {
     for (WaitsFor obstacle : obstacles) {
       int others = rivals.leases().standingWithout(obstacle.holder(), id()).priority();
       if (rivals.leases().standing(id()).priority() > others) {
-        rivals.find(obstacle.holder()).ifPresent(holder -> holder.turn().giveWay(id()));
+        rivals.find(obstacle.holder()).ifPresent(holder -> holder.giveWayTo(id()));
       }
     }
   }
 
-  private void giveWay(String to) {
+  void giveWay(String to) {
     asked = Optional.of(to);
-    rivals.run(() -> rivals.find(id()).ifPresent(GoalPursuit::advance));
+    rivals.run(() -> rivals.find(id()).ifPresent(Pursuit::advance));
   }
 
   /** Whether it stands back now, as it was asked to, and may without harm. */
@@ -180,18 +180,18 @@ final class Turn {
 
   /** Steps under way may still end a circle; then it is looked at again. */
   private void breakCircle() {
-    List<GoalPursuit> circle =
+    List<Pursuit> circle =
         rivals.leases().circle(id()).stream().flatMap(goal -> rivals.find(goal).stream()).toList();
     if (circle.isEmpty() || circle.stream().anyMatch(goal -> !goal.underway().isEmpty())) {
       return;
     }
-    Comparator<GoalPursuit> order =
+    Comparator<Pursuit> order =
         Comparator.comparing(goal -> rivals.leases().ownStanding(goal.id()));
     String first = circle.stream().min(order).orElseThrow().id();
-    circle.stream().max(order).orElseThrow().turn().stepBackFor(first);
+    circle.stream().max(order).orElseThrow().stepBackFor(first);
   }
 
-  private void stepBackFor(String other) {
+  void stepBackFor(String other) {
     contention.letGoOfAll();
     standBackFor(other);
   }

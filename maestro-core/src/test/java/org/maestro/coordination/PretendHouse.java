@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import java.util.function.DoubleSupplier;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.KnowledgeBase;
@@ -40,6 +41,7 @@ final class PretendHouse implements Market, Crew {
   final List<String> calls = new ArrayList<>();
   final Set<String> weak = new TreeSet<>();
   Consumer<String> beforeCall = call -> {};
+  DoubleSupplier noise = () -> 1;
 
   PretendHouse(Home home) {
     knowledge = new CollectiveKnowledge(home, clock);
@@ -92,7 +94,7 @@ final class PretendHouse implements Market, Crew {
     return outcome.get(0);
   }
 
-  private void setLevel(String lamp, double value) {
+  void setLevel(String lamp, double value) {
     level.put(lamp, value);
     knowledge.state(
         new Source(Source.Kind.STATED, lamp), List.of("(= (level %s) %s)".formatted(lamp, value)));
@@ -161,9 +163,32 @@ final class PretendHouse implements Market, Crew {
             answer.accept(sets.stream().map(s -> (Quote) new Quote.Priced(price, price)).toList()));
   }
 
+  /** A sensor tells a value twice a second until it is ended. */
+  private void stream(Step step, boolean[] ended) {
+    clock.schedule(
+        Duration.ofMillis(500),
+        step.member(),
+        () -> {
+          if (!ended[0] && !dead.contains(step.member())) {
+            Map<String, Term> bindings = new TreeMap<>(step.bindings());
+            bindings.put("self", new Term.Name(step.member()));
+            knowledge.learn(
+                new FeatureRun(
+                    step.member(),
+                    step.feature(),
+                    bindings,
+                    true,
+                    done(step).outputs(),
+                    List.of()));
+            stream(step, ended);
+          }
+        });
+  }
+
   @Override
   public Performance perform(Order order, Consumer<Report> reported) {
     Step step = order.step();
+    boolean[] ended = new boolean[1];
     calls.add(step.feature().procedure() + " " + step.member());
     clock.schedule(
         Duration.ofMillis(500),
@@ -174,8 +199,11 @@ final class PretendHouse implements Market, Crew {
               dead.contains(step.member())
                   ? failed(step.member() + " does not answer", List.of())
                   : done(step));
+          if (step.feature().procedure().equals("measureIllumination")) {
+            stream(step, ended);
+          }
         });
-    return () -> {};
+    return () -> ended[0] = true;
   }
 
   private Report done(Step step) {
@@ -183,7 +211,7 @@ final class PretendHouse implements Market, Crew {
     String object = name(step, "object");
     switch (step.feature().procedure()) {
       case "measureIllumination":
-        return succeeded(Map.of("lux", new Term.Number(lux(zone))));
+        return succeeded(Map.of("lux", new Term.Number(lux(zone) * noise.getAsDouble())));
       case "adjustLight":
         setLevel(step.member(), ((Term.Number) step.bindings().get("level")).value());
         return succeeded(Map.of());

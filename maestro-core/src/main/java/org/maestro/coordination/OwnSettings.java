@@ -1,0 +1,136 @@
+package org.maestro.coordination;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.TreeMap;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.planning.Step;
+import org.maestro.sl.Change;
+import org.maestro.sl.Effect;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Facts;
+import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
+
+/**
+ * The numbers that a held goal's own steps have set on their members, each with the value that it
+ * had before, so that it can be seen what would be without them. A setting that somebody else
+ * changes since is no longer the goal's own.
+ */
+final class OwnSettings {
+  private static final double SAME = 1e-6;
+
+  private final Map<Expression.Fluent, Setting> settings = new LinkedHashMap<>();
+
+  private record Setting(double before, double value, Step step) {}
+
+  boolean isEmpty() {
+    return settings.isEmpty();
+  }
+
+  /** The steps that would make the settings as they are, from what was before them. */
+  List<Step> steps() {
+    List<Step> steps = new ArrayList<>();
+    for (Setting setting : settings.values()) {
+      if (!steps.contains(setting.step())) {
+        steps.add(setting.step());
+      }
+    }
+    return steps;
+  }
+
+  /** The step is done; these were the facts when it began. */
+  void done(Step step, Facts before) {
+    Set<Expression.Fluent> assigned = assigned(step);
+    for (Change change : FactsAfter.changes(before, step)) {
+      if (change instanceof Change.OfNumber number
+          && assigned.contains(number.fluent())
+          && number.value().isPresent()) {
+        note(number.fluent(), number.value().getAsDouble(), before, step);
+      }
+    }
+  }
+
+  private void note(Expression.Fluent fluent, double value, Facts before, Step step) {
+    Setting known = settings.get(fluent);
+    OptionalDouble first =
+        known == null ? before.number(fluent) : OptionalDouble.of(known.before());
+    if (first.isEmpty() || Math.abs(first.getAsDouble() - value) <= SAME) {
+      settings.remove(fluent);
+    } else {
+      settings.put(fluent, new Setting(first.getAsDouble(), value, step));
+    }
+  }
+
+  /** Forgets what is no longer as it was set. */
+  void compare(Facts now) {
+    settings
+        .entrySet()
+        .removeIf(
+            setting -> {
+              OptionalDouble present = now.number(setting.getKey());
+              return present.isEmpty()
+                  || Math.abs(present.getAsDouble() - setting.getValue().value()) > SAME;
+            });
+  }
+
+  /** The facts as they would be, had each been set back to what it was before. */
+  Facts without(Facts now, Vocabulary vocabulary) {
+    Facts facts = now;
+    for (Map.Entry<Expression.Fluent, Setting> setting : settings.entrySet()) {
+      Step back =
+          instance(
+              setting.getValue().step(), setting.getValue().value(), setting.getValue().before());
+      facts = FactsAfter.of(facts, vocabulary, back);
+    }
+    return facts;
+  }
+
+  /** The step with its parameters of one value given another. */
+  private static Step instance(Step step, double value, double other) {
+    Map<String, Term> bindings = new TreeMap<>(step.bindings());
+    bindings.replaceAll(
+        (name, term) ->
+            term instanceof Term.Number number && Math.abs(number.value() - value) <= SAME
+                ? new Term.Number(other)
+                : term);
+    return new Step(
+        step.number(),
+        step.member(),
+        step.feature(),
+        bindings,
+        step.cost(),
+        step.seconds(),
+        step.exactPrice(),
+        Set.of());
+  }
+
+  /** The numbers of the member itself that the step assigns. */
+  static Set<Expression.Fluent> assigned(Step step) {
+    Map<String, Term> bindings = new TreeMap<>(step.bindings());
+    bindings.put("self", new Term.Name(step.member()));
+    Set<Expression.Fluent> assigned = new LinkedHashSet<>();
+    collect(step.feature().effect(), new Substitution(bindings), step.member(), assigned);
+    return assigned;
+  }
+
+  private static void collect(
+      Effect effect, Substitution bindings, String member, Set<Expression.Fluent> assigned) {
+    if (effect instanceof Effect.All all) {
+      all.effects().forEach(part -> collect(part, bindings, member, assigned));
+    } else if (effect instanceof Effect.When when) {
+      collect(when.effect(), bindings, member, assigned);
+    } else if (effect instanceof Effect.Change change
+        && change.assignment() == Effect.Assignment.ASSIGN) {
+      Expression.Fluent fluent = bindings.apply(change.fluent());
+      if (fluent.arguments().contains(new Term.Name(member))) {
+        assigned.add(fluent);
+      }
+    }
+  }
+}
