@@ -254,7 +254,8 @@ final class GoalStory {
   List<String> reasons(PlanningResult result) {
     if (result instanceof PlanningResult.Impossible impossible) {
       List<String> reasons =
-          impossible.explanation().obstacles().stream().map(sentences()::obstacle).toList();
+          new ObstacleSentences(knowledge.home(), knowledge.snapshot())
+              .all(impossible.explanation());
       return reasons.isEmpty() ? List.of("No agent can bring it about.") : reasons;
     }
     if (result instanceof PlanningResult.GaveUp gaveUp) {

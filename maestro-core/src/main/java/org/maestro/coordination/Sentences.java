@@ -9,7 +9,6 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
-import org.maestro.planning.PlanningResult;
 import org.maestro.planning.Step;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
@@ -80,12 +79,6 @@ public final class Sentences {
         .collect(Collectors.joining("; "));
   }
 
-  /** What stands in the way: who needs it, the condition as it is stated, and the best there is. */
-  public String obstacle(PlanningResult.Obstacle obstacle) {
-    return "%s needs %s; possible: %s."
-        .formatted(obstacle.neededBy(), obstacle.condition(), obstacle.possible());
-  }
-
   public String binding(Map<String, Term> binding) {
     return binding.entrySet().stream()
         .map(e -> "?" + e.getKey() + " = " + term(e.getValue()))
@@ -116,7 +109,7 @@ public final class Sentences {
     return (negated ? " is not " : " is ") + label;
   }
 
-  private String quantity(Expression.Fluent fluent) {
+  String quantity(Expression.Fluent fluent) {
     String label =
         vocabulary.predicate(fluent.name()).map(PredicateDeclaration::label).orElse(fluent.name());
     return "the "
@@ -125,7 +118,7 @@ public final class Sentences {
         + fluent.arguments().stream().map(Sentences::term).collect(Collectors.joining(", "));
   }
 
-  private String unit(Expression.Fluent fluent) {
+  String unit(Expression.Fluent fluent) {
     return vocabulary
         .predicate(fluent.name())
         .flatMap(PredicateDeclaration::unit)
@@ -133,13 +126,13 @@ public final class Sentences {
         .orElse("");
   }
 
-  private static String value(Expression expression) {
+  static String value(Expression expression) {
     return expression instanceof Expression.OfTerm ofTerm
         ? term(ofTerm.term())
         : SlPrinter.print(expression);
   }
 
-  private static String term(Term term) {
+  static String term(Term term) {
     if (term instanceof Term.Name name) {
       return name.text();
     }

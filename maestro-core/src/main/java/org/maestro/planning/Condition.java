@@ -3,6 +3,7 @@ package org.maestro.planning;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import org.maestro.planning.PlanningResult.Obstacle;
 import org.maestro.sl.Formula.Relation;
 
 /**
@@ -79,13 +80,10 @@ sealed interface Condition {
   }
 
   /**
-   * A static condition that does not hold, kept for explanations only.
-   *
-   * @param condition in MAESTRO-SL
-   * @param needed for people
-   * @param possible what is the case, for people
+   * What stands in the way for good, kept for explanations only: a static condition that does not
+   * hold, a member that is not there, a step that is not done.
    */
-  record Fixed(String condition, String needed, String possible) implements Condition {
+  record Fixed(Obstacle obstacle) implements Condition {
     @Override
     public boolean holds(State state) {
       return false;

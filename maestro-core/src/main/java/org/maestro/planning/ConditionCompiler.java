@@ -5,12 +5,12 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import org.maestro.ontology.home.Geometry;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.planning.Condition.Constant;
 import org.maestro.planning.Condition.Question;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
-import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
@@ -26,28 +26,26 @@ final class ConditionCompiler {
   private final Signature signature;
   private final StaticFacts facts;
   private final Variables variables;
-  private final boolean keepingFailedComparisons;
+  private final boolean keepingFailed;
 
   ConditionCompiler(Signature signature, StaticFacts facts, Variables variables) {
     this(signature, facts, variables, false);
   }
 
   private ConditionCompiler(
-      Signature signature,
-      StaticFacts facts,
-      Variables variables,
-      boolean keepingFailedComparisons) {
+      Signature signature, StaticFacts facts, Variables variables, boolean keepingFailed) {
     this.signature = signature;
     this.facts = facts;
     this.variables = variables;
-    this.keepingFailedComparisons = keepingFailedComparisons;
+    this.keepingFailed = keepingFailed;
   }
 
   /**
-   * One that keeps static comparisons that fail as {@link Condition.Fixed}, to be named in an
-   * explanation.
+   * One that keeps what fails for good as {@link Condition.Fixed}, to be named in an explanation:
+   * comparisons of stated numbers, stated facts that hamper, properties that a thing lacks. How
+   * things stand to each other in space, and what they are, is taken as given.
    */
-  ConditionCompiler keepingFailedComparisons() {
+  ConditionCompiler keepingFailed() {
     return new ConditionCompiler(signature, facts, variables, true);
   }
 
@@ -89,10 +87,17 @@ final class ConditionCompiler {
   }
 
   private Condition atom(Formula.Atom atom, boolean positive, int depth) {
-    if (!signature.isDynamic(atom.predicate())) {
-      return Constant.of((facts.truth(atom) == Truth.TRUE) == positive);
-    }
     Formula definition = signature.definition(atom.predicate()).orElse(null);
+    if (!signature.isDynamic(atom.predicate())) {
+      boolean holds = (facts.truth(atom) == Truth.TRUE) == positive;
+      if (holds || !keepingFailed || !isStatement(atom.predicate())) {
+        return Constant.of(holds);
+      } else if (definition == null) {
+        return positive && atom.arguments().size() > 1
+            ? Constant.FALSE
+            : new Condition.Fixed(ObstacleText.ofFixedAtom(atom, positive));
+      }
+    }
     if (definition != null) {
       if (depth > DEEPEST_DERIVATION) {
         throw new IllegalArgumentException(
@@ -103,6 +108,21 @@ final class ConditionCompiler {
       return compiled(definition, parameterBindings(atom), positive, depth + 1);
     }
     return literal(atom, positive ? Question.IS : Question.IS_NOT);
+  }
+
+  /** A word that homes and members state, neither a class nor computed of positions. */
+  private boolean isStatement(String name) {
+    return signature.declaration(name).filter(d -> d.computedBy().isEmpty()).isPresent()
+        && !Geometry.isTruth(name)
+        && !Geometry.isNumber(name);
+  }
+
+  private boolean isStatement(Expression expression) {
+    if (expression instanceof Expression.Fluent fluent) {
+      return isStatement(fluent.name()) || signature.declaration(fluent.name()).isEmpty();
+    }
+    return !(expression instanceof Expression.Arithmetic arithmetic)
+        || arithmetic.operands().stream().allMatch(this::isStatement);
   }
 
   private Condition literal(Formula.Atom atom, Question question) {
@@ -199,7 +219,10 @@ final class ConditionCompiler {
     if (left instanceof NumberExpression.Constant a
         && right instanceof NumberExpression.Constant b) {
       boolean holds = compare.holdsFor(a.number(), b.number());
-      return holds || !keepingFailedComparisons
+      return holds
+              || !keepingFailed
+              || !isStatement(comparison.left())
+              || !isStatement(comparison.right())
           ? Constant.of(holds)
           : failed(comparison, bindings, positive, a.number(), b.number());
     }
@@ -213,11 +236,8 @@ final class ConditionCompiler {
       double left,
       double right) {
     Formula ground = new Substitution(bindings).apply((Formula) comparison);
-    String relation = (positive ? "" : "not ") + comparison.relation().symbol() + " ";
     return new Condition.Fixed(
-        SlPrinter.print(positive ? ground : new Formula.Not(ground)),
-        relation + (Quantity.isUnknown(right) ? "an unknown number" : SlPrinter.print(right)),
-        Quantity.isUnknown(left) ? "unknown" : SlPrinter.print(left));
+        ObstacleText.ofFixedNumbers((Formula.Comparison) ground, positive, left, right));
   }
 
   private static boolean isOtherTerm(Expression expression, Map<String, Term> bindings) {

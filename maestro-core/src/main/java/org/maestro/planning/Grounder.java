@@ -7,8 +7,11 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.planning.PlanningResult.Obstacle;
+import org.maestro.planning.PlanningResult.Obstacle.Kind;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
@@ -35,29 +38,32 @@ final class Grounder {
   private Grounder(PlanningTask task, boolean forExplanation) {
     this.task = task;
     this.forExplanation = forExplanation;
-    this.signature = new Signature(task.vocabulary(), task.features());
+    List<PricedFeature> features = new ArrayList<>(task.features());
+    if (forExplanation) {
+      task.unavailable().forEach(missing -> features.add(missing.feature()));
+    }
+    this.signature = new Signature(task.vocabulary(), features);
     StaticFacts facts = new StaticFacts(task.facts());
     Variables variables = new Variables(signature, facts);
     ConditionCompiler conditions = new ConditionCompiler(signature, facts, variables);
-    ConditionCompiler preconditions =
-        forExplanation ? conditions.keepingFailedComparisons() : conditions;
+    ConditionCompiler preconditions = forExplanation ? conditions.keepingFailed() : conditions;
     this.factory = new OperatorFactory(variables, conditions, preconditions);
     this.chances = new Chances(signature, facts, conditions);
     EffectCompiler effects = new EffectCompiler(conditions, variables);
     Map<Formula, Map<List<Term>, Boolean>> staticAnswers = new HashMap<>();
     this.templates =
-        task.features().stream()
+        features.stream()
             .map(
                 feature ->
                     new FeatureTemplate(
                         feature, signature, facts, preconditions, effects, staticAnswers))
             .toList();
-    this.goal = GroundGoal.of(task.goal(), signature, facts, conditions);
+    this.goal = GroundGoal.of(task.goal(), signature, facts, preconditions);
   }
 
   /**
-   * One that makes barred and, by a static comparison, impossible instances too, with a condition
-   * that says what is wrong.
+   * One that makes barred instances too, those of members that are not there, and those that are
+   * impossible by what is stated, with conditions that say what is wrong.
    */
   static Grounder forExplanation(PlanningTask task) {
     return new Grounder(task, true);
@@ -134,20 +140,43 @@ final class Grounder {
       PricedFeature feature = templates.get(template).feature();
       StepKey key = new StepKey(feature.member(), feature.type().name(), bindings);
       known =
-          !task.barred().contains(key)
+          forExplanation || !task.barred().contains(key)
               ? factory.operators(feature, bindings)
-              : forExplanation
-                  ? factory.operators(feature, bindings).stream().map(Grounder::barred).toList()
-                  : List.of();
+              : List.of();
+      if (forExplanation) {
+        known = known.stream().map(operator -> withWhatIsMissing(operator, template)).toList();
+      }
       made.put(instance, known);
     }
     return known;
   }
 
-  private static Operator barred(Operator operator) {
-    Condition reason =
-        new Condition.Fixed(
-            StepSentence.of(operator), "success", "declined, or failed twice with the same facts");
-    return operator.withPrecondition(Condition.all(List.of(operator.precondition(), reason)));
+  private Operator withWhatIsMissing(Operator operator, int template) {
+    List<Condition> conditions = new ArrayList<>(List.of(operator.precondition()));
+    if (task.barred().contains(operator.key())) {
+      String reason =
+          task.whyBarred().getOrDefault(operator.key(), "it failed twice with the same facts");
+      conditions.add(missing(Kind.STEP, StepSentence.of(operator), reason, operator.key()));
+    }
+    int absent = template - task.features().size();
+    if (absent >= 0) {
+      Unavailable member = task.unavailable().get(absent);
+      String name = member.feature().member();
+      conditions.add(missing(Kind.MEMBER, name, member.reason(), new StepKey(name, "", Map.of())));
+    }
+    return operator.withPrecondition(Condition.all(conditions));
+  }
+
+  private static Condition missing(Kind kind, String what, String why, StepKey subject) {
+    return new Condition.Fixed(
+        new Obstacle(
+            kind,
+            what,
+            kind == Kind.MEMBER ? "present" : "done",
+            why,
+            OptionalDouble.empty(),
+            Optional.empty(),
+            Optional.of(subject),
+            List.of()));
   }
 }

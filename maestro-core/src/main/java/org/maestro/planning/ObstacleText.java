@@ -1,86 +1,135 @@
 package org.maestro.planning;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.maestro.planning.Condition.Question;
 import org.maestro.planning.PlanningResult.Obstacle;
+import org.maestro.planning.PlanningResult.Obstacle.Kind;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
-/** Words a ground condition that cannot be met, with what would be needed and what is possible. */
+/** Says of a ground condition that cannot be met what would be needed and what is possible. */
 final class ObstacleText {
-  private static final String NOBODY = "no agent can change it";
-
   private ObstacleText() {}
 
-  static Obstacle obstacle(
-      Condition leaf, State initial, SettingAnalysis settings, String neededBy) {
+  /**
+   * @param problem what can be done, the latest that was made
+   * @param settings of that problem
+   */
+  static Obstacle obstacle(Condition leaf, GroundProblem problem, SettingAnalysis settings) {
     if (leaf instanceof Condition.Literal literal) {
-      return ofLiteral(literal, initial.code(literal.variable()), neededBy);
+      return ofLiteral(literal, literal.variable().initialCode());
     } else if (leaf instanceof Condition.Compare compare) {
-      return ofComparison(compare, initial.numbers(), settings, neededBy);
+      return ofComparison(compare, problem.initial().numbers(), settings);
     } else if (leaf instanceof Condition.NumberKnown number) {
       Formula unknown = new Formula.UnknownNumber(number.variable().fluent());
       Formula condition = number.known() ? new Formula.Not(unknown) : unknown;
-      return new Obstacle(
-          SlPrinter.print(condition), number.known() ? "known" : "unknown", NOBODY, neededBy);
+      return stated(
+          number.known() ? Kind.UNKNOWN : Kind.FACT,
+          SlPrinter.print(condition),
+          "true",
+          number.known() ? "unknown" : "known");
     }
-    Condition.Fixed fixed = (Condition.Fixed) leaf;
-    return new Obstacle(fixed.condition(), fixed.needed(), fixed.possible(), neededBy);
+    return ((Condition.Fixed) leaf).obstacle();
   }
 
-  private static Obstacle ofLiteral(Condition.Literal literal, int code, String neededBy) {
+  private static Obstacle ofLiteral(Condition.Literal literal, int code) {
     Variable variable = literal.variable();
     Formula.Atom atom = variable.atom(literal.value());
-    boolean negative = literal.question() == Question.IS_NOT;
-    Formula condition = negative ? new Formula.Not(atom) : atom;
-    return new Obstacle(
-        SlPrinter.print(condition),
-        negative ? "false" : "true",
-        possible(variable, literal.value(), code),
-        neededBy);
-  }
-
-  private static String possible(Variable variable, int value, int code) {
-    if (code >= 0) {
-      return "known: " + SlPrinter.print(variable.atom(code)) + "; " + NOBODY;
-    } else if (!variable.observable()) {
-      return NOBODY;
-    } else if (variable.isUnknown(code, value)) {
-      return "unknown; no agent can find it out";
-    } else if (!variable.functional()) {
-      return "known false; " + NOBODY;
+    if (literal.question() == Question.IS_NOT) {
+      return stated(Kind.FACT, SlPrinter.print(new Formula.Not(atom)), "false", "true");
     }
-    return variable.excluded(code).stream()
-        .map(SlPrinter::print)
-        .collect(Collectors.joining(", ", "looked in ", "; excluded"));
+    String condition = SlPrinter.print(atom);
+    if (code >= 0) {
+      return stated(Kind.FACT, condition, "true", SlPrinter.print(variable.atom(code)));
+    } else if (!variable.observable()) {
+      return stated(Kind.FACT, condition, "true", "false");
+    } else if (variable.isUnknown(code, literal.value())) {
+      return stated(Kind.UNKNOWN, condition, "true", "unknown");
+    } else if (!variable.functional()) {
+      return stated(Kind.FACT, condition, "true", "false");
+    }
+    return stated(
+        Kind.EXCLUDED,
+        condition,
+        "true",
+        variable.excluded(code).stream().map(SlPrinter::print).collect(Collectors.joining(" ")));
   }
 
   private static Obstacle ofComparison(
-      Condition.Compare compare, NumberVector numbers, SettingAnalysis settings, String neededBy) {
+      Condition.Compare compare, NumberVector numbers, SettingAnalysis settings) {
     Formula formula =
         new Formula.Comparison(
             compare.relation(), expression(compare.left()), expression(compare.right()));
     String condition = SlPrinter.print(compare.positive() ? formula : new Formula.Not(formula));
     Threshold threshold = Threshold.of(compare);
     if (threshold == null) {
-      return new Obstacle(condition, "true", NOBODY, neededBy);
+      return stated(Kind.FACT, condition, "true", "false");
     }
-    String relation = (threshold.upward() ? ">" : "<") + (threshold.strict() ? " " : "= ");
-    double now = numbers.get(threshold.variable().index());
-    SettingSum sum = settings.sum(threshold.variable());
-    String possible;
+    String needed =
+        (threshold.upward() ? ">" : "<")
+            + (threshold.strict() ? " " : "= ")
+            + SlPrinter.print(threshold.bound());
+    double now = threshold.variable().initial();
     if (Quantity.isUnknown(now)) {
-      possible = "unknown; no agent can measure it";
-    } else if (sum != null) {
-      possible = SlPrinter.print(sum.extreme(numbers, threshold.upward()));
-    } else {
-      possible = SlPrinter.print(now);
+      return stated(Kind.UNKNOWN, condition, needed, "unknown");
     }
+    SettingSum sum = settings.sum(threshold.variable());
+    double best = sum == null ? now : sum.extreme(numbers, threshold.upward());
     return new Obstacle(
-        condition, relation + SlPrinter.print(threshold.bound()), possible, neededBy);
+        Kind.NUMBER,
+        condition,
+        needed,
+        SlPrinter.print(best),
+        OptionalDouble.of(Quantity.rounded(threshold.missing(best))),
+        Optional.empty(),
+        Optional.empty(),
+        List.of());
+  }
+
+  /** A comparison of numbers that nobody ever changes. */
+  static Obstacle ofFixedNumbers(
+      Formula.Comparison ground, boolean positive, double left, double right) {
+    String relation = (positive ? "" : "not ") + ground.relation().symbol() + " ";
+    boolean known = !Quantity.isUnknown(left) && !Quantity.isUnknown(right);
+    return new Obstacle(
+        known ? Kind.NUMBER : Kind.UNKNOWN,
+        SlPrinter.print(positive ? ground : new Formula.Not(ground)),
+        relation + (Quantity.isUnknown(right) ? "an unknown number" : SlPrinter.print(right)),
+        Quantity.isUnknown(left) ? "unknown" : SlPrinter.print(left),
+        known
+            ? OptionalDouble.of(Quantity.rounded(Math.abs(right - left)))
+            : OptionalDouble.empty(),
+        Optional.empty(),
+        Optional.empty(),
+        List.of());
+  }
+
+  /** An atom that nobody ever changes. */
+  static Obstacle ofFixedAtom(Formula.Atom atom, boolean positive) {
+    return positive
+        ? stated(Kind.FACT, SlPrinter.print(atom), "true", "false")
+        : stated(Kind.FACT, SlPrinter.print(new Formula.Not(atom)), "false", "true");
+  }
+
+  static Obstacle ofGoal(Formula goal) {
+    return stated(Kind.GOAL, SlPrinter.print(goal), "true", "false");
+  }
+
+  private static Obstacle stated(Kind kind, String condition, String needed, String possible) {
+    return new Obstacle(
+        kind,
+        condition,
+        needed,
+        possible,
+        OptionalDouble.empty(),
+        Optional.empty(),
+        Optional.empty(),
+        List.of());
   }
 
   private static Expression expression(NumberExpression number) {

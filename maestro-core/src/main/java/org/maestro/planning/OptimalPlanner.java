@@ -5,8 +5,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import org.maestro.planning.PlanningResult.Explanation;
-import org.maestro.planning.PlanningResult.Obstacle;
-import org.maestro.sl.SlPrinter;
 
 /**
  * Finds cheapest plans and proves it: backward grounding, A* with landmark cuts, knapsack bounds
@@ -42,6 +40,15 @@ public final class OptimalPlanner implements Planner {
 
   @Override
   public PlanningResult plan(PlanningTask task) {
+    PlanningResult result = solve(task);
+    return result instanceof PlanningResult.Impossible
+        ? new PlanningResult.Impossible(
+            FailureExplanation.of(task, mostStates / 10 + 1, this::isSolvable))
+        : result;
+  }
+
+  @Override
+  public PlanningResult solve(PlanningTask task) {
     return solved(task, true);
   }
 
@@ -50,11 +57,15 @@ public final class OptimalPlanner implements Planner {
     return solved(task, false);
   }
 
+  private boolean isSolvable(PlanningTask task) {
+    return optimistic(task) instanceof PlanningResult.Found;
+  }
+
   private PlanningResult solved(PlanningTask task, boolean weighingSearches) {
     Grounder grounder = new Grounder(task);
     GroundProblem ground = grounder.ground();
     if (!new RelaxedProblem(ground).isSolvable()) {
-      return new PlanningResult.Impossible(explanation(task));
+      return impossible(task);
     }
     GroundProblem problem = Pruning.pruned(ground);
     OptimalSearch.Outcome outcome = search(problem, mostStates);
@@ -65,10 +76,8 @@ public final class OptimalPlanner implements Planner {
                       problem, grounder.chances(), this::cheapest, found.operators())
                   .plan()
               : PlanBuilder.plan(problem, found.operators()));
-    } else if (outcome instanceof OptimalSearch.Outcome.Exhausted exhausted) {
-      return new PlanningResult.Impossible(
-          goalItself(
-              task, "none of the " + exhausted.states() + " situations in reach fulfils it"));
+    } else if (outcome instanceof OptimalSearch.Outcome.Exhausted) {
+      return impossible(task);
     }
     return new PlanningResult.GaveUp(
         "No plan and no proof that there is none within "
@@ -90,15 +99,9 @@ public final class OptimalPlanner implements Planner {
         : Optional.empty();
   }
 
-  private static Explanation explanation(PlanningTask task) {
-    GroundProblem problem = Grounder.forExplanation(task).ground();
-    Explanation found = ObstacleSearch.explanation(new RelaxedProblem(problem));
-    return found.obstacles().isEmpty() ? goalItself(task, "no agent can change it") : found;
-  }
-
-  private static Explanation goalItself(PlanningTask task, String possible) {
-    return new Explanation(
-        List.of(new Obstacle(SlPrinter.print(task.goal()), "true", possible, "the goal")));
+  private static PlanningResult impossible(PlanningTask task) {
+    return new PlanningResult.Impossible(
+        new Explanation(List.of(ObstacleText.ofGoal(task.goal())), false));
   }
 
   @Override

@@ -1,12 +1,23 @@
 package org.maestro.planning;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 
 /** What planning ends with. */
 public sealed interface PlanningResult {
 
-  /** The cheapest plan, proven so. */
-  record Found(Plan plan) implements PlanningResult {}
+  /**
+   * A plan, proven the best for the task's objective unless a bound says otherwise.
+   *
+   * @param atLeast empty when proven; else nothing better than this exists: cost units, or seconds
+   *     when the earliest finish is wanted
+   */
+  record Found(Plan plan, OptionalDouble atLeast) implements PlanningResult {
+    public Found(Plan plan) {
+      this(plan, OptionalDouble.empty());
+    }
+  }
 
   /** Proven: no plan exists. */
   record Impossible(Explanation explanation) implements PlanningResult {}
@@ -14,17 +25,70 @@ public sealed interface PlanningResult {
   /** Neither plan nor proof within the bounds given; the sentence says which bound. */
   record GaveUp(String reason) implements PlanningResult {}
 
-  /** Why no plan exists: conditions, jointly necessary, that nobody can bring about. */
-  record Explanation(List<Obstacle> obstacles) {}
+  /**
+   * Why no plan exists: conditions that nobody can bring about. With all of them there is a plan,
+   * with any of them left out there is none.
+   *
+   * @param proven whether that was found by planning; otherwise the search was broken off, and the
+   *     conditions are what a simpler reckoning gives
+   */
+  record Explanation(List<Obstacle> obstacles, boolean proven) {}
 
   /**
    * A condition that cannot be met.
    *
-   * @param condition ground, in MAESTRO-SL: {@code (>= (illuminance zone-b) 72)}
-   * @param needed what is needed, for people: {@code >= 72}
-   * @param possible the best that can be reached or what is known: {@code 42}, {@code known false},
-   *     {@code no agent can change it}
-   * @param neededBy the feature instance or goal that needs it, for people
+   * @param condition ground, in MAESTRO-SL: {@code (>= (illuminance zone-b) 72)}; for a member that
+   *     is not there its name, for a step that its member does not do the step's sentence
+   * @param needed what is needed: {@code >= 72}, {@code true}, {@code present}
+   * @param possible the best that can be reached, or what is known: {@code 42}, {@code false}, or
+   *     why the member is not there
+   * @param missing how much more (or, when it is to be less, how much less) would do; empty unless
+   *     both numbers are known
+   * @param neededBy the step that needs it; empty: the goal itself
+   * @param subject who is not there, or which step is not done; empty for other kinds
+   * @param cures other conditions that would do instead of this one
    */
-  record Obstacle(String condition, String needed, String possible, String neededBy) {}
+  record Obstacle(
+      Kind kind,
+      String condition,
+      String needed,
+      String possible,
+      OptionalDouble missing,
+      Optional<StepKey> neededBy,
+      Optional<StepKey> subject,
+      List<Cure> cures) {
+
+    /** What is wrong with a condition. */
+    public enum Kind {
+      /** A number is not enough, and known. */
+      NUMBER,
+      /** A fact is known to be otherwise. */
+      FACT,
+      /** Whether it is so was looked for everywhere one could, and it is not. */
+      EXCLUDED,
+      /** It is not known, and nobody can find out. */
+      UNKNOWN,
+      /** A member is not there, or takes no part. */
+      MEMBER,
+      /** A member declined the step, or failed in it. */
+      STEP,
+      /** The goal itself; nobody can do anything for it. */
+      GOAL
+    }
+
+    Obstacle neededBy(Optional<StepKey> step) {
+      return new Obstacle(kind, condition, needed, possible, missing, step, subject, cures);
+    }
+
+    Obstacle withCures(List<Cure> others) {
+      return new Obstacle(kind, condition, needed, possible, missing, neededBy, subject, others);
+    }
+  }
+
+  /**
+   * What would overcome an obstacle.
+   *
+   * @param conditions all of them together; they name no cures of their own
+   */
+  record Cure(List<Obstacle> conditions) {}
 }

@@ -296,6 +296,18 @@ final class RelaxedProblem {
     return unreachable;
   }
 
+  /** The conditions that may be brought about, as far as the relaxation tells. */
+  Set<Condition> reachableLeaves() {
+    boolean[] reached = reachable(problem.initial());
+    Set<Condition> reachable = new LinkedHashSet<>();
+    for (int i = 1; i < reached.length; i++) {
+      if (reached[i]) {
+        reachable.add(leaves.get(i));
+      }
+    }
+    return reachable;
+  }
+
   boolean isSolvable() {
     return reachable(problem.initial())[goal];
   }

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.function.Function;
 
 /**
  * Plans with the cheap features first. A plan that costs no more than the cheapest feature left out
@@ -23,6 +24,19 @@ public final class TieredPlanner implements Planner {
 
   @Override
   public PlanningResult plan(PlanningTask task) {
+    return planned(task, within::plan);
+  }
+
+  @Override
+  public PlanningResult solve(PlanningTask task) {
+    return planned(task, within::solve);
+  }
+
+  /** Only costs are in tiers. */
+  private PlanningResult planned(PlanningTask task, Function<PlanningTask, PlanningResult> lastly) {
+    if (task.objective() != Objective.CHEAPEST) {
+      return lastly.apply(task);
+    }
     LeastPrice leastPrice = new LeastPrice(task);
     Map<PricedFeature, Double> least = new IdentityHashMap<>();
     SortedSet<Double> tiers = new TreeSet<>();
@@ -38,7 +52,7 @@ public final class TieredPlanner implements Planner {
       }
       List<PricedFeature> cheap =
           task.features().stream().filter(feature -> least.get(feature) <= tier).toList();
-      PlanningResult result = within.plan(task.withFeatures(cheap));
+      PlanningResult result = within.solve(task.withFeatures(cheap));
       if (result instanceof PlanningResult.Found found) {
         bound = worthLookingAt(found.plan());
         double next = tiers.tailSet(Math.nextUp(tier)).first();
@@ -49,7 +63,7 @@ public final class TieredPlanner implements Planner {
       }
     }
     double most = bound;
-    return within.plan(
+    return lastly.apply(
         task.withFeatures(
             task.features().stream().filter(feature -> least.get(feature) <= most).toList()));
   }

@@ -77,7 +77,7 @@ class CoordinatorTest {
 
     assertThat(outcome.state()).isEqualTo(GoalState.FAILED);
     assertThat(String.join(" ", outcome.reasons()))
-        .contains("(illuminance zone-b)")
+        .contains("illuminance of zone-b")
         .contains("72")
         .contains("17");
   }

@@ -1,0 +1,227 @@
+package org.maestro.coordination;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.maestro.ontology.home.Home;
+import org.maestro.planning.PlanningResult.Cure;
+import org.maestro.planning.PlanningResult.Explanation;
+import org.maestro.planning.PlanningResult.Obstacle;
+import org.maestro.planning.PlanningResult.Obstacle.Kind;
+import org.maestro.planning.Step;
+import org.maestro.planning.StepKey;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Facts;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Formula.Relation;
+import org.maestro.sl.SlParser;
+
+/** Says in plain words what stands in the way of a goal, and what would help. */
+public final class ObstacleSentences {
+  private final Home home;
+  private final Facts facts;
+  private final Sentences sentences;
+
+  /**
+   * @param facts what is known, for the numbers of comparisons
+   */
+  public ObstacleSentences(Home home, Facts facts) {
+    this.home = home;
+    this.facts = facts;
+    this.sentences = new Sentences(home.vocabulary());
+  }
+
+  /** One text for each obstacle. */
+  public List<String> all(Explanation explanation) {
+    return explanation.obstacles().stream().map(this::obstacle).toList();
+  }
+
+  /** What is needed, for what, what is possible, and what would help. */
+  public String obstacle(Obstacle obstacle) {
+    String purpose = obstacle.neededBy().map(step -> ", so that " + step(step)).orElse("");
+    return capital(need(obstacle, purpose)) + "." + cures(obstacle);
+  }
+
+  private String need(Obstacle obstacle, String purpose) {
+    return switch (obstacle.kind()) {
+      case MEMBER ->
+          obstacle.condition() + " is needed and not there (" + obstacle.possible() + ")";
+      case STEP ->
+          step(obstacle.subject().orElseThrow())
+              + ": that is needed, and not to be had ("
+              + obstacle.possible()
+              + ")";
+      case GOAL -> "nobody can bring it about that " + fact(obstacle);
+      case EXCLUDED ->
+          fact(obstacle)
+              + ": that is needed"
+              + purpose
+              + ", and it is not so; looked for in "
+              + String.join(", ", obstacle.possible().split(" "));
+      case FACT -> "it is needed that " + fact(obstacle) + purpose + ", and " + otherwise(obstacle);
+      case UNKNOWN -> "it is not known that " + fact(obstacle) + purpose + "; nobody can find out";
+      case NUMBER -> number(obstacle, purpose);
+    };
+  }
+
+  private String otherwise(Obstacle obstacle) {
+    return switch (obstacle.possible()) {
+      case "false" -> "it is not so";
+      case "true", "known" -> "it is so";
+      default -> sentences.fact(formula(obstacle.possible()));
+    };
+  }
+
+  private String number(Obstacle obstacle, String purpose) {
+    if (!(formula(obstacle) instanceof Formula.Comparison comparison)) {
+      return "it is needed that " + fact(obstacle) + purpose + ", and it is not so";
+    }
+    return clause(comparison, " has to be ")
+        + purpose
+        + ", and "
+        + (comparison.right() instanceof Expression.Fluent ? "it is " : "it can be ")
+        + (isMore(comparison) ? "" : "no less than ")
+        + Sentences.number(Double.parseDouble(obstacle.possible()))
+        + unit(comparison)
+        + (isMore(comparison) ? " at most" : "");
+  }
+
+  private String clause(Formula.Comparison comparison, String verb) {
+    return side(comparison.left())
+        + verb
+        + relation(comparison.relation())
+        + side(comparison.right())
+        + (comparison.right() instanceof Expression.Fluent fluent
+            ? known(fluent)
+            : unit(comparison));
+  }
+
+  private String side(Expression expression) {
+    return expression instanceof Expression.Fluent fluent
+        ? sentences.quantity(fluent)
+        : Sentences.value(expression);
+  }
+
+  private String known(Expression.Fluent fluent) {
+    OptionalDouble number = facts.number(fluent);
+    return number.isPresent()
+        ? " (" + Sentences.number(number.getAsDouble()) + sentences.unit(fluent) + ")"
+        : "";
+  }
+
+  private String unit(Formula.Comparison comparison) {
+    return comparison.left() instanceof Expression.Fluent fluent ? sentences.unit(fluent) : "";
+  }
+
+  private static boolean isMore(Formula.Comparison comparison) {
+    return comparison.relation() == Relation.AT_LEAST || comparison.relation() == Relation.GREATER;
+  }
+
+  private static String relation(Relation relation) {
+    return switch (relation) {
+      case AT_LEAST -> "at least ";
+      case GREATER -> "more than ";
+      case AT_MOST -> "at most ";
+      case LESS -> "less than ";
+      case EQUAL -> "";
+    };
+  }
+
+  private String cures(Obstacle obstacle) {
+    StringBuilder text = new StringBuilder();
+    if (obstacle.kind() != Kind.GOAL) {
+      text.append(" It would do if ").append(cure(obstacle));
+      for (Cure cure : obstacle.cures()) {
+        text.append(", or if ")
+            .append(
+                cure.conditions().stream().map(this::cure).collect(Collectors.joining(" and ")));
+      }
+      text.append('.');
+    }
+    return text.toString();
+  }
+
+  private String cure(Obstacle wanted) {
+    return switch (wanted.kind()) {
+      case MEMBER -> wanted.condition() + " were there (" + wanted.possible() + ")";
+      case STEP ->
+          wanted.subject().map(StepKey::member).orElse("somebody")
+              + " did it after all ("
+              + step(wanted.subject().orElseThrow())
+              + ")";
+      case UNKNOWN ->
+          formula(wanted) instanceof Formula.Comparison comparison
+              ? clause(comparison, " were known to be ")
+              : unreal(fact(wanted));
+      case NUMBER ->
+          formula(wanted) instanceof Formula.Comparison comparison
+              ? enough(comparison, wanted)
+              : unreal(fact(wanted));
+      default -> unreal(fact(wanted));
+    };
+  }
+
+  private String enough(Formula.Comparison comparison, Obstacle wanted) {
+    if (comparison.right() instanceof Expression.Fluent limit
+        && comparison.left() instanceof Expression.Fluent fluent) {
+      OptionalDouble least = facts.number(fluent);
+      return sentences.quantity(limit)
+          + " were "
+          + (isMore(comparison) ? "at most " : "at least ")
+          + (least.isPresent() ? Sentences.number(least.getAsDouble()) : "enough")
+          + sentences.unit(fluent);
+    }
+    return wanted.missing().isEmpty()
+        ? clause(comparison, " were ")
+        : side(comparison.left())
+            + " were "
+            + Sentences.number(wanted.missing().getAsDouble())
+            + unit(comparison)
+            + (isMore(comparison) ? " higher" : " lower");
+  }
+
+  /** A fact as it would be if it were so. */
+  private static String unreal(String fact) {
+    return fact.replaceFirst(" is ", " were ")
+        .replaceFirst(" cannot ", " could not ")
+        .replaceFirst(" can ", " could ");
+  }
+
+  private String fact(Obstacle obstacle) {
+    Formula formula = formula(obstacle);
+    if (formula instanceof Formula.Not not
+        && not.operand() instanceof Formula.UnknownNumber unknown) {
+      return sentences.quantity(unknown.fluent()) + " is known";
+    }
+    if (formula instanceof Formula.Comparison comparison) {
+      return clause(comparison, " is ");
+    }
+    return sentences.fact(formula);
+  }
+
+  private Formula formula(Obstacle obstacle) {
+    return formula(obstacle.condition());
+  }
+
+  private Formula formula(String text) {
+    return SlParser.formula(text, home.vocabulary()::isFluent);
+  }
+
+  private String step(StepKey key) {
+    return Optional.ofNullable(home.devices().get(key.member())).stream()
+        .flatMap(device -> device.features().stream())
+        .filter(feature -> feature.name().equals(key.feature()))
+        .findFirst()
+        .map(
+            feature ->
+                sentences.step(
+                    new Step(0, key.member(), feature, key.bindings(), 0, 0, true, Set.of())))
+        .orElse(key.member() + " does " + key.feature());
+  }
+
+  private static String capital(String text) {
+    return Character.toUpperCase(text.charAt(0)) + text.substring(1);
+  }
+}
