@@ -60,6 +60,10 @@ final class AclCrew implements Crew {
                 agent.send(agent.message(ACLMessage.CANCEL, receiver, Orders.callOff(call))));
   }
 
+  int underwayCount() {
+    return underway.size();
+  }
+
   /** The member's agent is no more: whatever it was ordered is not reported by it. */
   void agentEnded(String member) {
     List.copyOf(underway.entrySet()).stream()

@@ -107,6 +107,16 @@ public final class CoordinatorAgent extends MaestroAgent {
     tell(() -> agentGone(member, "its agent has ended"));
   }
 
+  /** Orders that no report has come for yet. */
+  int ordersUnderway() {
+    return crew.underwayCount();
+  }
+
+  /** Whether anything is known of parts awarded for goals that are not over. */
+  boolean contractsOpen() {
+    return !contracts.isEmpty();
+  }
+
   private void agentGone(String member, String reason) {
     if (agentByMember.remove(member) == null) {
       return;

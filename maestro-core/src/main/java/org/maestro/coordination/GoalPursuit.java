@@ -362,7 +362,7 @@ final class GoalPursuit implements Pursuit {
       adopt(found.plan(), round.tender());
     } else {
       round.tender().award(Map.of());
-      noPlan(round.result());
+      noPlan(round);
     }
   }
 
@@ -395,7 +395,7 @@ final class GoalPursuit implements Pursuit {
     continueOrSettle();
   }
 
-  private void noPlan(PlanningResult result) {
+  private void noPlan(PlanningRound.Ended round) {
     plan.drop();
     contention.letGo();
     if (!underway.isEmpty()) {
@@ -411,7 +411,8 @@ final class GoalPursuit implements Pursuit {
       makePlan(Optional.of("it cannot be seen any more that the goal is reached"));
     } else {
       List<String> reasons = new ArrayList<>(outlook.reasonsOfLeavingAlone());
-      reasons.addAll(story.reasons(result));
+      reasons.addAll(story.reasons(round.result()));
+      round.notCountedOn().ifPresent(reasons::add);
       end(GoalState.FAILED, false, Map.of(), reasons);
     }
   }

@@ -63,7 +63,20 @@ final class PlanningRound {
       PlanningResult result,
       List<PricedFeature> features,
       int questions,
-      List<String> unpriced) {}
+      List<String> unpriced) {
+
+    /** A sentence about those who might have helped, and named no price. */
+    Optional<String> notCountedOn() {
+      List<String> others = new ArrayList<>();
+      for (Bid bid : tender.bids()) {
+        bid.refusal().ifPresent(reason -> others.add(bid.member() + " (" + reason + ")"));
+      }
+      others.addAll(unpriced);
+      return others.isEmpty()
+          ? Optional.empty()
+          : Optional.of("Not counted on: " + String.join("; ", others) + ".");
+    }
+  }
 
   /** How often it is asked again before a goal is given up because of prices not named. */
   private static final int LAST_CHANCES = 2;

@@ -1,0 +1,145 @@
+package org.maestro.agents;
+
+import jade.core.AID;
+import jade.core.behaviours.CyclicBehaviour;
+import jade.lang.acl.ACLMessage;
+import jade.lang.acl.MessageTemplate;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+
+/** A JADE agent in the place of a member's generic agent, which behaves as its part wants. */
+final class Actor extends MaestroAgent {
+  private static final long serialVersionUID = 1L;
+
+  /** What the actor does with each kind of message; by itself everything is done right. */
+  interface Part {
+    default double price() {
+      return 1;
+    }
+
+    default void called(Actor actor, ACLMessage cfp) {
+      actor.propose(cfp, String.valueOf(price()));
+    }
+
+    default void accepted(Actor actor, ACLMessage accept) {
+      actor.answer(accept, ACLMessage.INFORM, "(inform (:holds me))");
+    }
+
+    default void asked(Actor actor, ACLMessage question) {
+      actor.answer(question, ACLMessage.INFORM, "(cost (:price %s 1))".formatted(price()));
+    }
+
+    default void ordered(Actor actor, ACLMessage order) {
+      actor.answer(order, ACLMessage.AGREE, "(perform)");
+      actor.later(Duration.ofSeconds(1), () -> actor.done(order));
+    }
+
+    default void cancelled(Actor actor, ACLMessage cancel) {}
+  }
+
+  private final transient Part part;
+  private final transient List<String> heard = new ArrayList<>();
+
+  Actor(AgentTime time, Part part) {
+    super(time);
+    this.part = part;
+  }
+
+  @Override
+  protected void setup() {
+    super.setup();
+    addBehaviour(
+        new CyclicBehaviour(this) {
+          private static final long serialVersionUID = 1L;
+
+          @Override
+          public void action() {
+            ACLMessage message = receive(new MessageTemplate(Actor.this::expects));
+            if (message == null) {
+              block();
+            } else {
+              heard(message);
+            }
+          }
+        });
+    announce("ready");
+  }
+
+  void announce(String phase) {
+    send(
+        message(
+            ACLMessage.INFORM,
+            getAID(CoordinatorAgent.NAME),
+            Words.content(
+                "inform",
+                Words.named("member", Words.name(getLocalName())),
+                Words.named("phase", Words.name(phase)))));
+  }
+
+  @Override
+  protected boolean expects(ACLMessage message) {
+    return !Replies.isFromPlatform(message);
+  }
+
+  @Override
+  protected void received(ACLMessage message) {
+    throw new IllegalStateException("Nothing is left for here: " + message);
+  }
+
+  private void heard(ACLMessage message) {
+    synchronized (heard) {
+      heard.add(BidReader.performative(message));
+    }
+    switch (message.getPerformative()) {
+      case ACLMessage.CFP -> part.called(this, message);
+      case ACLMessage.ACCEPT_PROPOSAL -> part.accepted(this, message);
+      case ACLMessage.CANCEL -> part.cancelled(this, message);
+      case ACLMessage.REQUEST -> {
+        if (message.getContent().startsWith("(cost")) {
+          part.asked(this, message);
+        } else {
+          part.ordered(this, message);
+        }
+      }
+      default -> {
+        // A rejection, or not-understood: nothing to do.
+      }
+    }
+  }
+
+  /** Performatives of all messages that came, in order. Any thread. */
+  List<String> heard() {
+    synchronized (heard) {
+      return List.copyOf(heard);
+    }
+  }
+
+  void propose(ACLMessage cfp, String price) {
+    String kind = cfp.getContent().contains("guide") ? "at-least" : "stated";
+    String feature = cfp.getContent().contains("guide") ? "guide" : "greet";
+    answer(
+        cfp,
+        ACLMessage.PROPOSE,
+        "(cost (:feature %s) (:%s \"%s\"))".formatted(feature, kind, price));
+  }
+
+  void done(ACLMessage order) {
+    answer(order, ACLMessage.INFORM, "(inform (:outputs))");
+  }
+
+  void answer(ACLMessage message, int performative, String content) {
+    ACLMessage answer = message.createReply();
+    answer.setPerformative(performative);
+    answer.setContent(content);
+    send(answer);
+  }
+
+  void later(Duration delay, Runnable deed) {
+    clock().schedule(delay, getLocalName(), () -> tell(deed));
+  }
+
+  AID cca() {
+    return getAID(CoordinatorAgent.NAME);
+  }
+}

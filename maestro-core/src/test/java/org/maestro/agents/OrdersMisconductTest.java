@@ -1,0 +1,233 @@
+package org.maestro.agents;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import jade.lang.acl.ACLMessage;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.function.BiConsumer;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.maestro.platform.BareJade;
+
+/**
+ * The ways in which an agent can misbehave when it is ordered to do a step (FIPA request). An order
+ * fails twice at most before its agent is left alone; then the butler does it, or the goal fails.
+ */
+class OrdersMisconductTest {
+  private static final String GOAL = "(greeted Bob)";
+  private static final Patience PATIENCE = Patience.standard();
+  private static final int TRIES = 2;
+
+  /** Thrice the second that greeting takes, the bus's time, and the grace for reporting. */
+  private static final Duration STEP =
+      Duration.ofSeconds(3).plusSeconds(15).plus(PATIENCE.report());
+
+  private static final Duration WORK = Duration.ofSeconds(4);
+
+  @TempDir static Path files;
+  private static BareJade jade;
+
+  private Society society;
+
+  @BeforeAll
+  static void startJade() {
+    jade = new BareJade("orders", files);
+  }
+
+  @AfterAll
+  static void endJade() {
+    jade.close();
+  }
+
+  @BeforeEach
+  void gather() {
+    society = new Society(jade);
+  }
+
+  @AfterEach
+  void disperse() {
+    society.close();
+  }
+
+  static Stream<Arguments> misconduct() {
+    return Stream.of(
+        Arguments.of(
+            "silent",
+            onOrder((actor, order) -> {}),
+            "usher did not take up greet within 10 s",
+            PATIENCE.agreement()),
+        Arguments.of(
+            "agrees and never reports",
+            onOrder((actor, order) -> actor.answer(order, ACLMessage.AGREE, "(perform)")),
+            "usher agreed to greet and did not report within 28 s",
+            STEP),
+        Arguments.of(
+            "refuses",
+            onOrder(
+                (actor, order) ->
+                    actor.answer(order, ACLMessage.REFUSE, "(inform (:reason \"my break\"))")),
+            "usher says my break",
+            Duration.ZERO),
+        Arguments.of(
+            "does not understand",
+            onOrder((actor, order) -> actor.answer(order, ACLMessage.NOT_UNDERSTOOD, "(hm)")),
+            "usher answered the order of greet with not-understood",
+            Duration.ZERO),
+        Arguments.of(
+            "reports unreadably",
+            onOrder(
+                (actor, order) -> {
+                  actor.answer(order, ACLMessage.AGREE, "(perform)");
+                  actor.answer(order, ACLMessage.INFORM, ")(");
+                }),
+            "usher reported greet unreadably",
+            Duration.ZERO),
+        Arguments.of(
+            "reports nothing at all",
+            onOrder((actor, order) -> actor.answer(order, ACLMessage.INFORM, null)),
+            "usher reported greet unreadably",
+            Duration.ZERO),
+        Arguments.of(
+            "fails without a word",
+            onOrder((actor, order) -> actor.answer(order, ACLMessage.FAILURE, null)),
+            "usher answered the order of greet with failure",
+            Duration.ZERO),
+        Arguments.of(
+            "proposes",
+            onOrder((actor, order) -> actor.answer(order, ACLMessage.PROPOSE, "(inform)")),
+            "usher answered the order of greet with propose",
+            Duration.ZERO));
+  }
+
+  @ParameterizedTest(name = "{0}")
+  @MethodSource("misconduct")
+  void anotherDoesIt(String way, Actor.Part part, String told, Duration lostEachTime) {
+    society.add("usher", part);
+    Actor butler = society.add("butler", at(3));
+
+    Society.Outcome outcome = society.pursue(GOAL);
+
+    assertThat(outcome.reached()).as(society.told()).isTrue();
+    assertThat(butler.heard()).endsWith("request");
+    assertThat(society.told()).contains(told);
+    assertThat(outcome.took())
+        .as(society.told())
+        .isLessThan(lostEachTime.multipliedBy(TRIES).plus(WORK));
+    assertThat(society.leftover()).isEmpty();
+  }
+
+  @ParameterizedTest(name = "{0}")
+  @MethodSource("misconduct")
+  void aloneTheGoalFails(String way, Actor.Part part, String told, Duration lostEachTime) {
+    society.add("usher", part);
+
+    Society.Outcome outcome = society.pursue(GOAL);
+
+    assertThat(outcome.reached()).as(society.told()).isFalse();
+    assertThat(society.told()).contains(told);
+    assertThat(outcome.took()).isLessThan(lostEachTime.multipliedBy(TRIES).plus(WORK));
+    assertThat(society.leftover()).isEmpty();
+  }
+
+  @Test
+  void whoNeverReportsIsCalledOff() {
+    Actor usher =
+        society.add(
+            "usher", onOrder((actor, order) -> actor.answer(order, ACLMessage.AGREE, "(perform)")));
+
+    society.pursue(GOAL);
+
+    assertThat(usher.heard())
+        .containsSubsequence("accept-proposal", "request", "cancel", "request", "cancel");
+  }
+
+  @Test
+  void aReportBeforeAgreementCountsAndIsTold() {
+    society.add(
+        "usher",
+        onOrder(
+            (actor, order) -> {
+              actor.done(order);
+              actor.answer(order, ACLMessage.AGREE, "(perform)");
+            }));
+    Actor butler = society.add("butler", at(3));
+
+    assertThat(society.pursue(GOAL).reached()).as(society.told()).isTrue();
+
+    assertThat(butler.heard()).doesNotContain("request");
+    assertThat(society.told()).contains("usher reported greet before it agreed to it");
+    assertThat(society.leftover()).isEmpty();
+  }
+
+  @Test
+  void theSecondReportIsIgnored() {
+    society.add(
+        "usher",
+        onOrder(
+            (actor, order) -> {
+              actor.answer(order, ACLMessage.AGREE, "(perform)");
+              actor.answer(order, ACLMessage.FAILURE, "(inform (:problem \"hoarse\"))");
+              actor.done(order);
+            }));
+    Actor butler = society.add("butler", at(3));
+
+    assertThat(society.pursue(GOAL).reached()).as(society.told()).isTrue();
+
+    assertThat(butler.heard()).endsWith("request");
+    assertThat(society.told()).contains("usher sent inform for greet after that was over");
+    assertThat(society.leftover()).isEmpty();
+  }
+
+  @Test
+  void anAgentKilledAtItsWorkIsReplacedAtOnce() {
+    society.add(
+        "usher",
+        onOrder(
+            (actor, order) -> {
+              actor.answer(order, ACLMessage.AGREE, "(perform)");
+              actor.clock().schedule(Duration.ofMillis(50), "test", () -> killed("usher"));
+            }));
+    Actor butler = society.add("butler", at(3));
+
+    Society.Outcome outcome = society.pursue(GOAL);
+
+    assertThat(outcome.reached()).as(society.told()).isTrue();
+    assertThat(butler.heard()).endsWith("request");
+    assertThat(society.told()).contains("usher has lost its agent while it was at greet");
+    assertThat(outcome.took()).isLessThan(WORK);
+    assertThat(society.leftover()).isEmpty();
+  }
+
+  /** As the platform does when JADE tells it that an agent has ended. */
+  private void killed(String agent) {
+    society.kill(agent);
+    society.cca.agentEnded(agent);
+  }
+
+  private static Actor.Part at(double price) {
+    return new Actor.Part() {
+      @Override
+      public double price() {
+        return price;
+      }
+    };
+  }
+
+  private static Actor.Part onOrder(BiConsumer<Actor, ACLMessage> deed) {
+    return new Actor.Part() {
+      @Override
+      public void ordered(Actor actor, ACLMessage order) {
+        deed.accept(actor, order);
+      }
+    };
+  }
+}

@@ -1,0 +1,168 @@
+package org.maestro.agents;
+
+import static org.awaitility.Awaitility.await;
+
+import jade.lang.acl.ACLMessage;
+import jade.wrapper.AgentContainer;
+import jade.wrapper.AgentController;
+import jade.wrapper.ControllerException;
+import jade.wrapper.StaleProxyException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.maestro.coordination.StoryEntry;
+import org.maestro.knowledge.CollectiveKnowledge;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+import org.maestro.planning.OptimalPlanner;
+import org.maestro.platform.BareJade;
+import org.maestro.rats.time.SteppedClock;
+import org.maestro.sl.SlParser;
+
+/**
+ * A CCA and a desk among actors, on a stepped clock of their own: how long something takes is
+ * simulated time, whatever the machine does.
+ */
+final class Society implements AutoCloseable {
+  private static final Duration LONGEST = Duration.ofMinutes(20);
+  private static final Home HOME = home();
+
+  final SteppedClock clock = new SteppedClock();
+  final AgentTime time = AgentTime.of(clock);
+  final List<StoryEntry> story = Collections.synchronizedList(new ArrayList<>());
+  final CoordinatorAgent cca;
+  final DeskAgent desk = new DeskAgent(time);
+  private final AgentContainer container;
+  private final Map<String, AgentController> controllers = new LinkedHashMap<>();
+  private final int behavioursOfCca;
+
+  Society(BareJade jade) {
+    container = jade.main();
+    cca =
+        new CoordinatorAgent(
+            time,
+            new CollectiveKnowledge(HOME, clock),
+            new OptimalPlanner(),
+            story::add,
+            Duration.ofMillis(20));
+    start(container, CoordinatorAgent.NAME, cca);
+    start(container, "desk", desk);
+    behavioursOfCca = cca.behaviourCount();
+  }
+
+  private static Home home() {
+    try (InputStream turtle = Society.class.getResourceAsStream("/greeters.ttl")) {
+      return new HomeLoader()
+          .load(new String(turtle.readAllBytes(), StandardCharsets.UTF_8), "greeters.ttl");
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** How a goal ended. */
+  record Outcome(ACLMessage reply, Duration took) {
+    boolean reached() {
+      return reply.getPerformative() == ACLMessage.INFORM;
+    }
+  }
+
+  private void start(AgentContainer where, String name, MaestroAgent agent) {
+    controllers.put(name, BareJade.start(where, name, agent));
+  }
+
+  Actor add(String member, Actor.Part part) {
+    return add(container, member, part);
+  }
+
+  Actor add(AgentContainer where, String member, Actor.Part part) {
+    Actor actor = new Actor(time, part);
+    start(where, member, actor);
+    clock.runUntil(() -> cca.presentMembers().contains(member), LONGEST);
+    return actor;
+  }
+
+  void kill(String agent) {
+    try {
+      if (controllers.containsKey(agent)) {
+        controllers.remove(agent).kill();
+        await().pollInterval(Duration.ofMillis(2)).until(() -> !isAlive(agent));
+      }
+    } catch (StaleProxyException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  /** JADE ends an agent beside its caller. */
+  private boolean isAlive(String agent) {
+    try {
+      container.getPlatformController().getAgent(agent);
+      return true;
+    } catch (ControllerException e) {
+      return false;
+    }
+  }
+
+  /** The agent has ended by other means. */
+  void forget(String agent) {
+    controllers.remove(agent);
+  }
+
+  /** States a goal and runs until it has ended and nobody is busy with it any more. */
+  Outcome pursue(String goal) {
+    List<ACLMessage> replies = Collections.synchronizedList(new ArrayList<>());
+    Duration begin = clock.now();
+    desk.requestGoal(SlParser.formula(goal), replies::add);
+    clock.runUntil(
+        () -> replies.stream().anyMatch(r -> r.getPerformative() != ACLMessage.AGREE), LONGEST);
+    Duration took = clock.now().minus(begin);
+    return new Outcome(replies.get(replies.size() - 1), took);
+  }
+
+  String told() {
+    synchronized (story) {
+      return String.join("\n", story.stream().map(e -> e.kind() + " " + e.text()).toList());
+    }
+  }
+
+  /** Lets all that was begun come to its end; says what does not. */
+  String leftover() {
+    clock.runUntil(this::isQuiet, LONGEST);
+    return isQuiet()
+        ? ""
+        : "conversations %d and %d, behaviours %d, orders %d, contracts %s"
+            .formatted(
+                cca.conversations().openCount(),
+                desk.conversations().openCount(),
+                cca.behaviourCount() - behavioursOfCca,
+                cca.ordersUnderway(),
+                cca.contractsOpen());
+  }
+
+  private boolean isQuiet() {
+    return cca.conversations().openCount() == 0
+        && desk.conversations().openCount() == 0
+        && cca.behaviourCount() == behavioursOfCca
+        && cca.ordersUnderway() == 0
+        && !cca.contractsOpen()
+        && cca.getCurQueueSize() == 0;
+  }
+
+  /** Lets simulated time pass. */
+  void pass(Duration duration) {
+    boolean[] passed = {false};
+    clock.schedule(duration, "test", () -> passed[0] = true);
+    clock.runUntil(() -> passed[0], duration.plusSeconds(1));
+  }
+
+  @Override
+  public void close() {
+    List.copyOf(controllers.keySet()).forEach(this::kill);
+  }
+}
