@@ -5,7 +5,6 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Predicate;
 import org.maestro.coordination.Market.Quote;
 import org.maestro.planning.PricedFeature.ExactPrice;
 import org.maestro.planning.StepKey;
@@ -61,21 +60,13 @@ final class ExactPrices {
     return prices;
   }
 
-  /** Instances that their member declined to price, or gives no answer for: nobody plans so. */
+  /** Instances for which their member gives no answer: nobody plans so. */
   Set<StepKey> unusable(Duration now) {
-    Set<StepKey> unusable = collect(known -> known.quote() instanceof Quote.Declined);
-    unusable.addAll(
-        collect(
-            known ->
-                known.quote() instanceof Quote.Unanswered && known.until().compareTo(now) > 0));
-    return unusable;
-  }
-
-  private Set<StepKey> collect(Predicate<Known> wanted) {
     Set<StepKey> keys = new HashSet<>();
     byMember.values().stream()
         .flatMap(m -> m.entrySet().stream())
-        .filter(e -> wanted.test(e.getValue()))
+        .filter(e -> e.getValue().quote() instanceof Quote.Unanswered)
+        .filter(e -> e.getValue().until().compareTo(now) > 0)
         .forEach(e -> keys.add(e.getKey()));
     return keys;
   }

@@ -96,6 +96,10 @@ final class GoalLife {
     return effort.plans();
   }
 
+  int confirmingPlans() {
+    return effort.confirmingPlans();
+  }
+
   void countPlan(boolean confirming) {
     effort = effort.planned(confirming);
   }

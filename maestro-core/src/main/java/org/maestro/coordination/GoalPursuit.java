@@ -23,6 +23,9 @@ import org.maestro.sl.Term;
 final class GoalPursuit implements Pursuit {
   private static final int MOST_PLANS = 60;
 
+  /** Looks that do not show it, again and again, show nothing either. */
+  private static final int MOST_CONFIRMATIONS = 10;
+
   private final Ports ports;
   private final Roster roster;
   private final Rivals rivals;
@@ -312,6 +315,11 @@ final class GoalPursuit implements Pursuit {
       planAgain = why;
       return;
     }
+    if (outlook.isConfirming() && life.confirmingPlans() >= MOST_CONFIRMATIONS) {
+      plan.drop();
+      noPlanToSeeIt();
+      return;
+    }
     if (life.plans() >= MOST_PLANS) {
       end(
           GoalState.FAILED,
@@ -402,18 +410,24 @@ final class GoalPursuit implements Pursuit {
       life.become(GoalState.WAITING, "what is under way has to end first");
       return;
     }
-    Optional<Plan> reached = outlook.isConfirming() ? outlook.holds() : Optional.empty();
-    if (reached.isPresent()) {
-      story.unconfirmed();
-      end(GoalState.ACHIEVED, false, reached.get().goalBinding(), List.of());
-    } else if (outlook.isConfirming()) {
-      outlook.confirm(Optional.empty());
-      makePlan(Optional.of("it cannot be seen any more that the goal is reached"));
+    if (outlook.isConfirming()) {
+      noPlanToSeeIt();
     } else {
       List<String> reasons = new ArrayList<>(outlook.reasonsOfLeavingAlone());
       reasons.addAll(story.reasons(round.result()));
       round.notCountedOn().ifPresent(reasons::add);
       end(GoalState.FAILED, false, Map.of(), reasons);
+    }
+  }
+
+  private void noPlanToSeeIt() {
+    Optional<Plan> reached = outlook.holds();
+    if (reached.isPresent()) {
+      story.unconfirmed();
+      end(GoalState.ACHIEVED, false, reached.get().goalBinding(), List.of());
+    } else {
+      outlook.confirm(Optional.empty());
+      makePlan(Optional.of("it cannot be seen any more that the goal is reached"));
     }
   }
 

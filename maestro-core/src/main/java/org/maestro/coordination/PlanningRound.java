@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.knowledge.Snapshot;
@@ -23,8 +24,11 @@ import org.maestro.planning.PlanningTask;
 import org.maestro.planning.PricedFeature;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
+import org.maestro.sl.Evaluation;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -91,6 +95,7 @@ final class PlanningRound {
   private final Supplier<? extends Facts> facts;
   private final Consumer<Ended> then;
   private final Set<String> unpriced = new LinkedHashSet<>();
+  private final Set<StepKey> declined = new HashSet<>();
   private int questions;
   private int lastChances;
 
@@ -126,6 +131,7 @@ final class PlanningRound {
     Snapshot snapshot = ports.knowledge().snapshot();
     List<PricedFeature> features = features(tender.bids(), home);
     Set<StepKey> unusable = new HashSet<>(barred);
+    unusable.addAll(declined);
     unusable.addAll(exactPrices.unusable(ports.clock().now()));
     PlanningTask task =
         new PlanningTask(
@@ -203,14 +209,41 @@ final class PlanningRound {
       Step step = steps.get(i);
       Market.Quote quote =
           i < quotes.size() ? quotes.get(i) : new Market.Quote.Unanswered("named too few prices");
-      exactPrices.put(step.key(), quote, asked, ports.clock().now());
       if (quote instanceof Market.Quote.Declined declined) {
+        decline(step, asked);
         unpriced.add(
             "%s (%s: %s)".formatted(step.member(), step.feature().name(), declined.reason()));
       } else if (quote instanceof Market.Quote.Unanswered unanswered) {
+        exactPrices.put(step.key(), quote, asked, ports.clock().now());
         unpriced.add("%s (%s)".formatted(step.member(), unanswered.reason()));
+      } else {
+        exactPrices.put(step.key(), quote, asked, ports.clock().now());
       }
     }
+  }
+
+  /**
+   * A member prices what it could do now. That it cannot do what earlier steps have yet to make
+   * possible, such as going through a door that is still shut, says nothing: the lower bound
+   * stands. Any other refusal holds for this round only, since it may be due to what others do just
+   * now.
+   */
+  private void decline(Step step, Duration asked) {
+    if (isPossibleNow(step)) {
+      declined.add(step.key());
+    } else {
+      exactPrices.put(
+          step.key(),
+          new Market.Quote.Priced(step.cost(), step.seconds()),
+          asked,
+          ports.clock().now());
+    }
+  }
+
+  private boolean isPossibleNow(Step step) {
+    Map<String, Term> bindings = new TreeMap<>(step.bindings());
+    bindings.put("self", new Term.Name(step.member()));
+    return new Evaluation(facts.get()).truth(step.feature().precondition(), bindings) == Truth.TRUE;
   }
 
   private List<PricedFeature> features(List<Bid> bids, Home home) {

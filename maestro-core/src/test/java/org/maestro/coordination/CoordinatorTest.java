@@ -51,6 +51,38 @@ class CoordinatorTest {
   }
 
   @Test
+  void whatEarlierStepsMakePossibleIsNotGivenUpBecauseItCannotBeDoneNow() {
+    house.ambientLux.put("zone-a", 100.0);
+    house.place.put("Cup", "zone-a");
+    house.declines = feature -> feature.equals("pick") && !house.place.get("rose").equals("zone-a");
+
+    GoalOutcome outcome = house.achieve("(nextTo Cup Bob)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+  }
+
+  @Test
+  void whatIsReachedButNeverSeenIsNotCalledImpossible() {
+    house.ambientLux.put("zone-b", 100.0);
+
+    GoalOutcome outcome = house.achieve("(in Cup rose)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(outcome.confirmed()).isFalse();
+  }
+
+  @Test
+  void whatWasDeclinedForOneGoalIsAskedAgainForTheNext() {
+    house.declines = feature -> feature.equals("move");
+    assertThat(house.achieve("(in rose zone-a)").reached()).isFalse();
+
+    house.declines = feature -> false;
+
+    GoalOutcome outcome = house.achieve("(in rose zone-a)");
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+  }
+
+  @Test
   void weakLampsAreHelpedByAnother() {
     house.weak.addAll(List.of("lamp-b1", "lamp-b2", "lamp-b3"));
 

@@ -10,6 +10,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.DoubleSupplier;
+import java.util.function.Predicate;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.KnowledgeBase;
@@ -40,6 +41,7 @@ final class PretendHouse implements Market, Crew {
   final Set<String> dead = new TreeSet<>();
   final List<String> calls = new ArrayList<>();
   final Set<String> weak = new TreeSet<>();
+  Predicate<String> declines = feature -> false;
   Consumer<String> beforeCall = call -> {};
   DoubleSupplier noise = () -> 1;
 
@@ -160,7 +162,14 @@ final class PretendHouse implements Market, Crew {
         Duration.ofMillis(2),
         member,
         () ->
-            answer.accept(sets.stream().map(s -> (Quote) new Quote.Priced(price, price)).toList()));
+            answer.accept(
+                sets.stream()
+                    .map(
+                        s ->
+                            declines.test(feature)
+                                ? new Quote.Declined("it cannot be done now")
+                                : (Quote) new Quote.Priced(price, price))
+                    .toList()));
   }
 
   /** A sensor tells a value twice a second until it is ended. */
