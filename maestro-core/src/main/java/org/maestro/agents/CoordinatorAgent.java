@@ -17,9 +17,11 @@ import java.util.concurrent.Executors;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.coordination.Coordinator;
-import org.maestro.coordination.GoalOutcome;
 import org.maestro.coordination.InvalidGoalException;
+import org.maestro.coordination.Journal;
+import org.maestro.coordination.JournalEntry;
 import org.maestro.coordination.Ports;
+import org.maestro.coordination.Recovery;
 import org.maestro.coordination.Story;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.coordination.Thinking;
@@ -30,7 +32,6 @@ import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
-import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -44,6 +45,9 @@ public final class CoordinatorAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
   private static final Logger LOG = LoggerFactory.getLogger(CoordinatorAgent.class);
 
+  /** Wall time that members have to show up again after a restart. */
+  private static final Duration COMEBACK = Duration.ofSeconds(10);
+
   /** The paper's name of this agent. */
   public static final String NAME = "CCA";
 
@@ -53,6 +57,9 @@ public final class CoordinatorAgent extends MaestroAgent {
   private final transient Coordinator coordinator;
   private final transient Story archive;
   private final transient Duration decisionTime;
+  private final transient Recovery recovery;
+  private final transient Journal journal;
+  private final transient Endings endings = new Endings(this::reply);
   private final transient ExecutorService planning =
       Executors.newSingleThreadExecutor(CoordinatorAgent::planningThread);
   private final transient Map<String, AID> agentByMember = new HashMap<>();
@@ -65,17 +72,22 @@ public final class CoordinatorAgent extends MaestroAgent {
   /**
    * @param archive where stories are kept beyond this agent's life
    * @param decisionTime simulated time that a decision takes; zero on a paced clock
+   * @param past what it goes on from
    */
   public CoordinatorAgent(
       AgentTime time,
       KnowledgeBase knowledge,
       Planner planner,
       Story archive,
-      Duration decisionTime) {
+      Duration decisionTime,
+      Past past) {
     super(time);
     this.knowledge = knowledge;
     this.archive = archive;
     this.decisionTime = decisionTime;
+    this.recovery = past.recovery();
+    this.journal = new OwnJournal(past.journal());
+    past.stories().forEach((goal, story) -> stories.put(goal, new ArrayList<>(story)));
     this.crew = new AclCrew(this, this::agentOf, contracts, this::misconduct);
     this.coordinator =
         new Coordinator(
@@ -86,7 +98,8 @@ public final class CoordinatorAgent extends MaestroAgent {
                 crew,
                 new OwnThread(),
                 time.clock(),
-                this::told));
+                this::told,
+                journal));
   }
 
   /** The members that can be used now. Any thread may ask. */
@@ -134,6 +147,11 @@ public final class CoordinatorAgent extends MaestroAgent {
   protected void setup() {
     super.setup();
     knowledge.watch(change -> tell(() -> coordinator.knowledgeChanged(change)));
+    Map<String, Formula> goals = new HashMap<>();
+    recovery.goals().forEach(goal -> goals.put(goal.id(), goal.request().goal()));
+    recovery.ended().forEach(goal -> endings.ended(goal.request().goal(), goal.outcome()));
+    coordinator.resume(
+        recovery, patience(COMEBACK), outcome -> endings.ended(goals.get(outcome.id()), outcome));
   }
 
   @Override
@@ -153,13 +171,14 @@ public final class CoordinatorAgent extends MaestroAgent {
         case "explain" -> explain(message, words);
         case "subscribe" -> subscribe(message, words);
         case "query-ref" -> list(message, words);
+        case "await" -> await(message, words);
         default ->
             refuse(
                 message,
                 ACLMessage.NOT_UNDERSTOOD,
                 "The CCA does not know the operator "
                     + Replies.shortened(content.operator())
-                    + "; it knows initCNP, cancel, explain, subscribe and query-ref.");
+                    + "; it knows initCNP, await, cancel, explain, subscribe and query-ref.");
       }
     }
   }
@@ -187,9 +206,15 @@ public final class CoordinatorAgent extends MaestroAgent {
       String id =
           coordinator.submit(
               GoalWords.request(goal, requester, words, clock().now()),
-              outcome -> answer(message, goal, outcome));
-      reply(
-          message, ACLMessage.AGREE, Words.content("initCNP", Words.named("goal", Words.name(id))));
+              outcome -> endings.ended(goal, outcome));
+      journal.afterwards(
+          () -> {
+            reply(
+                message,
+                ACLMessage.AGREE,
+                Words.content("initCNP", Words.named("goal", Words.name(id))));
+            endings.await(id, message);
+          });
     } catch (InvalidGoalException e) {
       refuse(message, ACLMessage.REFUSE, e.getMessage());
     }
@@ -215,21 +240,17 @@ public final class CoordinatorAgent extends MaestroAgent {
                 .isPresent());
   }
 
-  private void answer(ACLMessage message, Formula goal, GoalOutcome outcome) {
-    Formula bound = new Substitution(outcome.binding()).apply(goal);
-    Content content =
-        Words.content(
-            "inform",
-            Words.named("goal", Words.name(outcome.id()), Words.formula(bound)),
-            Words.terms("binding", outcome.binding()),
-            Words.named("state", Words.name(outcome.state().name().toLowerCase())),
-            Words.named("confirmed", Words.name(String.valueOf(outcome.confirmed()))),
-            Words.named("reasons", outcome.reasons().stream().map(Words::text).toList()),
-            Words.named("calls", Words.number(outcome.calls())),
-            Words.named("replans", Words.number(outcome.replans())),
-            Words.named("seconds", Words.number(outcome.duration().toMillis() / 1000.0)),
-            Words.named("decision-ms", Words.number(outcome.decisionMillis())));
-    reply(message, outcome.reached() ? ACLMessage.INFORM : ACLMessage.FAILURE, content);
+  /** The end of a goal, for who did not state it, or whose conversation ended with a process. */
+  private void await(ACLMessage message, Words words) {
+    String id = words.string("goal").orElse("");
+    if (!endings.isOver(id)) {
+      if (!coordinator.hasGoal(id)) {
+        refuse(message, ACLMessage.REFUSE, noSuchGoal(id));
+        return;
+      }
+      reply(message, ACLMessage.AGREE, Words.content("await", Words.named("goal", Words.name(id))));
+    }
+    endings.await(id, message);
   }
 
   private void memberNews(ACLMessage message, Words words) {
@@ -350,6 +371,37 @@ public final class CoordinatorAgent extends MaestroAgent {
     Thread thread = new Thread(work, "planning");
     thread.setDaemon(true);
     return thread;
+  }
+
+  /** What is written down elsewhere comes back to the agent. */
+  private final class OwnJournal implements Journal {
+    private final Journal elsewhere;
+
+    private OwnJournal(Journal elsewhere) {
+      this.elsewhere = elsewhere;
+    }
+
+    @Override
+    public void write(JournalEntry entry) {
+      elsewhere.write(entry);
+    }
+
+    @Override
+    public void afterwards(Runnable action) {
+      boolean[] within = {true};
+      Thread caller = Thread.currentThread();
+      Clock.Ticket ticket = clock().hold("the journal");
+      elsewhere.afterwards(
+          () -> {
+            if (within[0] && Thread.currentThread() == caller) {
+              action.run();
+            } else {
+              tell(action);
+            }
+            ticket.close();
+          });
+      within[0] = false;
+    }
   }
 
   /** Plans beside the agent, and hands the result back through the clock. */

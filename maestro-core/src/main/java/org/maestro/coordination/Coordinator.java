@@ -103,6 +103,9 @@ public final class Coordinator {
   public void resume(Recovery recovery, Duration patience, Consumer<GoalOutcome> told) {
     lastNumber = Math.max(lastNumber, recovery.lastGoalNumber());
     recovery.ended().forEach(goal -> ended.put(goal.outcome().id(), goal));
+    if (recovery.goals().isEmpty() && recovery.unwanted().isEmpty()) {
+      return;
+    }
     recovery.members().stream().filter(m -> !roster.isPresent(m)).forEach(comeback::await);
     for (Recovery.UnfinishedGoal goal : recovery.goals()) {
       pursuit(goal.id(), goal.request(), number(goal.id()), news -> {}, told)
@@ -193,6 +196,11 @@ public final class Coordinator {
     exactPrices.forget(change.source().agent());
     Interest changed = Interest.of(change.facts(), ports.knowledge().home().vocabulary());
     rivals.run(() -> rivals.all().forEach(pursuit -> pursuit.knowledgeChanged(change, changed)));
+  }
+
+  /** Whether a goal of that id is or was pursued. */
+  public boolean hasGoal(String goalId) {
+    return pursuits.containsKey(goalId) || ended.containsKey(goalId);
   }
 
   public boolean isPresent(String member) {

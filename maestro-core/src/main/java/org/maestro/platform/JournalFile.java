@@ -44,6 +44,9 @@ public final class JournalFile implements Journal, AutoCloseable {
   /** Guarded by this. */
   private boolean flushIsDue;
 
+  /** Guarded by this. */
+  private boolean closed;
+
   /** The writing thread's. */
   private List<Dated> unwritten = new ArrayList<>();
 
@@ -95,6 +98,9 @@ public final class JournalFile implements Journal, AutoCloseable {
   public void write(JournalEntry entry) {
     Dated dated = new Dated(clock.now(), entry);
     synchronized (this) {
+      if (closed) {
+        return;
+      }
       pending.add(dated);
     }
     writer.ifPresent(this::flushSoon);
@@ -103,6 +109,9 @@ public final class JournalFile implements Journal, AutoCloseable {
   @Override
   public void afterwards(Runnable action) {
     synchronized (this) {
+      if (closed) {
+        return;
+      }
       waiting.add(action);
     }
     writer.ifPresentOrElse(this::flushSoon, this::flush);
@@ -166,10 +175,14 @@ public final class JournalFile implements Journal, AutoCloseable {
     return thread;
   }
 
-  /** Writes what is left. Actions that wait still are not run. */
+  /** Writes what is left. Actions that wait still are not run, nor any that come later. */
   @Override
   public void close() {
     synchronized (this) {
+      if (closed) {
+        return;
+      }
+      closed = true;
       waiting = new ArrayList<>();
     }
     writer.ifPresentOrElse(this::end, this::flush);

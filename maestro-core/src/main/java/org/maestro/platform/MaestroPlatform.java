@@ -52,6 +52,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private final RatsLink link;
   private final KnowledgeBase knowledge;
   private final BiFunction<String, String, Device> describedBy;
+  private final PlatformMemory memory;
   private final Path fileDirectory;
   private final int port;
   private final AgentContainer main;
@@ -68,6 +69,7 @@ public final class MaestroPlatform implements AutoCloseable {
       RatsLink link,
       Clock clock,
       BiFunction<String, String, Device> describedBy,
+      PlatformMemory memory,
       Path fileDirectory,
       int port,
       AgentContainer main) {
@@ -75,6 +77,7 @@ public final class MaestroPlatform implements AutoCloseable {
     this.time = AgentTime.of(clock);
     this.link = link;
     this.describedBy = describedBy;
+    this.memory = memory;
     this.fileDirectory = fileDirectory;
     this.port = port;
     this.main = main;
@@ -85,7 +88,8 @@ public final class MaestroPlatform implements AutoCloseable {
                 JadeRuntime.join(
                     Optional.of(settings.name()), "127.0.0.1", port, topic, fileDirectory));
     this.coordinator =
-        new CoordinatorAgent(time, knowledge, planner, this::told, settings.decisionTime());
+        new CoordinatorAgent(
+            time, knowledge, planner, this::told, settings.decisionTime(), memory.past());
     this.desk = new DeskAgent(time);
   }
 
@@ -108,22 +112,18 @@ public final class MaestroPlatform implements AutoCloseable {
           "There is no display for the JADE GUI; run without --gui, or set DISPLAY.");
     }
     int port = JadeRuntime.claim(settings.port());
+    PlatformMemory memory = PlatformMemory.open(settings, knowledge, clock);
     Path files = temporaryDirectory();
     AgentContainer main = JadeRuntime.main(settings.name(), port, files);
     MaestroPlatform platform =
         new MaestroPlatform(
-            settings, knowledge, planner, link, clock, describedBy, files, port, main);
+            settings, knowledge, planner, link, clock, describedBy, memory, files, port, main);
     platform.boot();
     return platform;
   }
 
   private void boot() {
-    Optional<StoryFile> file = settings.storyDirectory().map(StoryFile::new);
-    file.ifPresent(
-        stories -> {
-          stories.begin();
-          listeners.add(stories);
-        });
+    memory.stories().ifPresent(listeners::add);
     accept(KnowledgeAgent.NAME, new KnowledgeAgent(time, knowledge, describedBy));
     accept(CoordinatorAgent.NAME, coordinator);
     accept(SupervisorAgent.NAME, new SupervisorAgent(time, link, new Supervision()));
@@ -273,6 +273,8 @@ public final class MaestroPlatform implements AutoCloseable {
   @Override
   public void close() {
     closing = true;
+    // First, so that what only ends here is not taken for ended for good.
+    memory.close();
     List<AgentContainer> containers = new ArrayList<>(topics.close());
     containers.add(main);
     JadeRuntime.end(containers, sinceNanos);

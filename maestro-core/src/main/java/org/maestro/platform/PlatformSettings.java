@@ -15,6 +15,8 @@ import java.util.Optional;
  * @param site on the bus
  * @param decisionTime simulated time that a decision takes; zero on a paced clock
  * @param storyDirectory where stories are kept for {@code why}; empty: only in memory
+ * @param dataDirectory where the journal of goals is kept, from which the next platform goes on
+ *     after this one's death; empty: goals end with the platform
  */
 public record PlatformSettings(
     String name,
@@ -23,4 +25,18 @@ public record PlatformSettings(
     Optional<String> brokerUri,
     String site,
     Duration decisionTime,
-    Optional<Path> storyDirectory) {}
+    Optional<Path> storyDirectory,
+    Optional<Path> dataDirectory) {
+
+  /** Of a platform whose goals end with it. */
+  public PlatformSettings(
+      String name,
+      int port,
+      boolean gui,
+      Optional<String> brokerUri,
+      String site,
+      Duration decisionTime,
+      Optional<Path> storyDirectory) {
+    this(name, port, gui, brokerUri, site, decisionTime, storyDirectory, Optional.empty());
+  }
+}

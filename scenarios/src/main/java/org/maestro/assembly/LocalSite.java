@@ -13,6 +13,8 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import org.maestro.knowledge.CollectiveKnowledge;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.knowledge.KnowledgeSettings;
 import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.planning.OptimalPlanner;
@@ -156,14 +158,25 @@ public final class LocalSite implements AutoCloseable {
                 broker.map(URI::toString),
                 settings.name(),
                 decisionTime,
-                settings.storyDirectory()),
-            new CollectiveKnowledge(settings.home(), clock),
+                settings.storyDirectory(),
+                settings.dataDirectory()),
+            knowledge(),
             new TieredPlanner(new OptimalPlanner()),
             link,
             clock,
             new DescriptionReader(settings.home().vocabulary())::read);
     parts.addFirst(platform);
     awaitMembers(opening);
+  }
+
+  private KnowledgeBase knowledge() {
+    return settings
+        .dataDirectory()
+        .<KnowledgeBase>map(
+            directory ->
+                CollectiveKnowledge.open(
+                    settings.home(), clock, KnowledgeSettings.in(directory.resolve("knowledge"))))
+        .orElseGet(() -> new CollectiveKnowledge(settings.home(), clock));
   }
 
   private void awaitMembers(Duration opening) {

@@ -15,6 +15,8 @@ import org.maestro.sim.Scene;
  * @param broker of the bus; empty: one of our own in this process
  * @param jadePort of the main container on loopback, 0 for a free one
  * @param storyDirectory where stories are kept
+ * @param dataDirectory where goals and what was known of the past are kept, to be taken up after a
+ *     restart; empty: they end with the site
  */
 public record SiteSettings(
     String name,
@@ -24,4 +26,19 @@ public record SiteSettings(
     Optional<URI> broker,
     int jadePort,
     boolean gui,
-    Optional<Path> storyDirectory) {}
+    Optional<Path> storyDirectory,
+    Optional<Path> dataDirectory) {
+
+  /** Of a site that remembers nothing. */
+  public SiteSettings(
+      String name,
+      Home home,
+      Optional<Scene> scene,
+      long seed,
+      Optional<URI> broker,
+      int jadePort,
+      boolean gui,
+      Optional<Path> storyDirectory) {
+    this(name, home, scene, seed, broker, jadePort, gui, storyDirectory, Optional.empty());
+  }
+}

@@ -3,6 +3,7 @@ package org.maestro.launch;
 import java.awt.GraphicsEnvironment;
 import java.io.PrintWriter;
 import java.net.URI;
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
@@ -59,6 +60,13 @@ final class RunCommand implements Callable<Integer> {
   private Optional<String> broker;
 
   @Option(
+      names = "--data",
+      paramLabel = "DIR",
+      description =
+          "Keep goals, their stories and what was said there: after a crash, run it again with the same DIR, and every goal goes on. Without: they end with this process.")
+  private Optional<Path> data;
+
+  @Option(
       names = "--port",
       paramLabel = "P",
       defaultValue = "1099",
@@ -99,7 +107,10 @@ final class RunCommand implements Callable<Integer> {
             bus,
             port,
             gui,
-            Optional.of(directory.beginStories(name)));
+            Optional.of(
+                data.map(kept -> directory.beginStories(kept.resolve("stories")))
+                    .orElseGet(() -> directory.beginStories(name))),
+            data);
     LocalSite site = LocalSite.paced(settings, speed);
     directory.add(
         new RuntimeDirectory.Running(
@@ -144,6 +155,7 @@ final class RunCommand implements Callable<Integer> {
         site.platform().agents().size(),
         site.platform().port(),
         site.broker().map(URI::toString).orElse("no port"));
+    data.ifPresent(kept -> out.println("Goals and their stories are kept in " + kept + "."));
     out.println("In another terminal: ./maestro goal \"(nextTo Cup Bob)\"   Stop with Ctrl-C.");
     out.flush();
   }

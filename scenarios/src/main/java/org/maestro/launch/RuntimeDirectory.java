@@ -65,6 +65,14 @@ final class RuntimeDirectory {
     return stories;
   }
 
+  /** The same, for stories that are kept elsewhere. */
+  Path beginStories(Path elsewhere) {
+    Path stories = elsewhere.toAbsolutePath();
+    ready();
+    write(directory.resolve(LAST), stories.toString());
+    return stories;
+  }
+
   /** The stories of the platform that was started last. */
   Optional<Path> lastStories() {
     Path last = directory.resolve(LAST);

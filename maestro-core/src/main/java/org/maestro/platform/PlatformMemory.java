@@ -1,0 +1,93 @@
+package org.maestro.platform;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.maestro.agents.Past;
+import org.maestro.coordination.Recovery;
+import org.maestro.coordination.StoryEntry;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.rats.time.Clock;
+
+/** What a platform keeps on disk, and what it found there. */
+final class PlatformMemory implements AutoCloseable {
+  private final Optional<JournalFile> journal;
+  private final Optional<StoryFile> stories;
+
+  private PlatformMemory(Optional<JournalFile> journal, Optional<StoryFile> stories) {
+    this.journal = journal;
+    this.stories = stories;
+  }
+
+  /**
+   * @throws PlatformStartException when a directory of the settings cannot be used
+   */
+  static PlatformMemory open(PlatformSettings settings, KnowledgeBase knowledge, Clock clock) {
+    Optional<JournalFile> journal =
+        settings
+            .dataDirectory()
+            .map(
+                directory -> JournalFile.open(directory, clock, name -> isFluent(knowledge, name)));
+    Optional<StoryFile> stories =
+        settings.storyDirectory().map(directory -> new StoryFile(directory, clock));
+    PlatformMemory memory = new PlatformMemory(journal, stories);
+    try {
+      stories.ifPresent(files -> files.begin(memory.goals()));
+      return memory;
+    } catch (PlatformStartException e) {
+      memory.close();
+      throw e;
+    }
+  }
+
+  private static boolean isFluent(KnowledgeBase knowledge, String name) {
+    return knowledge
+        .home()
+        .vocabulary()
+        .predicate(name)
+        .filter(PredicateDeclaration::fluent)
+        .isPresent();
+  }
+
+  private Recovery recovery() {
+    return journal.map(JournalFile::recovery).orElse(Recovery.NOTHING);
+  }
+
+  private Set<String> goals() {
+    Set<String> goals = new TreeSet<>();
+    recovery().goals().forEach(goal -> goals.add(goal.id()));
+    recovery().ended().forEach(goal -> goals.add(goal.outcome().id()));
+    return goals;
+  }
+
+  Optional<StoryFile> stories() {
+    return stories;
+  }
+
+  Past past() {
+    if (journal.isEmpty()) {
+      return Past.none();
+    }
+    Map<String, List<StoryEntry>> told = new TreeMap<>();
+    stories.ifPresent(
+        files ->
+            goals()
+                .forEach(
+                    goal -> {
+                      List<StoryEntry> story = files.read(goal);
+                      if (!story.isEmpty()) {
+                        told.put(goal, story);
+                      }
+                    }));
+    return new Past(journal.get(), recovery(), told);
+  }
+
+  @Override
+  public void close() {
+    journal.ifPresent(JournalFile::close);
+  }
+}
