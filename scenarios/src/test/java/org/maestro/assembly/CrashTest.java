@@ -1,0 +1,115 @@
+package org.maestro.assembly;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+import org.maestro.sim.Scene;
+import org.maestro.sim.SceneLoader;
+
+/**
+ * The coordinator dies at each entry of its journal, before and after it is whole, and another goes
+ * on: every goal that was accepted comes to an end, and nothing is done twice.
+ */
+class CrashTest {
+  private static final Set<String> DEEDS = Set.of("move", "pick", "place", "adjustLight");
+  private static final List<String> GOALS =
+      List.of("(nextTo Cup Bob)", "(canSee ?agent Cup)", "(>= (illuminance zone-a) 75)");
+  private static Home home;
+  private static Scene scene;
+
+  @TempDir Path directory;
+
+  @BeforeAll
+  static void load() throws IOException {
+    home = new HomeLoader().load(text("/homes/bob.ttl"), "bob.ttl");
+    scene =
+        SceneLoader.load(
+            "bob-dark",
+            new ByteArrayInputStream(text("/scenes/bob-dark.ttl").getBytes(StandardCharsets.UTF_8)),
+            home);
+  }
+
+  private static String text(String resource) throws IOException {
+    try (InputStream stream = CrashTest.class.getResourceAsStream(resource)) {
+      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+    }
+  }
+
+  @Test
+  void someEntries() throws IOException {
+    int entries = entries();
+    assertThat(entries).isGreaterThan(60);
+    for (int at = 1 + entries / 6; at <= entries; at += entries / 3) {
+      crash(at, 0);
+      crash(at, 1 + at % 60);
+    }
+  }
+
+  @Test
+  @Tag("full")
+  void everyEntry() throws IOException {
+    int entries = entries();
+    for (int at = 1; at <= entries; at++) {
+      crash(at, 0);
+      crash(at, 1 + at % 60);
+    }
+  }
+
+  private int entries() throws IOException {
+    try (MortalSite site = new MortalSite(home, scene, directory.resolve("whole"))) {
+      site.begin(Integer.MAX_VALUE);
+      run(site);
+      assertThat(site.outcomes.values()).allMatch(outcome -> outcome.reached());
+      return site.written();
+    }
+  }
+
+  private static void run(MortalSite site) {
+    site.clock.runUntil(() -> site.isDead() || site.allPresent(), Duration.ofMinutes(1));
+    GOALS.forEach(site::submit);
+    site.clock.runUntil(
+        () -> site.isDead() || site.accepted.size() == GOALS.size() && site.allEnded(),
+        Duration.ofMinutes(20));
+  }
+
+  private void crash(int at, int torn) throws IOException {
+    Path data = directory.resolve("at-" + at + "-" + torn);
+    try (MortalSite site = new MortalSite(home, scene, data)) {
+      site.begin(at);
+      run(site);
+      if (torn > 0) {
+        site.tear(torn);
+      }
+      site.clock.run(Duration.ofMillis(100L * (at % 50)));
+      site.begin(Integer.MAX_VALUE);
+      site.clock.runUntil(() -> site.allPresent() && site.allEnded(), Duration.ofMinutes(20));
+      String context =
+          "died at %d, torn by %d%n%s%n%s%n%s"
+              .formatted(
+                  at,
+                  torn,
+                  Files.readString(data.resolve("journal.jsonl")),
+                  site.story.stream().map(String::valueOf).collect(Collectors.joining("\n")),
+                  site.goals());
+      assertThat(site.allEnded()).as(context).isTrue();
+      assertThat(site.outcomes.values()).as(context).allMatch(outcome -> outcome.reached());
+      assertThat(site.witness.executedTwice()).as(context).isEmpty();
+      assertThat(site.witness.doneTwice(DEEDS)).as(context).isEmpty();
+    }
+  }
+}

@@ -1,0 +1,216 @@
+package org.maestro.assembly;
+
+import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.GoalOutcome;
+import org.maestro.coordination.GoalRequest;
+import org.maestro.coordination.Journal;
+import org.maestro.coordination.JournalEntry;
+import org.maestro.coordination.Ports;
+import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.Thinking;
+import org.maestro.knowledge.CollectiveKnowledge;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.ontology.home.DescriptionReader;
+import org.maestro.ontology.home.DescriptionWriter;
+import org.maestro.ontology.home.Home;
+import org.maestro.planning.OptimalPlanner;
+import org.maestro.platform.JournalFile;
+import org.maestro.rats.link.BusLink;
+import org.maestro.rats.time.SteppedClock;
+import org.maestro.rats.transport.InProcessBus;
+import org.maestro.rats.transport.Transport;
+import org.maestro.sim.Scene;
+import org.maestro.sim.SimulatedHome;
+import org.maestro.sl.SlParser;
+
+/**
+ * A site without agents whose coordinator dies and is started again, while its devices live on. On
+ * the stepped clock.
+ */
+final class MortalSite implements AutoCloseable {
+  private static final String SITE = "mortal";
+  private static final String CONTROLLER = "maestro";
+  private static final Duration DECISION = Duration.ofMillis(20);
+
+  final SteppedClock clock = new SteppedClock();
+  final InProcessBus bus = new InProcessBus(clock);
+  final Map<String, GoalOutcome> outcomes = new LinkedHashMap<>();
+  final List<String> accepted = new ArrayList<>();
+  final List<StoryEntry> story = new ArrayList<>();
+  final BusWitness witness = BusWitness.listen(bus.client("witness"), SITE);
+  private final Home home;
+  private final Path data;
+  private final SimulatedHome simulated;
+  private Life life;
+
+  MortalSite(Home home, Scene scene, Path data) {
+    this.home = home;
+    this.data = data;
+    simulated =
+        SimulatedHome.start(
+            new SimulatedHome.Setup(
+                home, scene, clock, 1, bus::client, SITE, new DescriptionWriter(home)::write));
+  }
+
+  /**
+   * @param deathAt the number of the journal's entry with which the coordinator dies
+   */
+  void begin(int deathAt) {
+    life = new Life(deathAt);
+  }
+
+  void submit(String goal) {
+    if (!life.dead) {
+      String id =
+          life.coordinator.submit(
+              new GoalRequest(SlParser.formula(goal, this::isFluent), "somebody"),
+              outcome -> outcomes.put(outcome.id(), outcome));
+      life.journal.afterwards(() -> accepted.add(id));
+    }
+  }
+
+  private boolean isFluent(String name) {
+    return home.vocabulary().predicate(name).filter(p -> p.fluent()).isPresent();
+  }
+
+  boolean allPresent() {
+    return simulated.devices().stream().allMatch(life.coordinator::isPresent);
+  }
+
+  boolean isDead() {
+    return life.dead;
+  }
+
+  boolean allEnded() {
+    return outcomes.keySet().containsAll(accepted);
+  }
+
+  int written() {
+    return life.written;
+  }
+
+  void die() {
+    life.die();
+  }
+
+  /** Takes bytes off the end of what was written. */
+  void tear(int bytes) throws IOException {
+    try (RandomAccessFile file =
+        new RandomAccessFile(data.resolve("journal.jsonl").toFile(), "rw")) {
+      file.setLength(file.length() - bytes);
+    }
+  }
+
+  List<String> goals() {
+    return life.coordinator.goals().stream().map(String::valueOf).toList();
+  }
+
+  @Override
+  public void close() {
+    life.die();
+    simulated.close();
+    witness.close();
+  }
+
+  /** One coordinator from its start to its death. */
+  private final class Life {
+    private final Transport transport = bus.client(CONTROLLER);
+    private final BusLink link = BusLink.connect(CONTROLLER, SITE, transport, clock);
+    private final KnowledgeBase knowledge = new CollectiveKnowledge(home, clock);
+    private final JournalFile file = JournalFile.open(data, clock, MortalSite.this::isFluent);
+    private final Journal journal;
+    private final Coordinator coordinator;
+    private final int deathAt;
+    private int written;
+    private boolean dead;
+
+    private Life(int deathAt) {
+      this.deathAt = deathAt;
+      this.journal = new LastWords();
+      Deputies deputies =
+          new Deputies(link, clock, knowledge, new DescriptionReader(home.vocabulary())::read);
+      coordinator =
+          new Coordinator(
+              new Ports(
+                  knowledge,
+                  new OptimalPlanner(),
+                  new LinkMarket(deputies, link),
+                  new LinkCrew(deputies, link),
+                  new InTurn(),
+                  clock,
+                  story::add,
+                  journal));
+      file.recovery().ended().forEach(goal -> outcomes.put(goal.outcome().id(), goal.outcome()));
+      coordinator.resume(
+          file.recovery(), Duration.ofSeconds(10), outcome -> outcomes.put(outcome.id(), outcome));
+      deputies.report(coordinator);
+      knowledge.watch(
+          change ->
+              clock.schedule(
+                  Duration.ZERO,
+                  CONTROLLER,
+                  () -> {
+                    if (!dead) {
+                      coordinator.knowledgeChanged(change);
+                    }
+                  }));
+    }
+
+    private void die() {
+      dead = true;
+      transport.die();
+      file.close();
+    }
+
+    private final class LastWords implements Journal {
+      @Override
+      public void write(JournalEntry entry) {
+        if (!dead) {
+          file.write(entry);
+          if (++written == deathAt) {
+            die();
+          }
+        }
+      }
+
+      @Override
+      public void afterwards(Runnable action) {
+        if (!dead) {
+          file.afterwards(action);
+        }
+      }
+    }
+
+    private final class InTurn implements Thinking {
+      @Override
+      public <T> void think(Supplier<T> work, Consumer<T> then) {
+        clock.schedule(
+            Duration.ZERO,
+            CONTROLLER,
+            () -> {
+              if (!dead) {
+                T result = work.get();
+                clock.schedule(
+                    DECISION,
+                    CONTROLLER,
+                    () -> {
+                      if (!dead) {
+                        then.accept(result);
+                      }
+                    });
+              }
+            });
+      }
+    }
+  }
+}
