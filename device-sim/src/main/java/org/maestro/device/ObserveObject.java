@@ -1,17 +1,13 @@
 package org.maestro.device;
 
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import org.maestro.hal.Camera;
 import org.maestro.hal.Position;
 import org.maestro.rats.member.Execution;
 import org.maestro.rats.protocol.CostAnswer;
-import org.maestro.rats.protocol.RatsError;
-import org.maestro.sl.Term;
 
 /**
  * Looks for an object until ended (M87). Found is said when several frames of a burst agree; not
@@ -77,25 +73,8 @@ final class ObserveObject extends DeviceProcedure {
     } else if (verdict.unfit().isEmpty()) {
       report(context.feature(), execution, new LinkedHashMap<>(Map.of("found", false)), first);
     } else if (first) {
-      execution.fail(refusal(parameters, verdict.unfit()));
+      execution.fail(verdict.refusal(context, parameters, camera));
     }
-  }
-
-  private RatsError refusal(CallParameters parameters, List<SightVerdict.UnfitLight> unfit) {
-    List<RatsError.Reference> references = new ArrayList<>();
-    List<String> lights = new ArrayList<>();
-    for (SightVerdict.UnfitLight light : unfit) {
-      Map<String, Term> area = new TreeMap<>(Map.of("zone", new Term.Name(light.area())));
-      context
-          .reference("light", parameters, area, light.need(), light.lux())
-          .ifPresent(references::add);
-      lights.add(
-          "%s lux in %s, %s needed"
-              .formatted(Numbers.plain(light.lux()), light.area(), light.need()));
-    }
-    boolean dark = unfit.stream().anyMatch(light -> light.lux() < camera.minimumLux());
-    return FeatureContext.unmet(
-        String.join("; ", lights), dark ? "raise the light" : "lower the light", references);
   }
 
   @Override

@@ -23,6 +23,7 @@ final class Procedures {
     kinds.put(
         "observeObject",
         new Kind("observing", context -> new ObserveObject(context, observations)));
+    kinds.put("lookAround", new Kind("observing", LookAround::new));
     kinds.put("stopObserve", new Kind("observing", context -> new StopObserve(observations)));
     kinds.put("measureIllumination", new Kind("measuring", MeasureIllumination::new));
     kinds.put("adjustLight", new Kind("adjusting", AdjustLight::new));

@@ -2,7 +2,11 @@ package org.maestro.device;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import org.maestro.hal.Camera;
+import org.maestro.rats.protocol.RatsError;
+import org.maestro.sl.Term;
 
 /**
  * What a burst of frames allows to say.
@@ -62,6 +66,24 @@ record SightVerdict(boolean found, List<UnfitLight> unfit) {
       ways = ways * (frames - shown) / (shown + 1);
     }
     return tail;
+  }
+
+  /** Says which light stands in the way. */
+  RatsError refusal(FeatureContext context, CallParameters parameters, Camera camera) {
+    List<RatsError.Reference> references = new ArrayList<>();
+    List<String> lights = new ArrayList<>();
+    for (UnfitLight light : unfit) {
+      Map<String, Term> area = new TreeMap<>(Map.of("zone", new Term.Name(light.area())));
+      context
+          .reference("light", parameters, area, light.need(), light.lux())
+          .ifPresent(references::add);
+      lights.add(
+          "%s lux in %s, %s needed"
+              .formatted(Numbers.plain(light.lux()), light.area(), light.need()));
+    }
+    boolean dark = unfit.stream().anyMatch(light -> light.lux() < camera.minimumLux());
+    return FeatureContext.unmet(
+        String.join("; ", lights), dark ? "raise the light" : "lower the light", references);
   }
 
   private static UnfitLight unfit(

@@ -3,7 +3,10 @@ package org.maestro.hal;
 import java.util.List;
 import java.util.Optional;
 
-/** A camera with colour-based object detection (M81). */
+/**
+ * A camera with colour-based object detection (M81). One that is carried about turns around on the
+ * spot for a look, and has in view what it sees on the way.
+ */
 public interface Camera {
 
   /** Takes frames and says what they show; several looks may run at once. */
@@ -24,6 +27,9 @@ public interface Camera {
 
   /** Frames a second. */
   double frameRate();
+
+  /** The share, 0 to 1, of an area's floor that a look from here and now has in view. */
+  double shareInView(String area);
 
   /** Told once per look, unless the camera dies. */
   interface Listener {

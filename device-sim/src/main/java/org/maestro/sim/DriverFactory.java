@@ -65,13 +65,23 @@ final class DriverFactory {
           Drivers.none()
               .with(ShutterDrive.class, new SimulatedShutter(actuator, parameters.drives()));
       case "mobile-robot" -> robot(device, actuator);
+      case "mobile-robot-with-camera" ->
+          robot(device, actuator)
+              .with(
+                  Camera.class,
+                  SimulatedCamera.onBoard(
+                      actuator,
+                      parameters.camera(),
+                      parameters.turn(),
+                      number(device, "viewAngle")));
       default ->
           throw new SimulationException(
               "The driver "
                   + key
                   + " of "
                   + device.id()
-                  + " cannot be simulated; known are lamp, camera, light-sensor, door, shutter, mobile-robot.");
+                  + " cannot be simulated; known are lamp, camera, light-sensor, door, shutter, mobile-robot,"
+                  + " mobile-robot-with-camera.");
     };
   }
 

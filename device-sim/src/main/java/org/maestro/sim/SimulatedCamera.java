@@ -3,6 +3,7 @@ package org.maestro.sim;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.maestro.hal.Area;
 import org.maestro.hal.Camera;
 import org.maestro.hal.Position;
@@ -12,9 +13,10 @@ import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Pose;
 
 /**
- * A camera with colour-based detection: a cone of view, walls that hide, and light at the object
- * that decides. What is in a cupboard or in a gripper is hidden (assumed). It measures the light
- * where it looks from its images.
+ * A camera with colour-based detection: a cone of view, or several that it looks along one after
+ * the other while it turns, walls that hide, and light at the object that decides. What is in a
+ * cupboard or in a gripper is hidden (assumed). It measures the light where it looks from its
+ * images.
  */
 final class SimulatedCamera implements Camera {
 
@@ -23,24 +25,50 @@ final class SimulatedCamera implements Camera {
 
   private final Actuator actuator;
   private final PhysicalParameters.CameraData data;
-  private final Pose pose;
+  private final Supplier<List<Pose>> views;
+  private final double turnSeconds;
   private final double viewDegrees;
   private long lightVersion = -1;
+  private List<Pose> lightViews = List.of();
   private List<AreaLight> light = List.of();
 
   SimulatedCamera(
       Actuator actuator, PhysicalParameters.CameraData data, Pose pose, double viewDegrees) {
+    this(actuator, data, () -> List.of(pose), 0, viewDegrees);
+  }
+
+  private SimulatedCamera(
+      Actuator actuator,
+      PhysicalParameters.CameraData data,
+      Supplier<List<Pose>> views,
+      double turnSeconds,
+      double viewDegrees) {
     this.actuator = actuator;
     this.data = data;
-    this.pose = pose;
+    this.views = views;
+    this.turnSeconds = turnSeconds;
     this.viewDegrees = viewDegrees;
+  }
+
+  /** One that a device carries about, and that turns around with it for a look. */
+  static SimulatedCamera onBoard(
+      Actuator actuator,
+      PhysicalParameters.CameraData data,
+      PhysicalParameters.TurnData turn,
+      double viewDegrees) {
+    return new SimulatedCamera(
+        actuator,
+        data,
+        () -> turn.views(actuator.world().position(actuator.device()).orElseThrow(), viewDegrees),
+        turn.seconds(),
+        viewDegrees);
   }
 
   @Override
   public void look(Target target, int frames, Listener listener) {
     actuator.command(
         WorldEvent.Kind.LOOK,
-        frames / data.frameRate(),
+        turnSeconds + views.get().size() * frames / data.frameRate(),
         listener::failed,
         () -> listener.looked(develop(target, frames)));
   }
@@ -64,11 +92,26 @@ final class SimulatedCamera implements Camera {
 
   /** Whether a point is in the cone of view and not behind a wall. */
   boolean sees(Position point) {
-    return pose.angleTo(point.x(), point.y(), point.z()) <= viewDegrees / 2
-        && !actuator.world().plan().isBlocked(pose.floor(), point.floor());
+    return isInView(point, views.get(), actuator.world().plan());
+  }
+
+  private boolean isInView(Position point, List<Pose> from, FloorPlan plan) {
+    return from.stream()
+            .anyMatch(pose -> pose.angleTo(point.x(), point.y(), point.z()) <= viewDegrees / 2)
+        && !plan.isBlocked(from.get(0).floor(), point.floor());
+  }
+
+  @Override
+  public double shareInView(String area) {
+    List<Point2> samples = actuator.world().map().area(area).outline().samples(GRID_METRES);
+    List<Pose> from = views.get();
+    FloorPlan plan = actuator.world().plan();
+    long seen = samples.stream().filter(p -> isInView(Position.onFloor(p), from, plan)).count();
+    return samples.isEmpty() ? 0 : (double) seen / samples.size();
   }
 
   private Position measured(Position truth) {
+    Pose pose = views.get().get(0);
     double error =
         data.positionError() * truth.distance(new Position(pose.x(), pose.y(), pose.z()));
     return new Position(
@@ -77,9 +120,11 @@ final class SimulatedCamera implements Camera {
 
   private List<AreaLight> estimatedLight() {
     long version = actuator.world().lightVersion();
-    if (version != lightVersion) {
-      light = trueLight();
+    List<Pose> from = views.get();
+    if (version != lightVersion || !from.equals(lightViews)) {
+      light = trueLight(from);
       lightVersion = version;
+      lightViews = from;
     }
     double factor = 1 + actuator.error(data.lightError());
     return light.stream()
@@ -93,7 +138,7 @@ final class SimulatedCamera implements Camera {
         .toList();
   }
 
-  private List<AreaLight> trueLight() {
+  private List<AreaLight> trueLight(List<Pose> from) {
     World world = actuator.world();
     FloorPlan plan = world.plan();
     List<AreaLight> areas = new ArrayList<>();
@@ -102,7 +147,7 @@ final class SimulatedCamera implements Camera {
       double[] lux =
           samples.stream()
               .map(Position::onFloor)
-              .filter(point -> isInView(point, plan))
+              .filter(point -> isInView(point, from, plan))
               .mapToDouble(world::lux)
               .sorted()
               .toArray();
@@ -117,11 +162,6 @@ final class SimulatedCamera implements Camera {
       }
     }
     return areas;
-  }
-
-  private boolean isInView(Position point, FloorPlan plan) {
-    return pose.angleTo(point.x(), point.y(), 0) <= viewDegrees / 2
-        && !plan.isBlocked(pose.floor(), point.floor());
   }
 
   @Override

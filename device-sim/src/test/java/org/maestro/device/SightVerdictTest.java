@@ -39,6 +39,11 @@ class SightVerdictTest {
         public double frameRate() {
           return 30;
         }
+
+        @Override
+        public double shareInView(String area) {
+          return 1;
+        }
       };
 
   private static SightVerdict verdict(

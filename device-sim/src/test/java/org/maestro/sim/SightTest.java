@@ -71,6 +71,32 @@ class SightTest {
   }
 
   @Test
+  void turnsAroundWithWhatCarriesIt() {
+    try (Homes homes = Homes.bob("bob-lit")) {
+      SimulatedCamera camera =
+          SimulatedCamera.onBoard(
+              new Actuator("rose", homes.world(), homes.clock, new Random(1)),
+              PhysicalParameters.standard().camera(),
+              PhysicalParameters.standard().turn(),
+              75);
+      Position rose = homes.world().position("rose").orElseThrow();
+      for (double degrees = 0; degrees < 360; degrees += 10) {
+        double angle = Math.toRadians(degrees);
+        double x = rose.x() + 0.5 * Math.cos(angle);
+        assertThat(camera.sees(new Position(x, rose.y() + 0.5 * Math.sin(angle), 0))).isTrue();
+      }
+      assertThat(camera.sees(new Position(rose.x() + 0.1, rose.y(), 0))).isFalse();
+      assertThat(camera.shareInView("zone-b")).isGreaterThan(0.95);
+      assertThat(camera.shareInView("zone-a")).isLessThan(0.5);
+      double begun = homes.clock.now().toMillis();
+      Camera.Look look = look(homes, camera, 15);
+      assertThat(look.detections()).isGreaterThan(3);
+      assertThat(look.areas()).extracting(Camera.AreaLight::area).containsExactly("zone-b");
+      assertThat(homes.clock.now().toMillis() - begun).isBetween(7000.0, 9000.0);
+    }
+  }
+
+  @Test
   void seesNothingHiddenOrHeld() {
     try (Homes homes = Homes.bob("bob-lit")) {
       SimulatedCamera camera = camera(homes, 1);

@@ -129,7 +129,7 @@ final class FeatureWriter {
     if (vocabulary.classes().containsKey(name)) {
       return vocabulary.classes().get(name).iri();
     }
-    return (name.equals("Pose") ? Maestro.NAMESPACE : XSD) + name;
+    return (Parameter.OWN_DATATYPES.contains(name) ? Maestro.NAMESPACE : XSD) + name;
   }
 
   private String featureIri(String name) {

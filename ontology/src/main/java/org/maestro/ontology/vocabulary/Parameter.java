@@ -13,6 +13,12 @@ import org.maestro.sl.Term;
  */
 public record Parameter(
     String name, List<String> types, List<Term> oneOf, List<String> needs, boolean optional) {
+  /** The share, 0 to 1, of a place's floor of which a result speaks. */
+  public static final String COVERED_SHARE = "CoveredShare";
+
+  /** Datatypes of the meta-vocabulary; all others are XML Schema's. */
+  public static final List<String> OWN_DATATYPES = List.of("Pose", COVERED_SHARE);
+
   public Parameter {
     types = List.copyOf(types);
     oneOf = List.copyOf(oneOf);

@@ -82,7 +82,10 @@ public final class VocabularyCheck {
     for (TypedVariable parameter : predicate.parameters()) {
       parameter
           .className()
-          .filter(name -> !name.equals("Pose") && !vocabulary.classes().containsKey(name))
+          .filter(
+              name ->
+                  !Parameter.OWN_DATATYPES.contains(name)
+                      && !vocabulary.classes().containsKey(name))
           .ifPresent(
               name ->
                   fault(
@@ -180,7 +183,7 @@ public final class VocabularyCheck {
       for (Node type : graph.list(value)) {
         String name = Literals.name(type);
         boolean datatype =
-            type.equals(Maestro.term("Pose"))
+            Parameter.OWN_DATATYPES.stream().map(Maestro::term).anyMatch(type::equals)
                 || iri(type).startsWith("http://www.w3.org/2001/XMLSchema#");
         if (!datatype && !vocabulary.classes().containsKey(name)) {
           graph.fault(
