@@ -51,7 +51,8 @@ final class Society implements AutoCloseable {
             new CollectiveKnowledge(HOME, clock),
             new OptimalPlanner(),
             story::add,
-            Duration.ofMillis(20));
+            Duration.ofMillis(20),
+            Past.none());
     start(container, CoordinatorAgent.NAME, cca);
     start(container, "desk", desk);
     behavioursOfCca = cca.behaviourCount();
