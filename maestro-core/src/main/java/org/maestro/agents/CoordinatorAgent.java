@@ -69,6 +69,16 @@ public final class CoordinatorAgent extends MaestroAgent {
 
   private record Subscription(String goalId, ACLMessage request) {}
 
+  /** A coordinator that remembers nothing, and is remembered by nobody. */
+  public CoordinatorAgent(
+      AgentTime time,
+      KnowledgeBase knowledge,
+      Planner planner,
+      Story archive,
+      Duration decisionTime) {
+    this(time, knowledge, planner, archive, decisionTime, Past.none());
+  }
+
   /**
    * @param archive where stories are kept beyond this agent's life
    * @param decisionTime simulated time that a decision takes; zero on a paced clock
