@@ -81,6 +81,15 @@ public final class JavaProcess implements AutoCloseable {
     return read(output);
   }
 
+  public String errors() {
+    return read(errors);
+  }
+
+  /** Ends it as a power cut would: it has no moment left. */
+  public void kill() {
+    process.destroyForcibly().onExit().join();
+  }
+
   private static String read(Path file) {
     try {
       return Files.readString(file);
