@@ -2,6 +2,7 @@ package org.maestro.planning;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * The landmark-cut lower bound of the cost from a state to the goal (Helmert and Domshlak 2009),
@@ -27,6 +28,7 @@ final class LandmarkCut {
   private final boolean[] paid;
   private final PropositionQueue queue;
   private final int[] stack;
+  private final boolean[] inSomeCut;
 
   LandmarkCut(RelaxedProblem relaxed) {
     this.relaxed = relaxed;
@@ -45,6 +47,7 @@ final class LandmarkCut {
     inGoalZone = new boolean[propositions];
     inFrontZone = new boolean[propositions];
     paid = new boolean[relaxed.payerCount()];
+    inSomeCut = new boolean[relaxed.payerCount()];
     queue = new PropositionQueue();
     stack = new int[propositions];
     subject = new int[propositions];
@@ -79,6 +82,7 @@ final class LandmarkCut {
     boolean[] truths = relaxed.truths(state);
     double[] costs = relaxed.costs(state);
     Arrays.setAll(costs, payer -> nothingIfTiny(costs[payer]));
+    Arrays.fill(inSomeCut, false);
     double total = 0;
     while (true) {
       computeMaximumCosts(truths, costs);
@@ -92,11 +96,25 @@ final class LandmarkCut {
       double cut = cutCost(truths, costs);
       for (int payer = 0; payer < paid.length; payer++) {
         if (paid[payer]) {
+          inSomeCut[payer] = true;
           costs[payer] = nothingIfTiny(costs[payer] - cut);
         }
       }
       total += cut;
     }
+  }
+
+  /**
+   * Indices of the operators that were in a cut of the last estimate, ascending: of each cut, every
+   * plan from there has one.
+   */
+  int[] landmarkOperators() {
+    int operators = relaxed.problem().operators().size();
+    boolean threshold =
+        IntStream.range(operators, inSomeCut.length).anyMatch(payer -> inSomeCut[payer]);
+    return IntStream.range(0, operators)
+        .filter(o -> inSomeCut[o] || threshold && relaxed.isPaidForByThreshold(o))
+        .toArray();
   }
 
   /** Rounding errors must not look like costs. */

@@ -1,6 +1,7 @@
 package org.maestro.planning;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
@@ -8,12 +9,17 @@ import java.util.Map;
 import java.util.PriorityQueue;
 
 /**
- * A* over the states of a ground problem. Ties: the smaller estimate, then fewer steps, then the
- * state found first, so that names play no part.
+ * A* over the states of a ground problem. Estimates take longer than all else: a state has the
+ * bound of the one before until it is its turn, and states behind operators of a landmark have
+ * theirs before others. Ties: the smaller estimate, then fewer steps, then the state found first,
+ * so that names play no part.
  */
 final class OptimalSearch {
   /** Sums of costs that differ by less are equal. */
   private static final double GRAIN = 1e9;
+
+  /** No estimate was made yet. */
+  private static final double UNEVALUATED = -1;
 
   /** How the search ended. */
   sealed interface Outcome {
@@ -27,15 +33,15 @@ final class OptimalSearch {
 
   private static final class Node {
     private final State state;
-    private final double estimate;
+    private double estimate = UNEVALUATED;
+    private int[] landmarks = {};
     private double cost;
     private int depth;
     private Node parent;
     private Operator operator;
 
-    private Node(State state, double estimate) {
+    private Node(State state) {
       this.state = state;
-      this.estimate = estimate;
     }
   }
 
@@ -66,11 +72,17 @@ final class OptimalSearch {
 
   Outcome run() {
     Condition goal = problem.goal().condition();
-    reach(problem.initial(), 0, null, null);
+    Node initial = new Node(problem.initial());
+    nodes.put(initial.state, initial);
+    queue.add(new Entry(0, 0, 0, sequence++, 0, initial));
     while (!queue.isEmpty()) {
       Entry entry = queue.remove();
       Node node = entry.node();
       if (entry.cost() > node.cost) {
+        continue;
+      }
+      if (node.estimate == UNEVALUATED) {
+        evaluate(node, entry.total());
         continue;
       }
       if (goal.holds(node.state)) {
@@ -79,35 +91,63 @@ final class OptimalSearch {
       if (nodes.size() > mostStates) {
         return new Outcome.BoundReached(nodes.size());
       }
-      for (Operator operator : problem.operators()) {
-        if (Successors.isApplicable(operator, node.state)) {
-          State after = Successors.after(operator, node.state);
-          if (after != node.state) {
-            double price = operator.price().cost(node.state.numbers());
-            reach(after, node.cost + price, node, operator);
-          }
-        }
-      }
+      expand(node, entry.total());
     }
     return new Outcome.Exhausted(nodes.size());
   }
 
-  private void reach(State state, double cost, Node parent, Operator operator) {
+  /** The bound of the node before holds too: a plan through this one goes through that one. */
+  private void evaluate(Node node, long totalBefore) {
+    node.estimate = heuristic.estimate(node.state);
+    node.landmarks = heuristic.landmarkOperators();
+    if (node.estimate < Double.POSITIVE_INFINITY) {
+      enqueue(node, Math.max(totalBefore, total(node.cost + node.estimate)), node.estimate);
+    }
+  }
+
+  private void expand(Node node, long totalBefore) {
+    int[] landmarks = node.landmarks;
+    node.landmarks = new int[0];
+    for (int i = 0; i < problem.operators().size(); i++) {
+      Operator operator = problem.operators().get(i);
+      if (Successors.isApplicable(operator, node.state)) {
+        State after = Successors.after(operator, node.state);
+        if (after != node.state) {
+          double price = operator.price().cost(node.state.numbers());
+          boolean promising = Arrays.binarySearch(landmarks, i) >= 0;
+          double hoped = promising ? Math.max(0, node.estimate - price) : node.estimate;
+          reach(after, node.cost + price, node, operator, totalBefore, hoped);
+        }
+      }
+    }
+  }
+
+  private void reach(
+      State state, double cost, Node parent, Operator operator, long totalBefore, double hoped) {
     Node node = nodes.get(state);
     if (node == null) {
-      node = new Node(state, heuristic.estimate(state));
+      node = new Node(state);
       nodes.put(state, node);
-    } else if (Math.rint(cost * GRAIN) >= Math.rint(node.cost * GRAIN)) {
+    } else if (total(cost) >= total(node.cost) || node.estimate == Double.POSITIVE_INFINITY) {
       return;
     }
     node.cost = cost;
     node.parent = parent;
     node.operator = operator;
-    node.depth = parent == null ? 0 : parent.depth + 1;
-    if (node.estimate < Double.POSITIVE_INFINITY) {
-      long total = Math.round((cost + node.estimate) * GRAIN);
-      queue.add(new Entry(total, node.estimate, node.depth, sequence++, cost, node));
+    node.depth = parent.depth + 1;
+    if (node.estimate == UNEVALUATED) {
+      enqueue(node, Math.max(totalBefore, total(cost)), hoped);
+    } else {
+      enqueue(node, Math.max(totalBefore, total(cost + node.estimate)), node.estimate);
     }
+  }
+
+  private void enqueue(Node node, long total, double estimate) {
+    queue.add(new Entry(total, estimate, node.depth, sequence++, node.cost, node));
+  }
+
+  private static long total(double cost) {
+    return Math.round(cost * GRAIN);
   }
 
   private static List<Operator> operatorsTo(Node last) {

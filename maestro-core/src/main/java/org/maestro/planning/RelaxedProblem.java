@@ -243,6 +243,12 @@ final class RelaxedProblem {
     return payers;
   }
 
+  /** Whether the operator is paid for where it helps to reach a threshold of a sum. */
+  boolean isPaidForByThreshold(int operator) {
+    return settings.settingsOf(problem.operators().get(operator)).stream()
+        .anyMatch(prices::paysFor);
+  }
+
   boolean[] truths(State state) {
     boolean[] truths = new boolean[leaves.size()];
     for (int i = 0; i < truths.length; i++) {
