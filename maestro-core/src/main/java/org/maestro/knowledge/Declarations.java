@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
@@ -27,6 +28,10 @@ final class Declarations {
   private static final int PAIR = 2;
 
   private final Home home;
+  private final Map<Subject, Optional<Duration>> validities = new ConcurrentHashMap<>();
+
+  /** What a validity depends on. */
+  private record Subject(String predicate, Optional<Term> first) {}
 
   Declarations(Home home) {
     this.home = home;
@@ -57,8 +62,12 @@ final class Declarations {
       return atom;
     }
     List<Term> ordered = new ArrayList<>(atom.arguments());
-    ordered.sort(Comparator.comparing(SlPrinter::print));
+    ordered.sort(Comparator.comparing(Declarations::text));
     return new Formula.Atom(atom.predicate(), ordered);
+  }
+
+  private static String text(Term term) {
+    return term instanceof Term.Name name ? name.text() : SlPrinter.print(term);
   }
 
   /** The variable that a canonical atom gives a value to. */
@@ -89,7 +98,12 @@ final class Declarations {
     if (ofItself) {
       return Instant.MAX;
     }
-    return validFor(variable).map(since::plus).orElse(Instant.MAX);
+    return validities
+        .computeIfAbsent(
+            new Subject(variable.predicate(), variable.arguments().stream().findFirst()),
+            subject -> validFor(variable))
+        .map(since::plus)
+        .orElse(Instant.MAX);
   }
 
   private Optional<Duration> validFor(StateVariable variable) {

@@ -1,7 +1,9 @@
 package org.maestro.knowledge;
 
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.concurrent.ConcurrentHashMap;
 import org.maestro.ontology.home.Geometry;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Pose;
@@ -12,7 +14,11 @@ import org.maestro.sl.Truth;
 /** The geometry of a home, with movable things where a snapshot knows them. */
 final class HomeMeasures implements Measures {
 
+  /** Poses are read again and again, and there are not many at a time. */
+  private static final int MOST_POSES = 4_096;
+
   private final Geometry geometry;
+  private final Map<String, Pose> poses = new ConcurrentHashMap<>();
 
   HomeMeasures(Home home) {
     this.geometry = new Geometry(home);
@@ -43,11 +49,18 @@ final class HomeMeasures implements Measures {
     return outlined ? geometry.truth(function, arguments, positions(snapshot)) : Truth.UNKNOWN;
   }
 
-  private static Positions positions(Snapshot snapshot) {
+  private Positions positions(Snapshot snapshot) {
     return name ->
         snapshot
             .value(Declarations.POSITION, List.of(new Term.Name(name)))
             .filter(Term.Text.class::isInstance)
-            .map(value -> Pose.parse(((Term.Text) value).value()));
+            .map(value -> pose(((Term.Text) value).value()));
+  }
+
+  private Pose pose(String text) {
+    if (poses.size() > MOST_POSES) {
+      poses.clear();
+    }
+    return poses.computeIfAbsent(text, Pose::parse);
   }
 }

@@ -71,7 +71,20 @@ final class PositionKeeping {
   void follow(Term thing) {
     draft
         .believed(new StateVariable(Declarations.POSITION, List.of(thing)))
-        .ifPresent(position -> sightings().of(thing).forEach(fact -> draft.follow(fact, position)));
+        .ifPresent(
+            position ->
+                sightings().of(thing).stream()
+                    .filter(this::isWorthWriting)
+                    .forEach(fact -> draft.follow(fact, position)));
+  }
+
+  /**
+   * What does not hold by the positions need not be written where nobody said otherwise: who asks
+   * is told by the positions.
+   */
+  private boolean isWorthWriting(Fact fact) {
+    return fact instanceof Fact.Holds
+        || draft.cell(draft.variable(FactReader.atom(fact))).isPresent();
   }
 
   /** Forgets the variable; a position with all that followed from it. */

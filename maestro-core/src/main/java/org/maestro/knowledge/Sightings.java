@@ -1,6 +1,7 @@
 package org.maestro.knowledge;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -52,8 +53,12 @@ final class Sightings {
   private List<Fact> of(Term thing, PredicateDeclaration predicate, Formula when) {
     Set<Formula.Atom> held = new LinkedHashSet<>();
     Set<Formula.Atom> excluded = new LinkedHashSet<>();
+    Set<Formula.Atom> asked = new HashSet<>();
     for (List<Term> tuple : tuples(thing, predicate.parameters())) {
       Formula.Atom atom = world.declarations().canonical(new Formula.Atom(predicate.name(), tuple));
+      if (!asked.add(atom)) {
+        continue;
+      }
       switch (truth(predicate, when, tuple)) {
         case TRUE -> held.add(atom);
         case FALSE -> excluded.add(atom);

@@ -85,7 +85,9 @@ final class View implements Snapshot {
     if (isDescribedOtherwise(atom)) {
       return Truth.FALSE;
     }
-    return isFixed(asked) ? new Sightings(world, this).decided(asked) : notKnown(atom);
+    return declared.flatMap(PredicateDeclaration::observedWhen).isPresent() && isPlaced(asked)
+        ? new Sightings(world, this).decided(asked)
+        : notKnown(atom);
   }
 
   @Override
@@ -238,23 +240,14 @@ final class View implements Snapshot {
     return settled.excluded().containsKey(wanted) ? Truth.FALSE : notKnown(atom);
   }
 
-  /**
-   * Whether the home itself says where the atom's first argument stands, and that decides the
-   * predicate.
-   */
-  private boolean isFixed(Formula.Atom atom) {
-    return world
-            .declarations()
-            .declared(atom.predicate())
-            .flatMap(PredicateDeclaration::observedWhen)
-            .isPresent()
-        && atom.arguments().stream()
-            .findFirst()
-            .filter(
-                subject ->
-                    !world.described().values(subject, Declarations.POSE).isEmpty()
-                        || !world.described().values(subject, Declarations.POSITION).isEmpty())
-            .isPresent();
+  /** Whether the place of the atom's first argument is known, so that it may decide the atom. */
+  private boolean isPlaced(Formula.Atom atom) {
+    if (atom.arguments().isEmpty()) {
+      return false;
+    }
+    Term subject = atom.arguments().get(0);
+    return value(Declarations.POSITION, List.of(subject)).isPresent()
+        || !world.described().values(subject, Declarations.POSE).isEmpty();
   }
 
   private boolean isDescribedOtherwise(Formula.Atom atom) {
