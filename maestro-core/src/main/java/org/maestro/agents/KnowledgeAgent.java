@@ -1,30 +1,54 @@
 package org.maestro.agents;
 
 import jade.lang.acl.ACLMessage;
+import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.BiFunction;
+import java.util.stream.Stream;
+import org.maestro.knowledge.Answer;
+import org.maestro.knowledge.Belief;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.knowledge.Question;
+import org.maestro.knowledge.Snapshot;
 import org.maestro.knowledge.Source;
 import org.maestro.ontology.home.Device;
 import org.maestro.sl.Content;
-import org.maestro.sl.Evaluation;
+import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
 /**
- * The way to the collective knowledge for agents everywhere (M12, M15): they tell it and ask it in
- * MAESTRO-SL.
+ * The way to the collective knowledge for agents everywhere (M12, M15): they tell it, ask it and
+ * subscribe to it in MAESTRO-SL.
+ *
+ * <pre>
+ * (inform (:source rose) (:facts "(in rose zone-b)" ...))
+ * (query-if (in Cup zone-b))                   true, false or unknown, how old, on whose word
+ * (query-if (in Cup zone-b) (:within 60))      by nothing older than 60 s
+ * (query-ref (in Cup ?where))                  an element for each answer, none when there is none
+ * (query-ref)                                  all that is believed
+ * (query-ref (:history "(in Cup zone-b)"))     who said what of it, when and how surely
+ * (query-ref (:last "(in Cup zone-b)"))        what was known of it last, however long ago
+ * (query-ref (:disputes))                      on what sources disagree, and how that was settled
+ * (subscribe (in Cup ?where))                  AGREE, what is so now, and again when that changes;
+ *                                              until CANCEL in the same conversation
+ * </pre>
  */
 public final class KnowledgeAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
 
   public static final String NAME = "knowledge";
 
+  private static final int MILLIS_PER_SECOND = 1_000;
+
   private final transient KnowledgeBase knowledge;
   private final transient BiFunction<String, String, Device> describedBy;
+  private final transient KnowledgeSubscriptions subscriptions =
+      new KnowledgeSubscriptions(this::inform);
 
   public KnowledgeAgent(
       AgentTime time, KnowledgeBase knowledge, BiFunction<String, String, Device> describedBy) {
@@ -34,20 +58,36 @@ public final class KnowledgeAgent extends MaestroAgent {
   }
 
   @Override
+  protected void setup() {
+    super.setup();
+    knowledge.watch(
+        change -> {
+          if (!subscriptions.isEmpty()) {
+            tell(() -> subscriptions.changed(knowledge.snapshot()));
+          }
+        });
+  }
+
+  @Override
   protected void received(ACLMessage message) {
+    if (message.getPerformative() == ACLMessage.CANCEL) {
+      cancel(message);
+      return;
+    }
     for (Content content : Words.parse(message.getContent())) {
       Words words = Words.of(content);
       switch (content.operator()) {
         case "inform" -> informed(message, words);
-        case "query-if" -> queryIf(message, content);
-        case "query-ref" -> beliefs(message);
+        case "query-if" -> queryIf(message, words);
+        case "query-ref" -> queryRef(message, words);
+        case "subscribe" -> subscribe(message, words);
         default ->
             refuse(
                 message,
                 ACLMessage.NOT_UNDERSTOOD,
                 "The knowledge agent does not know the operator "
                     + content.operator()
-                    + "; it knows inform, query-if and query-ref.");
+                    + "; it knows inform, query-if, query-ref and subscribe.");
       }
     }
   }
@@ -87,35 +127,96 @@ public final class KnowledgeAgent extends MaestroAgent {
                         member, feature, bindings, true, words.termsOf("outputs"), List.of())));
   }
 
-  private void queryIf(ACLMessage message, Content content) {
-    String truth =
-        Words.of(content)
-            .formula()
-            .map(
-                formula ->
-                    new Evaluation(knowledge.snapshot())
-                        .truth(formula, Map.of())
-                        .name()
-                        .toLowerCase())
-            .orElse("not-a-formula");
-    reply(
-        message,
-        ACLMessage.INFORM,
-        Words.content("inform", Words.named("truth", Words.name(truth))));
+  private void queryIf(ACLMessage message, Words words) {
+    Optional<Formula> formula = words.formula();
+    if (formula.isEmpty()) {
+      refuse(
+          message,
+          ACLMessage.NOT_UNDERSTOOD,
+          "A question needs a formula, such as (query-if (in Cup zone-b)).");
+      return;
+    }
+    inform(message, List.of(new Question(read(words)).answerIf(formula.get())));
   }
 
-  private void beliefs(ACLMessage message) {
+  private void queryRef(ACLMessage message, Words words) {
+    Snapshot snapshot = read(words);
+    Optional<String> history = words.string("history");
+    Optional<String> last = words.string("last");
+    if (history.isPresent()) {
+      Instant limit = within(words).map(snapshot.at()::minus).orElse(Instant.MIN);
+      beliefs(
+          message,
+          knowledge.history(history.get()).stream()
+              .filter(belief -> !belief.since().isBefore(limit)),
+          snapshot.at());
+    } else if (last.isPresent()) {
+      beliefs(message, knowledge.lastKnown(last.get()).stream(), snapshot.at());
+    } else if (words.named("disputes").isPresent()) {
+      reply(
+          message,
+          ACLMessage.INFORM,
+          snapshot.disputes().stream()
+              .map(dispute -> BeliefWords.content(dispute, snapshot.at()))
+              .toArray(Content[]::new));
+    } else if (words.formula().isPresent()) {
+      inform(message, new Question(snapshot).answerRef(words.formula().get()));
+    } else {
+      beliefs(message, snapshot.beliefs().stream(), snapshot.at());
+    }
+  }
+
+  private void subscribe(ACLMessage message, Words words) {
+    Optional<Formula> formula = words.formula();
+    if (formula.isEmpty()) {
+      refuse(
+          message,
+          ACLMessage.NOT_UNDERSTOOD,
+          "A subscription needs a formula, such as (subscribe (in Cup ?where)).");
+      return;
+    }
+    reply(message, ACLMessage.AGREE, Words.content("subscribe", Words.formula(formula.get())));
+    subscriptions.add(message, formula.get(), within(words), knowledge.snapshot());
+  }
+
+  private void cancel(ACLMessage message) {
+    if (subscriptions.cancel(message)) {
+      reply(
+          message,
+          ACLMessage.INFORM,
+          Words.content("inform", Words.named("done", Words.name("cancelled"))));
+    } else {
+      refuse(
+          message,
+          ACLMessage.FAILURE,
+          "There is no subscription of yours in this conversation; name the one you began it in.");
+    }
+  }
+
+  private Snapshot read(Words words) {
+    Snapshot now = knowledge.snapshot();
+    return within(words).map(now::notOlderThan).orElse(now);
+  }
+
+  /** How old what counts may be. */
+  private static Optional<Duration> within(Words words) {
+    double seconds = words.number("within", -1);
+    return seconds < 0
+        ? Optional.empty()
+        : Optional.of(Duration.ofMillis((long) (seconds * MILLIS_PER_SECOND)));
+  }
+
+  private void inform(ACLMessage message, List<Answer> answers) {
     reply(
         message,
         ACLMessage.INFORM,
-        knowledge.snapshot().beliefs().stream()
-            .map(
-                belief ->
-                    Words.content(
-                        "inform",
-                        Words.named("fact", Words.text(belief.fact())),
-                        Words.named("source", Words.text(belief.source().agent())),
-                        Words.named("since", Words.text(belief.since().toString()))))
-            .toArray(Content[]::new));
+        answers.stream().map(BeliefWords::content).toArray(Content[]::new));
+  }
+
+  private void beliefs(ACLMessage message, Stream<Belief> beliefs, Instant now) {
+    reply(
+        message,
+        ACLMessage.INFORM,
+        beliefs.map(belief -> BeliefWords.content(belief, now)).toArray(Content[]::new));
   }
 }

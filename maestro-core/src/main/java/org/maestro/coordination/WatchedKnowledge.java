@@ -1,6 +1,7 @@
 package org.maestro.coordination;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import org.maestro.knowledge.Belief;
@@ -49,6 +50,11 @@ final class WatchedKnowledge implements KnowledgeBase {
   @Override
   public Snapshot snapshot() {
     return look.apply(knowledge.snapshot());
+  }
+
+  @Override
+  public Optional<Belief> lastKnown(String fact) {
+    return knowledge.lastKnown(fact);
   }
 
   @Override

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.maestro.knowledge.Belief;
 import org.maestro.knowledge.Dispute;
@@ -113,6 +114,12 @@ final class WatchedSnapshot implements Snapshot {
   public Snapshot notOlderThan(Duration age) {
     return new WatchedSnapshot(
         now.notOlderThan(age), vocabulary, watchable, atomIsWatched, fluentIsWatched);
+  }
+
+  @Override
+  public Snapshot witnessed(Consumer<Belief> witness) {
+    return new WatchedSnapshot(
+        now.witnessed(witness), vocabulary, watchable, atomIsWatched, fluentIsWatched);
   }
 
   @Override

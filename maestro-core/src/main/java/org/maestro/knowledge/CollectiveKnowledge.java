@@ -19,7 +19,6 @@ import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Fact;
-import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
 /**
@@ -192,8 +191,15 @@ public final class CollectiveKnowledge implements KnowledgeBase {
 
   @Override
   public List<Belief> history(String fact) {
-    Formula.Atom atom = FactReader.atom(FactReader.read(fact, "the reader"));
-    return guarded(() -> history.of(new Draft(world, opened, () -> 0).variable(atom)));
+    Fact read = FactReader.read(fact, "the reader");
+    return guarded(() -> history.of(world.declarations().spokenOf(read)));
+  }
+
+  @Override
+  public Optional<Belief> lastKnown(String fact) {
+    World seen = world;
+    StateVariable variable = seen.declarations().spokenOf(FactReader.read(fact, "the reader"));
+    return view(seen).lastKnown(variable.predicate(), variable.arguments());
   }
 
   /** Rows of a SPARQL SELECT over the dataset, each by variable. */

@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
@@ -76,6 +77,17 @@ final class Declarations {
     return isFunctional(atom.predicate()) && size > 0
         ? new StateVariable(atom.predicate(), atom.arguments().subList(0, size - 1))
         : new StateVariable(atom.predicate(), atom.arguments());
+  }
+
+  /** The variable that an atom speaks of; a fluent is written as an atom. */
+  StateVariable spokenOf(Formula.Atom atom) {
+    return isFluent(atom.predicate())
+        ? new StateVariable(atom.predicate(), atom.arguments())
+        : variable(canonical(atom));
+  }
+
+  StateVariable spokenOf(Fact fact) {
+    return spokenOf(FactReader.atom(fact));
   }
 
   /** The value that a canonical atom gives to its variable when it holds. */

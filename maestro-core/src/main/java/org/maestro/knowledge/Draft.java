@@ -126,10 +126,7 @@ final class Draft {
   }
 
   StateVariable variable(Formula.Atom atom) {
-    Declarations declarations = base.declarations();
-    return declarations.isFluent(atom.predicate())
-        ? new StateVariable(atom.predicate(), atom.arguments())
-        : declarations.variable(declarations.canonical(atom));
+    return base.declarations().spokenOf(atom);
   }
 
   private boolean exclude(Formula.Atom atom, Speech speech) {

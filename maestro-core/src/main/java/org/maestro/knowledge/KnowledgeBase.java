@@ -1,6 +1,7 @@
 package org.maestro.knowledge;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
@@ -40,6 +41,13 @@ public interface KnowledgeBase extends AutoCloseable {
    * @param fact a ground atom, or a fluent
    */
   List<Belief> history(String fact);
+
+  /**
+   * What was known last of what the fact speaks of, however long ago; empty when nothing ever was.
+   *
+   * @param fact a ground atom, or a fluent
+   */
+  Optional<Belief> lastKnown(String fact);
 
   /** Listeners are told after each change, on the writer's thread, and must hand over at once. */
   void watch(Consumer<Change> listener);

@@ -30,15 +30,38 @@ public final class Question {
    * existential.
    */
   public Truth queryIf(Formula formula) {
+    return answerIf(formula).truth();
+  }
+
+  /**
+   * As {@link #queryIf}, with the reasons; of an answer that is not true, those of all bindings.
+   */
+  public Answer answerIf(Formula formula) {
     Truth best = Truth.FALSE;
+    List<Belief> because = new ArrayList<>();
     for (Map<String, Term> binding : candidates(formula)) {
-      Truth truth = new Evaluation(snapshot).truth(formula, binding);
-      if (truth == Truth.TRUE) {
-        return truth;
+      Answer answer = answer(formula, binding);
+      if (answer.truth() == Truth.TRUE) {
+        return answer;
       }
-      best = truth == Truth.UNKNOWN ? truth : best;
+      because.addAll(answer.because());
+      best = answer.truth() == Truth.UNKNOWN ? Truth.UNKNOWN : best;
     }
-    return best;
+    return new Answer(best, Map.of(), because, snapshot.at());
+  }
+
+  /** As {@link #queryRef}, with the reasons for each. */
+  public List<Answer> answerRef(Formula formula) {
+    return candidates(formula).stream()
+        .map(binding -> answer(formula, binding))
+        .filter(answer -> answer.truth() == Truth.TRUE)
+        .toList();
+  }
+
+  private Answer answer(Formula formula, Map<String, Term> binding) {
+    List<Belief> because = new ArrayList<>();
+    Truth truth = new Evaluation(snapshot.witnessed(because::add)).truth(formula, binding);
+    return new Answer(truth, binding, because, snapshot.at());
   }
 
   /**
@@ -47,9 +70,7 @@ public final class Question {
    * free variables: one empty binding when it holds.
    */
   public List<Map<String, Term>> queryRef(Formula formula) {
-    return candidates(formula).stream()
-        .filter(binding -> new Evaluation(snapshot).truth(formula, binding) == Truth.TRUE)
-        .toList();
+    return answerRef(formula).stream().map(Answer::binding).toList();
   }
 
   private List<Map<String, Term>> candidates(Formula formula) {

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
@@ -38,6 +39,9 @@ public interface Snapshot extends Facts {
    * no age.
    */
   Snapshot notOlderThan(Duration age);
+
+  /** The same moment; tells the witness each belief from which it answers. */
+  Snapshot witnessed(Consumer<Belief> witness);
 
   /**
    * The value that a state variable had when something was known of it last, however long ago, also

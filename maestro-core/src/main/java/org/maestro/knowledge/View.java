@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Consumer;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
@@ -24,19 +25,26 @@ final class View implements Snapshot {
   private final Instant now;
   private final Instant described;
   private final Instant oldest;
+  private final Optional<Consumer<Belief>> witness;
 
   /**
    * @param described since when what stands in the home counts
    */
   View(World world, Instant now, Instant described) {
-    this(world, now, described, Instant.MIN);
+    this(world, now, described, Instant.MIN, Optional.empty());
   }
 
-  private View(World world, Instant now, Instant described, Instant oldest) {
+  private View(
+      World world,
+      Instant now,
+      Instant described,
+      Instant oldest,
+      Optional<Consumer<Belief>> witness) {
     this.world = world;
     this.now = now;
     this.described = described;
     this.oldest = oldest;
+    this.witness = witness;
   }
 
   @Override
@@ -47,7 +55,12 @@ final class View implements Snapshot {
   @Override
   public Snapshot notOlderThan(Duration age) {
     Instant limit = now.minus(age);
-    return new View(world, now, described, limit.isAfter(oldest) ? limit : oldest);
+    return new View(world, now, described, limit.isAfter(oldest) ? limit : oldest, witness);
+  }
+
+  @Override
+  public Snapshot witnessed(Consumer<Belief> told) {
+    return new View(world, now, described, oldest, Optional.of(told));
   }
 
   @Override
@@ -96,6 +109,7 @@ final class View implements Snapshot {
     Optional<Cell> cell = world.cell(variable);
     if (cell.isPresent()) {
       Optional<Held> held = settled(cell.get()).value();
+      held.ifPresent(value -> bearWitness(variable, value, true));
       return held.isPresent() && held.get().value() instanceof Term.Number number
           ? OptionalDouble.of(number.value())
           : OptionalDouble.empty();
@@ -185,7 +199,9 @@ final class View implements Snapshot {
     StateVariable variable = new StateVariable(predicate, arguments);
     Optional<Cell> cell = world.cell(variable);
     if (cell.isPresent()) {
-      return settled(cell.get()).value().map(Held::value);
+      Optional<Held> held = settled(cell.get()).value();
+      held.ifPresent(value -> bearWitness(variable, value, true));
+      return held.map(Held::value);
     }
     return arguments.size() == 1
         ? world.described().values(arguments.get(0), predicate).stream().findFirst()
@@ -234,10 +250,16 @@ final class View implements Snapshot {
   private Truth inCell(Cell cell, Formula.Atom atom) {
     Term wanted = world.declarations().valueOf(atom);
     Settled settled = settled(cell);
+    StateVariable variable = world.declarations().variable(atom);
     if (settled.value().isPresent()) {
+      bearWitness(variable, settled.value().get(), true);
       return Truth.of(settled.value().get().value().equals(wanted));
     }
-    return settled.excluded().containsKey(wanted) ? Truth.FALSE : notKnown(atom);
+    if (settled.excluded().containsKey(wanted)) {
+      bearWitness(variable, settled.excluded().get(wanted), false);
+      return Truth.FALSE;
+    }
+    return notKnown(atom);
   }
 
   /** Whether the place of the atom's first argument is known, so that it may decide the atom. */
@@ -258,6 +280,12 @@ final class View implements Snapshot {
 
   private Truth notKnown(Formula.Atom atom) {
     return world.declarations().isObservable(atom.predicate()) ? Truth.UNKNOWN : Truth.FALSE;
+  }
+
+  private void bearWitness(StateVariable variable, Held held, boolean has) {
+    if (witness.isPresent()) {
+      witness.get().accept(belief(variable, held, has));
+    }
   }
 
   private Settled settled(Cell cell) {
