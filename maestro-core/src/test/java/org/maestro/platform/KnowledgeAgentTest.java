@@ -1,0 +1,169 @@
+package org.maestro.platform;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import jade.core.AID;
+import jade.lang.acl.ACLMessage;
+import jade.wrapper.AgentContainer;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.maestro.agents.AgentTime;
+import org.maestro.agents.KnowledgeAgent;
+import org.maestro.agents.MaestroAgent;
+import org.maestro.knowledge.CollectiveKnowledge;
+import org.maestro.knowledge.Source;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+import org.maestro.rats.time.SteppedClock;
+
+/** What the knowledge agent tells those who ask and those who subscribe. */
+class KnowledgeAgentTest {
+  private static final Source CAMERA = new Source(Source.Kind.OBSERVED, "cam-b");
+
+  @TempDir static Path files;
+  private static AgentContainer main;
+  private static SteppedClock clock;
+  private static CollectiveKnowledge knowledge;
+  private static Guest guest;
+
+  @BeforeAll
+  static void start() {
+    clock = new SteppedClock();
+    Home home = new HomeLoader().load(Path.of("../scenarios/src/main/resources/homes/bob.ttl"));
+    knowledge = new CollectiveKnowledge(home, clock);
+    main = JadeRuntime.main("knowing", JadeRuntime.claim(0), files);
+    AgentTime time = AgentTime.of(clock);
+    JadeRuntime.start(
+        main,
+        KnowledgeAgent.NAME,
+        new KnowledgeAgent(time, knowledge, (text, member) -> home.devices().get(member)));
+    guest = new Guest(time);
+    JadeRuntime.start(main, "guest", guest);
+  }
+
+  @AfterAll
+  static void end() {
+    JadeRuntime.end(main);
+    knowledge.close();
+  }
+
+  @Test
+  void questionsAreAnsweredWithTruthAgeSourceAndHistory() {
+    assertThat(guest.ask("a1", ACLMessage.QUERY_IF, "(query-if (in Bob zone-b))"))
+        .containsExactly("INFORM (inform (:truth unknown) (:confidence 1))");
+    knowledge.state(CAMERA, List.of("(in Bob zone-a)"));
+    clock.run(Duration.ofSeconds(10));
+
+    assertThat(guest.ask("a2", ACLMessage.QUERY_IF, "(query-if (in Bob zone-b))"))
+        .singleElement()
+        .asString()
+        .startsWith("INFORM (inform (:truth false) (:age 10")
+        .contains("(:fact \"(in Bob zone-a)\") (:source \"cam-b\") (:kind observed)");
+    assertThat(guest.ask("a3", ACLMessage.QUERY_IF, "(query-if (in Bob zone-b) (:within 5))"))
+        .singleElement()
+        .asString()
+        .contains("(:truth unknown)");
+    assertThat(guest.ask("a4", ACLMessage.QUERY_REF, "(query-ref (in Bob ?where))"))
+        .singleElement()
+        .asString()
+        .contains("(:binding (:where zone-a))");
+
+    clock.run(Duration.ofSeconds(25));
+    assertThat(guest.ask("a5", ACLMessage.QUERY_REF, "(query-ref (in Bob ?where))"))
+        .containsExactly("INFORM ");
+    assertThat(guest.ask("a6", ACLMessage.QUERY_REF, "(query-ref (:last \"(in Bob zone-a)\"))"))
+        .singleElement()
+        .asString()
+        .contains("(:fact \"(in Bob zone-a)\")");
+    assertThat(guest.ask("a7", ACLMessage.QUERY_REF, "(query-ref (:history \"(in Bob zone-a)\"))"))
+        .singleElement()
+        .asString()
+        .contains("(:source \"cam-b\")", "(:confidence 1)", "(:since \"2026-01-01T");
+  }
+
+  @Test
+  void twoCamerasThatDisagreeAreBothShownWithTheRule() {
+    knowledge.state(new Source(Source.Kind.OBSERVED, "cam-a"), List.of("(position Cup \"1 1 0\")"));
+    knowledge.state(CAMERA, List.of("(position Cup \"1.5 1 0\")"));
+
+    assertThat(guest.ask("d1", ACLMessage.QUERY_REF, "(query-ref (:disputes))"))
+        .singleElement()
+        .asString()
+        .contains(
+            "(:believed (:fact \"(position Cup \\\"1.5 1 0\\\")\") (:source \"cam-b\")",
+            "(:loser (:fact \"(position Cup \\\"1 1 0\\\")\") (:source \"cam-a\")",
+            "what was received later counts");
+  }
+
+  @Test
+  void whoSubscribesIsToldWhenTheAnswerChangesAlsoByAgeAndNotAfterCancel() {
+    assertThat(guest.ask("s1", ACLMessage.SUBSCRIBE, "(subscribe (in rose zone-b))"))
+        .extracting(heard -> heard.split(" ")[0])
+        .containsExactly("AGREE", "INFORM");
+
+    knowledge.state(CAMERA, List.of("(in rose zone-b)"));
+    knowledge.state(CAMERA, List.of("(in rose zone-b)"));
+    clock.run(Duration.ofSeconds(1));
+    assertThat(guest.heard("s1")).hasSize(3).last().asString().contains("(:truth true)");
+
+    clock.run(Duration.ofMinutes(11));
+    assertThat(guest.heard("s1")).hasSize(4).last().asString().contains("(:truth unknown)");
+
+    guest.ask("s1", ACLMessage.CANCEL, "(cancel)");
+    int before = guest.heard("s1").size();
+    knowledge.state(CAMERA, List.of("(in rose zone-a)"));
+    clock.run(Duration.ofSeconds(1));
+    assertThat(guest.heard("s1")).hasSize(before).last().asString().contains("cancelled");
+    assertThat(guest.ask("s2", ACLMessage.CANCEL, "(cancel)"))
+        .singleElement()
+        .asString()
+        .startsWith("FAILURE");
+  }
+
+  /** Asks in a conversation, and keeps all that it hears there. */
+  private static final class Guest extends MaestroAgent {
+    private static final long serialVersionUID = 1L;
+    private final transient List<String> heard = Collections.synchronizedList(new ArrayList<>());
+
+    Guest(AgentTime time) {
+      super(time);
+    }
+
+    @Override
+    protected void received(ACLMessage message) {
+      heard.add(
+          message.getConversationId()
+              + " "
+              + ACLMessage.getPerformative(message.getPerformative())
+              + " "
+              + message.getContent());
+    }
+
+    List<String> ask(String conversation, int performative, String content) {
+      tell(
+          () -> {
+            ACLMessage question =
+                message(performative, new AID(KnowledgeAgent.NAME, AID.ISLOCALNAME));
+            question.setConversationId(conversation);
+            question.setContent(content);
+            send(question);
+          });
+      clock.run(Duration.ofMillis(100));
+      return heard(conversation);
+    }
+
+    List<String> heard(String conversation) {
+      return List.copyOf(heard).stream()
+          .filter(line -> line.startsWith(conversation + " "))
+          .map(line -> line.substring(conversation.length() + 1))
+          .toList();
+    }
+  }
+}
