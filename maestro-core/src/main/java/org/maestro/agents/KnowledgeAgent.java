@@ -29,7 +29,7 @@ import org.maestro.sl.Term;
  * (inform (:source rose) (:facts "(in rose zone-b)" ...))
  * (query-if (in Cup zone-b))                   true, false or unknown, how old, on whose word
  * (query-if (in Cup zone-b) (:within 60))      by nothing older than 60 s
- * (query-ref (in Cup ?where))                  an element for each answer, none when there is none
+ * (query-ref (in Cup ?where))                  an element for each answer; (:answers none)
  * (query-ref)                                  all that is believed
  * (query-ref (:history "(in Cup zone-b)"))     who said what of it, when and how surely
  * (query-ref (:last "(in Cup zone-b)"))        what was known of it last, however long ago
@@ -153,12 +153,9 @@ public final class KnowledgeAgent extends MaestroAgent {
     } else if (last.isPresent()) {
       beliefs(message, knowledge.lastKnown(last.get()).stream(), snapshot.at());
     } else if (words.named("disputes").isPresent()) {
-      reply(
+      answer(
           message,
-          ACLMessage.INFORM,
-          snapshot.disputes().stream()
-              .map(dispute -> BeliefWords.content(dispute, snapshot.at()))
-              .toArray(Content[]::new));
+          snapshot.disputes().stream().map(dispute -> BeliefWords.content(dispute, snapshot.at())));
     } else if (words.formula().isPresent()) {
       inform(message, new Question(snapshot).answerRef(words.formula().get()));
     } else {
@@ -207,16 +204,21 @@ public final class KnowledgeAgent extends MaestroAgent {
   }
 
   private void inform(ACLMessage message, List<Answer> answers) {
-    reply(
-        message,
-        ACLMessage.INFORM,
-        answers.stream().map(BeliefWords::content).toArray(Content[]::new));
+    answer(message, answers.stream().map(BeliefWords::content));
   }
 
   private void beliefs(ACLMessage message, Stream<Belief> beliefs, Instant now) {
+    answer(message, beliefs.map(belief -> BeliefWords.content(belief, now)));
+  }
+
+  /** No message is empty: that there is nothing to tell is an answer too. */
+  private void answer(ACLMessage message, Stream<Content> elements) {
+    List<Content> all = elements.toList();
     reply(
         message,
         ACLMessage.INFORM,
-        beliefs.map(belief -> BeliefWords.content(belief, now)).toArray(Content[]::new));
+        all.isEmpty()
+            ? new Content[] {Words.content("inform", Words.named("answers", Words.name("none")))}
+            : all.toArray(Content[]::new));
   }
 }

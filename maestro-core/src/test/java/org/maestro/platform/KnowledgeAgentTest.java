@@ -77,7 +77,7 @@ class KnowledgeAgentTest {
 
     clock.run(Duration.ofSeconds(25));
     assertThat(guest.ask("a5", ACLMessage.QUERY_REF, "(query-ref (in Bob ?where))"))
-        .containsExactly("INFORM ");
+        .containsExactly("INFORM (inform (:answers none))");
     assertThat(guest.ask("a6", ACLMessage.QUERY_REF, "(query-ref (:last \"(in Bob zone-a)\"))"))
         .singleElement()
         .asString()
