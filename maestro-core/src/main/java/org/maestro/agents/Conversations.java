@@ -5,6 +5,7 @@ import jade.core.behaviours.CyclicBehaviour;
 import jade.lang.acl.ACLMessage;
 import jade.lang.acl.MessageTemplate;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -103,6 +104,21 @@ final class Conversations extends CyclicBehaviour {
     if (conversation != null) {
       conversation.timer.cancel();
       ended.put(id, conversation);
+    }
+  }
+
+  /** The partner of these conversations is no more: they end as if the platform had said so. */
+  void partnerEnded(String localName, AID platform) {
+    for (Map.Entry<String, Open> entry : new ArrayList<>(open.entrySet())) {
+      Open conversation = entry.getValue();
+      if (conversation.partner.getLocalName().equals(localName)) {
+        close(entry.getKey());
+        ACLMessage failure = new ACLMessage(ACLMessage.FAILURE);
+        failure.setConversationId(entry.getKey());
+        failure.setSender(platform);
+        failure.setContent("((MTS-error " + localName + " \"There is no such agent.\"))");
+        agent.work(() -> conversation.listener.accept(failure));
+      }
     }
   }
 
@@ -205,7 +221,11 @@ final class Conversations extends CyclicBehaviour {
     return reply.getSender() == null;
   }
 
-  private static boolean isFinal(ACLMessage message) {
-    return message.getPerformative() != ACLMessage.AGREE;
+  /** That something agreed on is so, or is so no longer, is news of it and not its end. */
+  static boolean isFinal(ACLMessage message) {
+    return switch (message.getPerformative()) {
+      case ACLMessage.AGREE, ACLMessage.CONFIRM, ACLMessage.DISCONFIRM -> false;
+      default -> true;
+    };
   }
 }

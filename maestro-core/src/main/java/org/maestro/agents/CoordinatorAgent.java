@@ -1,6 +1,5 @@
 package org.maestro.agents;
 
-import jade.core.AID;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -12,23 +11,16 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentSkipListSet;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.function.Consumer;
-import java.util.function.Supplier;
 import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.HeldNews;
 import org.maestro.coordination.InvalidGoalException;
 import org.maestro.coordination.Journal;
-import org.maestro.coordination.JournalEntry;
-import org.maestro.coordination.Ports;
 import org.maestro.coordination.Recovery;
 import org.maestro.coordination.Story;
 import org.maestro.coordination.StoryEntry;
-import org.maestro.coordination.Thinking;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.planning.Planner;
-import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
@@ -52,17 +44,12 @@ public final class CoordinatorAgent extends MaestroAgent {
   public static final String NAME = "CCA";
 
   private final transient KnowledgeBase knowledge;
-  private final transient Contracts contracts = new Contracts();
-  private final transient AclCrew crew;
+  private final transient Deliberation deliberation;
   private final transient Coordinator coordinator;
   private final transient Story archive;
-  private final transient Duration decisionTime;
   private final transient Recovery recovery;
   private final transient Journal journal;
   private final transient Endings endings = new Endings(this::reply);
-  private final transient ExecutorService planning =
-      Executors.newSingleThreadExecutor(CoordinatorAgent::planningThread);
-  private final transient Map<String, AID> agentByMember = new HashMap<>();
   private final transient Map<String, List<StoryEntry>> stories = new LinkedHashMap<>();
   private final transient Set<String> present = new ConcurrentSkipListSet<>();
   private final transient List<Subscription> subscriptions = new ArrayList<>();
@@ -94,22 +81,18 @@ public final class CoordinatorAgent extends MaestroAgent {
     super(time);
     this.knowledge = knowledge;
     this.archive = archive;
-    this.decisionTime = decisionTime;
     this.recovery = past.recovery();
-    this.journal = new OwnJournal(past.journal());
+    this.journal = new AgentJournal(this, time.clock(), past.journal());
     past.stories().forEach((goal, story) -> stories.put(goal, new ArrayList<>(story)));
-    this.crew = new AclCrew(this, this::agentOf, contracts, this::misconduct);
-    this.coordinator =
-        new Coordinator(
-            new Ports(
-                knowledge,
-                planner,
-                new AclMarket(this, this::agentOf, contracts, this::misconduct),
-                crew,
-                new OwnThread(),
-                time.clock(),
-                this::told,
-                journal));
+    this.deliberation =
+        new Deliberation(
+            this,
+            time.clock(),
+            new Mind(knowledge, planner, decisionTime),
+            this::told,
+            journal,
+            this::misconduct);
+    this.coordinator = deliberation.coordinator();
   }
 
   /** The members that can be used now. Any thread may ask. */
@@ -132,31 +115,24 @@ public final class CoordinatorAgent extends MaestroAgent {
 
   /** Orders that no report has come for yet. */
   int ordersUnderway() {
-    return crew.underwayCount();
+    return deliberation.ordersUnderway();
   }
 
   /** Whether anything is known of parts awarded for goals that are not over. */
   boolean contractsOpen() {
-    return !contracts.isEmpty();
+    return deliberation.contractsOpen();
   }
 
   private void agentGone(String member, String reason) {
-    if (agentByMember.remove(member) == null) {
-      return;
+    if (deliberation.agentGone(member, reason)) {
+      present.remove(member);
     }
-    gone(member, reason);
-    crew.agentEnded(member);
-  }
-
-  private void gone(String member, String reason) {
-    present.remove(member);
-    coordinator.memberLost(member, reason);
   }
 
   @Override
   protected void setup() {
     super.setup();
-    knowledge.watch(change -> tell(() -> coordinator.knowledgeChanged(change)));
+    deliberation.begin();
     Map<String, Formula> goals = new HashMap<>();
     recovery.goals().forEach(goal -> goals.put(goal.id(), goal.request().goal()));
     recovery.ended().forEach(goal -> endings.ended(goal.request().goal(), goal.outcome()));
@@ -167,7 +143,7 @@ public final class CoordinatorAgent extends MaestroAgent {
   @Override
   protected void takeDown() {
     super.takeDown();
-    planning.shutdownNow();
+    deliberation.end();
   }
 
   @Override
@@ -216,6 +192,7 @@ public final class CoordinatorAgent extends MaestroAgent {
       String id =
           coordinator.submit(
               GoalWords.request(goal, requester, words, clock().now()),
+              news -> answer(message, news),
               outcome -> endings.ended(goal, outcome));
       journal.afterwards(
           () -> {
@@ -263,16 +240,26 @@ public final class CoordinatorAgent extends MaestroAgent {
     endings.await(id, message);
   }
 
+  /**
+   * Of a held goal, each time that it begins or ceases to be so: it is confirmed or disconfirmed.
+   */
+  private void answer(ACLMessage message, HeldNews news) {
+    reply(
+        message,
+        news.kind().isSo() ? ACLMessage.CONFIRM : ACLMessage.DISCONFIRM,
+        GoalWords.news(news));
+  }
+
   private void memberNews(ACLMessage message, Words words) {
     Optional<String> member = words.string("member");
     Optional<String> phase = words.string("phase");
     if (member.isPresent() && phase.isPresent()) {
       if (phase.get().equals("ready")) {
-        agentByMember.put(member.get(), message.getSender());
-        coordinator.memberPresent(member.get(), words.string("life"));
+        deliberation.memberPresent(member.get(), message.getSender(), words.string("life"));
         present.add(member.get());
       } else {
-        gone(member.get(), words.string("reason").orElse("lost"));
+        present.remove(member.get());
+        deliberation.memberLost(member.get(), words.string("reason").orElse("lost"));
       }
     } else {
       refuse(
@@ -353,7 +340,7 @@ public final class CoordinatorAgent extends MaestroAgent {
         .filter(s -> s.goalId().equals(entry.goalId()))
         .forEach(s -> inform(s.request(), entry));
     if (entry.kind() == StoryEntry.Kind.END) {
-      contracts.forget(entry.goalId());
+      deliberation.forget(entry.goalId());
       subscriptions.removeIf(s -> s.goalId().equals(entry.goalId()));
     }
   }
@@ -369,70 +356,5 @@ public final class CoordinatorAgent extends MaestroAgent {
         Words.named("at", Words.number(entry.at().toMillis() / 1000.0)),
         Words.named("kind", Words.name(entry.kind().name().toLowerCase())),
         Words.named("text", Words.text(entry.text())));
-  }
-
-  private Optional<AID> agentOf(String member) {
-    return coordinator.isPresent(member)
-        ? Optional.ofNullable(agentByMember.get(member))
-        : Optional.empty();
-  }
-
-  private static Thread planningThread(Runnable work) {
-    Thread thread = new Thread(work, "planning");
-    thread.setDaemon(true);
-    return thread;
-  }
-
-  /** What is written down elsewhere comes back to the agent. */
-  private final class OwnJournal implements Journal {
-    private final Journal elsewhere;
-
-    private OwnJournal(Journal elsewhere) {
-      this.elsewhere = elsewhere;
-    }
-
-    @Override
-    public void write(JournalEntry entry) {
-      elsewhere.write(entry);
-    }
-
-    @Override
-    public void afterwards(Runnable action) {
-      boolean[] within = {true};
-      Thread caller = Thread.currentThread();
-      Clock.Ticket ticket = clock().hold("the journal");
-      elsewhere.afterwards(
-          () -> {
-            if (within[0] && Thread.currentThread() == caller) {
-              action.run();
-            } else {
-              tell(action);
-            }
-            ticket.close();
-          });
-      within[0] = false;
-    }
-  }
-
-  /** Plans beside the agent, and hands the result back through the clock. */
-  private final class OwnThread implements Thinking {
-    @Override
-    public <T> void think(Supplier<T> work, Consumer<T> then) {
-      // An event of its own, so that on a stepped clock the agent is idle while it is planned.
-      clock().schedule(Duration.ZERO, NAME, () -> begin(work, then));
-    }
-
-    private <T> void begin(Supplier<T> work, Consumer<T> then) {
-      Clock.Ticket ticket = clock().hold("planning");
-      planning.execute(
-          () -> {
-            try {
-              T result = work.get();
-              clock().schedule(decisionTime, NAME, () -> tell(() -> then.accept(result)));
-            } finally {
-              ticket.close();
-            }
-          });
-    }
   }
 }

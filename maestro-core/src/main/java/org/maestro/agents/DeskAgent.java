@@ -27,7 +27,20 @@ public final class DeskAgent extends MaestroAgent {
         "The desk answers no questions; state goals to the CCA by request.");
   }
 
-  /** States a goal; AGREE brings its id, the last reply how it ended. */
+  /** Whether nothing more follows in the conversation. */
+  public static boolean isEnd(ACLMessage reply) {
+    return Conversations.isFinal(reply);
+  }
+
+  /** The agent is no more: who waits for it is told so. Any thread may call. */
+  public void agentEnded(String agent) {
+    tell(() -> conversations().partnerEnded(agent, getAMS()));
+  }
+
+  /**
+   * States a goal; AGREE brings its id, the last reply how it ended. Of a held goal CONFIRM and
+   * DISCONFIRM tell between them that it is so, and that it is not.
+   */
   public void requestGoal(Formula goal, Consumer<ACLMessage> replies) {
     request(
         ACLMessage.REQUEST,
@@ -44,7 +57,32 @@ public final class DeskAgent extends MaestroAgent {
       Duration timeout,
       Consumer<ACLMessage> replies,
       Content... contents) {
-    tell(() -> ask(message(performative, aid(agent), contents), timeout, replies));
+    tell(
+        () ->
+            ask(
+                message(performative, aid(agent), contents),
+                timeout,
+                reply -> replies.accept(Replies.isFromPlatform(reply) ? absent(agent) : reply)));
+  }
+
+  /** What the platform says in its own words, in ours. */
+  private static ACLMessage absent(String agent) {
+    ACLMessage failure = new ACLMessage(ACLMessage.FAILURE);
+    failure.setLanguage(LANGUAGE);
+    failure.setContent(
+        Words.print(
+            Words.content(
+                "inform",
+                Words.named(
+                    "reason",
+                    Words.text(
+                        agent.equals(CoordinatorAgent.NAME)
+                            ? "There is no central coordination agent (CCA) now: it was ended;"
+                                + " what runs goes on, and ./maestro revive starts it again."
+                            : "There is no agent named "
+                                + agent
+                                + " on this platform; ./maestro agents lists those there are.")))));
+    return failure;
   }
 
   /** Listens to a goal's story, from its beginning. */

@@ -7,26 +7,14 @@ import jade.domain.FIPAAgentManagement.ServiceDescription;
 import jade.domain.FIPANames;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
-import java.util.TreeMap;
 import java.util.function.BiFunction;
-import org.maestro.coordination.Argument;
-import org.maestro.coordination.Crew;
-import org.maestro.knowledge.FeatureRun;
-import org.maestro.members.CallReporter;
-import org.maestro.members.JsonTerms;
 import org.maestro.members.MemberNews;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.rats.link.RatsLink;
-import org.maestro.rats.protocol.CostAnswer;
-import org.maestro.rats.protocol.Outcome;
 import org.maestro.sl.Content;
-import org.maestro.sl.Term;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -45,7 +33,7 @@ public final class GenericAgent extends MaestroAgent {
   private final transient RatsLink link;
   private final transient MemberView view = new MemberView();
   private final transient MemberNews news;
-  private final transient Map<String, RatsLink.CallHandle> handles = new TreeMap<>();
+  private final transient Performances performances;
 
   /**
    * @param describedBy reads a description (first argument) that a member (second) sent; throws a
@@ -60,6 +48,7 @@ public final class GenericAgent extends MaestroAgent {
     this.member = member;
     this.link = link;
     this.news = new MemberNews(member, view, describedBy, new Teller());
+    this.performances = new Performances(this, member, link, view, news, this::say);
   }
 
   @Override
@@ -126,13 +115,8 @@ public final class GenericAgent extends MaestroAgent {
                 "inform",
                 Words.named("member", Words.name(member)),
                 Words.named("phase", Words.name(phase)),
-                Words.named("life", Words.text(life())),
+                Words.named("life", Words.text(performances.life())),
                 Words.named("reason", Words.text(reason)))));
-  }
-
-  /** A call is known again only in the same life of the member, from the same caller. */
-  private String life() {
-    return news.boot() + "@" + link.controller();
   }
 
   private void say(List<String> facts) {
@@ -182,9 +166,10 @@ public final class GenericAgent extends MaestroAgent {
     for (Content content : Words.parse(message.getContent())) {
       Words words = Words.of(content);
       switch (content.operator()) {
-        case "perform" -> when(message, ACLMessage.REQUEST, () -> perform(message, words));
-        case "cost" -> when(message, ACLMessage.REQUEST, () -> cost(message, words));
-        case "cancel" -> when(message, ACLMessage.CANCEL, () -> cancel(words));
+        case "perform" ->
+            when(message, ACLMessage.REQUEST, () -> performances.perform(message, words));
+        case "cost" -> when(message, ACLMessage.REQUEST, () -> performances.cost(message, words));
+        case "cancel" -> when(message, ACLMessage.CANCEL, () -> performances.cancel(words));
         default ->
             refuse(
                 message,
@@ -209,163 +194,6 @@ public final class GenericAgent extends MaestroAgent {
               .formatted(
                   ACLMessage.getPerformative(performative).toLowerCase(),
                   BidReader.performative(message)));
-    }
-  }
-
-  private void perform(ACLMessage message, Words words) {
-    String name = words.string("feature").orElse("");
-    Optional<FeatureType> feature = view.feature(name);
-    if (!view.isReady() || feature.isEmpty()) {
-      refuse(
-          message,
-          ACLMessage.REFUSE,
-          view.isReady() ? member + " has no feature " + name : member + " is not there");
-      return;
-    }
-    if (!words.string("life").orElse(life()).equals(life())) {
-      refuse(message, ACLMessage.REFUSE, member + " was started again since it was asked");
-      return;
-    }
-    reply(
-        message,
-        ACLMessage.AGREE,
-        Words.content("perform", Words.named("feature", Words.name(name))));
-    Map<String, Argument> arguments =
-        words.find("parameters").map(Orders::arguments).orElse(Map.of());
-    Map<String, Object> parameters = new TreeMap<>();
-    Map<String, Term> bindings = new TreeMap<>();
-    arguments.forEach(
-        (key, argument) -> {
-          parameters.put(key, JsonTerms.json(argument));
-          bindings.put(key, argument.value());
-        });
-    String conversation = conversation(message);
-    view.begun(conversation, bindings);
-    Duration timeout = Duration.ofMillis((long) words.number("timeout", 30_000));
-    handles.put(
-        conversation,
-        link.call(
-            new RatsLink.Order(
-                words.string("call"),
-                member,
-                Optional.of(news.boot()),
-                name,
-                parameters,
-                timeout,
-                words.string("goal")),
-            new CallReporter(this::tell, new Reporter(message, conversation, feature.get()))));
-  }
-
-  private static String conversation(ACLMessage message) {
-    return Optional.ofNullable(message.getConversationId()).orElse("none");
-  }
-
-  private void cost(ACLMessage message, Words words) {
-    String feature = words.string("feature").orElse("");
-    List<Map<String, Object>> sets = new ArrayList<>();
-    for (Content.Argument.Named named : words.all()) {
-      if (named.name().equals("set")) {
-        Map<String, Object> set = new TreeMap<>();
-        Orders.arguments(Words.of(named))
-            .forEach((key, argument) -> set.put(key, JsonTerms.json(argument)));
-        sets.add(set);
-      }
-    }
-    link.cost(
-        member,
-        feature,
-        sets,
-        answers ->
-            tell(
-                () ->
-                    reply(
-                        message,
-                        ACLMessage.INFORM,
-                        answers.stream().map(GenericAgent::price).toArray(Content[]::new))));
-  }
-
-  private static Content price(CostAnswer answer) {
-    if (answer.cost().isPresent()) {
-      return Words.content(
-          "cost",
-          Words.named(
-              "price",
-              Words.number(answer.cost().get()),
-              Words.number(answer.seconds().orElse(answer.cost().get()))));
-    }
-    return Words.content(
-        "cost",
-        Words.named(
-            answer.answered() ? "reason" : "unanswered",
-            Words.text(answer.reason().orElse("no reason given"))));
-  }
-
-  private void cancel(Words words) {
-    words.string("order").map(handles::get).ifPresent(RatsLink.CallHandle::cancel);
-    words
-        .string("call")
-        .filter(call -> words.string("life").filter(life()::equals).isPresent())
-        .ifPresent(call -> link.cancel(member, news.boot(), call));
-  }
-
-  /** Turns what becomes of one call into messages. */
-  private final class Reporter implements CallReporter.Listener {
-    private final ACLMessage order;
-    private final String conversation;
-    private final FeatureType feature;
-
-    Reporter(ACLMessage order, String conversation, FeatureType feature) {
-      this.order = order;
-      this.conversation = conversation;
-      this.feature = feature;
-    }
-
-    @Override
-    public void reported(Outcome outcome, Crew.Report report) {
-      if (report.succeeded()) {
-        reply(
-            order,
-            ACLMessage.INFORM,
-            Words.content("inform", Words.terms("outputs", report.outputs())));
-      } else {
-        failed(outcome, report);
-      }
-      say(view.over());
-    }
-
-    private void failed(Outcome outcome, Crew.Report report) {
-      List<Content.Argument> refs = new ArrayList<>();
-      for (FeatureRun.Learnt ref : report.refs()) {
-        refs.add(Words.named("fact", Words.text(ref.fact()), Words.term(ref.value())));
-      }
-      reply(
-          order,
-          ACLMessage.FAILURE,
-          Words.content(
-              "inform",
-              Words.named("outcome", Words.name(outcome.name().toLowerCase())),
-              Words.named("problem", Words.text(report.problem().orElse("no reason given"))),
-              Words.named("refs", refs)));
-    }
-
-    @Override
-    public void learnt(Map<String, Term> outputs) {
-      send(
-          message(
-              ACLMessage.INFORM,
-              knowledgeAgent(),
-              Words.content(
-                  "inform",
-                  Words.named("member", Words.name(member)),
-                  Words.named("feature", Words.name(feature.name())),
-                  Words.terms("bindings", view.bindings(conversation)),
-                  Words.terms("outputs", outputs))));
-    }
-
-    @Override
-    public void over() {
-      handles.remove(conversation);
-      view.forget(conversation);
     }
   }
 }

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.maestro.coordination.GoalRequest;
 import org.maestro.coordination.GoalStatus;
+import org.maestro.coordination.HeldNews;
 import org.maestro.coordination.InvalidGoalException;
 import org.maestro.coordination.WaitsFor;
 import org.maestro.sl.Content;
@@ -49,6 +50,19 @@ final class GoalWords {
           "The %s %s is no number; write %s.".formatted(name, Words.plain(term.get()), wanted));
     }
     return term.map(number -> ((Term.Number) number).value());
+  }
+
+  /** How a held goal fares. */
+  static Content news(HeldNews news) {
+    return Words.content(
+        "inform",
+        Words.named("goal", Words.name(news.goalId())),
+        Words.named("state", Words.name(word(news.kind()))),
+        Words.named("reasons", news.reasons().stream().map(Words::text).toList()));
+  }
+
+  private static String word(HeldNews.Kind kind) {
+    return kind.name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 
   /** A line of the list of goals; ages and what is left of deadlines in simulated seconds. */

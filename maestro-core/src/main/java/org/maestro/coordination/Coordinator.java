@@ -31,9 +31,19 @@ public final class Coordinator {
   private final Map<String, Recovery.EndedGoal> ended = new LinkedHashMap<>();
   private final Comeback comeback = new Comeback();
   private final Map<String, Clock.Timer> deadlines = new HashMap<>();
+  private final String prefix;
   private int lastNumber;
 
+  /** The coordinator of a whole platform; its goals are G1, G2 ... */
   public Coordinator(Ports ports) {
+    this(ports, PREFIX);
+  }
+
+  /**
+   * @param prefix of its goals' ids, different from that of any other coordinator of the site
+   */
+  public Coordinator(Ports ports, String prefix) {
+    this.prefix = prefix;
     this.crew = new JournaledCrew(ports.crew(), ports.journal(), roster, ports.clock().instant());
     this.ports = ports.with(crew);
   }
@@ -54,7 +64,7 @@ public final class Coordinator {
   public String submit(GoalRequest request, Consumer<HeldNews> news, Consumer<GoalOutcome> ended) {
     new GoalCheck(ports.knowledge().home()).check(request.goal());
     int number = ++lastNumber;
-    String id = PREFIX + number;
+    String id = prefix + number;
     Pursuit pursuit = pursuit(id, request, number, news, ended);
     ports.journal().write(new JournalEntry.Submitted(id, request));
     comeback.afterwards(
@@ -212,6 +222,11 @@ public final class Coordinator {
     ended.values().forEach(goal -> goals.add(status(goal)));
     pursuits.values().forEach(pursuit -> goals.add(pursuit.status()));
     return goals;
+  }
+
+  /** The highest number that a goal's id has had. */
+  public int lastGoalNumber() {
+    return lastNumber;
   }
 
   /** The wait-for graph: which goal waits for what, and which goal has it. */

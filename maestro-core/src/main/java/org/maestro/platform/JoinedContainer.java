@@ -65,7 +65,7 @@ public final class JoinedContainer implements AutoCloseable {
         agent,
         ANSWER_WITHIN,
         message -> {
-          if (message.getPerformative() != ACLMessage.AGREE) {
+          if (DeskAgent.isEnd(message)) {
             reply.complete(message);
           }
         },

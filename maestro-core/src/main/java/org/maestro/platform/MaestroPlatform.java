@@ -231,7 +231,8 @@ public final class MaestroPlatform implements AutoCloseable {
   }
 
   /**
-   * States a goal at the desk. The report comes once, at the end, on the desk's thread.
+   * States a goal at the desk. The report comes once, at the end, on the desk's thread; of a held
+   * goal, which ends when it is cancelled, its story tells how it fares.
    *
    * @param accepted is told the goal's id as soon as the CCA has it; not called when it refuses
    */
@@ -241,7 +242,7 @@ public final class MaestroPlatform implements AutoCloseable {
         reply -> {
           if (reply.getPerformative() == ACLMessage.AGREE) {
             accepted.accept(GoalReport.acceptedId(reply.getContent()));
-          } else {
+          } else if (DeskAgent.isEnd(reply)) {
             ended.accept(GoalReport.read(reply.getContent()));
           }
         });

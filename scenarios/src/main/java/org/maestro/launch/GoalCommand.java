@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.DeskAgent;
 import org.maestro.agents.Words;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.platform.JoinedContainer;
@@ -63,7 +64,8 @@ final class GoalCommand implements Callable<Integer> {
               reply -> {
                 if (reply.getPerformative() == ACLMessage.AGREE) {
                   follow(container, reply);
-                } else {
+                } else if (reply.getPerformative() == ACLMessage.CONFIRM
+                    || DeskAgent.isEnd(reply)) {
                   ended.complete(reply);
                 }
               },
@@ -73,7 +75,11 @@ final class GoalCommand implements Callable<Integer> {
           || reply.getPerformative() == ACLMessage.REFUSE) {
         throw CommandException.badInput(Reply.reason(Reply.words(reply)));
       }
-      return tell(reply);
+      Words words = Reply.words(reply).get(0);
+      if (words.string("state").isEmpty()) {
+        throw CommandException.outside(Reply.reason(Reply.words(reply)));
+      }
+      return reply.getPerformative() == ACLMessage.CONFIRM ? tellHeld(words) : tell(reply);
     }
   }
 
@@ -96,6 +102,23 @@ final class GoalCommand implements Callable<Integer> {
       Follower follower = new Follower(out);
       container.desk().follow(id, line -> follower.line(line));
     }
+  }
+
+  /** A goal that is kept has no end to wait for: it is told that it is so, and how to end it. */
+  private int tellHeld(Words words) {
+    String id = words.string("goal").orElse("");
+    PrintWriter out = spec.commandLine().getOut();
+    if (json) {
+      ObjectNode node = new ObjectMapper().createObjectNode();
+      node.put("id", id);
+      node.put("goal", goal);
+      node.put("reached", true);
+      node.put("held", true);
+      out.println(node);
+    } else {
+      out.println("It is kept so until ./maestro cancel " + id + ".");
+    }
+    return ExitCode.DONE;
   }
 
   private int tell(ACLMessage reply) {

@@ -19,6 +19,9 @@ final class Reply {
    */
   static List<Words> lines(ACLMessage reply) {
     List<Words> words = words(reply);
+    if (reply.getPerformative() == ACLMessage.FAILURE) {
+      throw CommandException.outside(reason(words));
+    }
     if (reply.getPerformative() != ACLMessage.INFORM) {
       throw CommandException.badInput(reason(words));
     }

@@ -1,0 +1,159 @@
+package org.maestro.agents;
+
+import jade.core.AID;
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.Journal;
+import org.maestro.coordination.Ports;
+import org.maestro.coordination.Story;
+import org.maestro.coordination.Thinking;
+import org.maestro.rats.time.Clock;
+
+/**
+ * A coordinator as an agent has one: it bids, orders and hears over the agent's messages, and plans
+ * beside the agent. Its scope are the members that it is told of. Agent thread only.
+ */
+final class Deliberation {
+  private final MaestroAgent agent;
+  private final Mind mind;
+  private final Contracts contracts = new Contracts();
+  private final AclCrew crew;
+  private final Coordinator coordinator;
+  private final ExecutorService planning =
+      Executors.newSingleThreadExecutor(Deliberation::planningThread);
+  private final Map<String, AID> agentByMember = new HashMap<>();
+  private volatile boolean ended;
+
+  Deliberation(
+      MaestroAgent agent,
+      Clock clock,
+      Mind mind,
+      Story story,
+      Journal journal,
+      Misconduct misconduct) {
+    this.agent = agent;
+    this.mind = mind;
+    this.crew = new AclCrew(agent, this::agentOf, contracts, misconduct);
+    this.coordinator =
+        new Coordinator(
+            new Ports(
+                mind.knowledge(),
+                mind.planner(),
+                new AclMarket(agent, this::agentOf, contracts, misconduct),
+                crew,
+                new OwnThread(clock),
+                clock,
+                story,
+                journal));
+  }
+
+  Coordinator coordinator() {
+    return coordinator;
+  }
+
+  /** From now on what changes in the collective knowledge is noticed. */
+  void begin() {
+    mind.knowledge()
+        .watch(
+            change -> {
+              if (!ended) {
+                agent.tell(() -> coordinator.knowledgeChanged(change));
+              }
+            });
+  }
+
+  /** What is under way at members goes on; nobody here waits for it any more. */
+  void end() {
+    ended = true;
+    planning.shutdownNow();
+  }
+
+  int ordersUnderway() {
+    return crew.underwayCount();
+  }
+
+  boolean contractsOpen() {
+    return !contracts.isEmpty();
+  }
+
+  /** The goal's story is over. */
+  void forget(String goalId) {
+    contracts.forget(goalId);
+  }
+
+  void memberPresent(String member, AID its, Optional<String> life) {
+    agentByMember.put(member, its);
+    coordinator.memberPresent(member, life);
+  }
+
+  void memberLost(String member, String reason) {
+    coordinator.memberLost(member, reason);
+  }
+
+  /** Returns whether the member had an agent. */
+  boolean agentGone(String member, String reason) {
+    if (agentByMember.remove(member) == null) {
+      return false;
+    }
+    coordinator.memberLost(member, reason);
+    crew.agentEnded(member);
+    return true;
+  }
+
+  private Optional<AID> agentOf(String member) {
+    return coordinator.isPresent(member)
+        ? Optional.ofNullable(agentByMember.get(member))
+        : Optional.empty();
+  }
+
+  private static Thread planningThread(Runnable work) {
+    Thread thread = new Thread(work, "planning");
+    thread.setDaemon(true);
+    return thread;
+  }
+
+  /** Plans beside the agent, and hands the result back through the clock. */
+  private final class OwnThread implements Thinking {
+    private final Clock clock;
+
+    private OwnThread(Clock clock) {
+      this.clock = clock;
+    }
+
+    @Override
+    public <T> void think(Supplier<T> work, Consumer<T> then) {
+      // An event of its own, so that on a stepped clock the agent is idle while it is planned.
+      clock.schedule(Duration.ZERO, agent.getLocalName(), () -> begin(work, then));
+    }
+
+    private <T> void begin(Supplier<T> work, Consumer<T> then) {
+      if (ended) {
+        return;
+      }
+      Clock.Ticket ticket = clock.hold("planning");
+      planning.execute(
+          () -> {
+            try {
+              T result = work.get();
+              clock.schedule(
+                  mind.decisionTime(),
+                  agent.getLocalName(),
+                  () -> {
+                    if (!ended) {
+                      agent.tell(() -> then.accept(result));
+                    }
+                  });
+            } finally {
+              ticket.close();
+            }
+          });
+    }
+  }
+}

@@ -1,0 +1,217 @@
+package org.maestro.agents;
+
+import jade.lang.acl.ACLMessage;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import org.maestro.coordination.Argument;
+import org.maestro.coordination.Crew;
+import org.maestro.knowledge.FeatureRun;
+import org.maestro.members.CallReporter;
+import org.maestro.members.JsonTerms;
+import org.maestro.members.MemberNews;
+import org.maestro.members.MemberView;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.Outcome;
+import org.maestro.sl.Content;
+import org.maestro.sl.Term;
+
+/**
+ * What a generic agent's member is asked to do: calls over the bus and questions for prices, turned
+ * into messages to who asked. Agent thread only.
+ */
+final class Performances {
+  private final MaestroAgent agent;
+  private final String member;
+  private final RatsLink link;
+  private final MemberView view;
+  private final MemberNews news;
+  private final Consumer<List<String>> say;
+  private final Map<String, RatsLink.CallHandle> handles = new TreeMap<>();
+
+  /**
+   * @param say tells the collective knowledge what the member says of itself
+   */
+  Performances(
+      MaestroAgent agent,
+      String member,
+      RatsLink link,
+      MemberView view,
+      MemberNews news,
+      Consumer<List<String>> say) {
+    this.agent = agent;
+    this.member = member;
+    this.link = link;
+    this.view = view;
+    this.news = news;
+    this.say = say;
+  }
+
+  /** A call is known again only in the same life of the member, from the same caller. */
+  String life() {
+    return news.boot() + "@" + link.controller();
+  }
+
+  void perform(ACLMessage message, Words words) {
+    String name = words.string("feature").orElse("");
+    Optional<FeatureType> feature = view.feature(name);
+    if (!view.isReady() || feature.isEmpty()) {
+      agent.refuse(
+          message,
+          ACLMessage.REFUSE,
+          view.isReady() ? member + " has no feature " + name : member + " is not there");
+      return;
+    }
+    if (!words.string("life").orElse(life()).equals(life())) {
+      agent.refuse(message, ACLMessage.REFUSE, member + " was started again since it was asked");
+      return;
+    }
+    agent.reply(
+        message,
+        ACLMessage.AGREE,
+        Words.content("perform", Words.named("feature", Words.name(name))));
+    Map<String, Argument> arguments =
+        words.find("parameters").map(Orders::arguments).orElse(Map.of());
+    Map<String, Object> parameters = new TreeMap<>();
+    Map<String, Term> bindings = new TreeMap<>();
+    arguments.forEach(
+        (key, argument) -> {
+          parameters.put(key, JsonTerms.json(argument));
+          bindings.put(key, argument.value());
+        });
+    String conversation = conversation(message);
+    view.begun(conversation, bindings);
+    Duration timeout = Duration.ofMillis((long) words.number("timeout", 30_000));
+    handles.put(
+        conversation,
+        link.call(
+            new RatsLink.Order(
+                words.string("call"),
+                member,
+                Optional.of(news.boot()),
+                name,
+                parameters,
+                timeout,
+                words.string("goal")),
+            new CallReporter(agent::tell, new Reporter(message, conversation, feature.get()))));
+  }
+
+  private static String conversation(ACLMessage message) {
+    return Optional.ofNullable(message.getConversationId()).orElse("none");
+  }
+
+  void cost(ACLMessage message, Words words) {
+    String feature = words.string("feature").orElse("");
+    List<Map<String, Object>> sets = new ArrayList<>();
+    for (Content.Argument.Named named : words.all()) {
+      if (named.name().equals("set")) {
+        Map<String, Object> set = new TreeMap<>();
+        Orders.arguments(Words.of(named))
+            .forEach((key, argument) -> set.put(key, JsonTerms.json(argument)));
+        sets.add(set);
+      }
+    }
+    link.cost(
+        member,
+        feature,
+        sets,
+        answers ->
+            agent.tell(
+                () ->
+                    agent.reply(
+                        message,
+                        ACLMessage.INFORM,
+                        answers.stream().map(Performances::price).toArray(Content[]::new))));
+  }
+
+  private static Content price(CostAnswer answer) {
+    if (answer.cost().isPresent()) {
+      return Words.content(
+          "cost",
+          Words.named(
+              "price",
+              Words.number(answer.cost().get()),
+              Words.number(answer.seconds().orElse(answer.cost().get()))));
+    }
+    return Words.content(
+        "cost",
+        Words.named(
+            answer.answered() ? "reason" : "unanswered",
+            Words.text(answer.reason().orElse("no reason given"))));
+  }
+
+  void cancel(Words words) {
+    words.string("order").map(handles::get).ifPresent(RatsLink.CallHandle::cancel);
+    words
+        .string("call")
+        .filter(call -> words.string("life").filter(life()::equals).isPresent())
+        .ifPresent(call -> link.cancel(member, news.boot(), call));
+  }
+
+  /** Turns what becomes of one call into messages. */
+  private final class Reporter implements CallReporter.Listener {
+    private final ACLMessage order;
+    private final String conversation;
+    private final FeatureType feature;
+
+    Reporter(ACLMessage order, String conversation, FeatureType feature) {
+      this.order = order;
+      this.conversation = conversation;
+      this.feature = feature;
+    }
+
+    @Override
+    public void reported(Outcome outcome, Crew.Report report) {
+      if (report.succeeded()) {
+        agent.reply(
+            order,
+            ACLMessage.INFORM,
+            Words.content("inform", Words.terms("outputs", report.outputs())));
+      } else {
+        failed(outcome, report);
+      }
+      say.accept(view.over());
+    }
+
+    private void failed(Outcome outcome, Crew.Report report) {
+      List<Content.Argument> refs = new ArrayList<>();
+      for (FeatureRun.Learnt ref : report.refs()) {
+        refs.add(Words.named("fact", Words.text(ref.fact()), Words.term(ref.value())));
+      }
+      agent.reply(
+          order,
+          ACLMessage.FAILURE,
+          Words.content(
+              "inform",
+              Words.named("outcome", Words.name(outcome.name().toLowerCase())),
+              Words.named("problem", Words.text(report.problem().orElse("no reason given"))),
+              Words.named("refs", refs)));
+    }
+
+    @Override
+    public void learnt(Map<String, Term> outputs) {
+      agent.send(
+          agent.message(
+              ACLMessage.INFORM,
+              agent.getAID(KnowledgeAgent.NAME),
+              Words.content(
+                  "inform",
+                  Words.named("member", Words.name(member)),
+                  Words.named("feature", Words.name(feature.name())),
+                  Words.terms("bindings", view.bindings(conversation)),
+                  Words.terms("outputs", outputs))));
+    }
+
+    @Override
+    public void over() {
+      handles.remove(conversation);
+      view.forget(conversation);
+    }
+  }
+}
