@@ -74,7 +74,7 @@ public final class MaestroPlatform implements AutoCloseable {
       int port,
       AgentContainer main) {
     this.settings = settings;
-    this.time = AgentTime.of(clock);
+    this.time = AgentTime.of(clock, settings.patience());
     this.link = link;
     this.describedBy = describedBy;
     this.memory = memory;

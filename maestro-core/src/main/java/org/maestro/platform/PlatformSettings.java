@@ -3,6 +3,7 @@ package org.maestro.platform;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
+import org.maestro.agents.Patience;
 
 /**
  * How a platform is to run.
@@ -17,6 +18,7 @@ import java.util.Optional;
  * @param storyDirectory where stories are kept for {@code why}; empty: only in memory
  * @param dataDirectory where the journal of goals is kept, from which the next platform goes on
  *     after this one's death; empty: goals end with the platform
+ * @param patience of the agents with each other
  */
 public record PlatformSettings(
     String name,
@@ -26,7 +28,30 @@ public record PlatformSettings(
     String site,
     Duration decisionTime,
     Optional<Path> storyDirectory,
-    Optional<Path> dataDirectory) {
+    Optional<Path> dataDirectory,
+    Patience patience) {
+
+  /** Of a platform whose agents wait for each other as long as usual. */
+  public PlatformSettings(
+      String name,
+      int port,
+      boolean gui,
+      Optional<String> brokerUri,
+      String site,
+      Duration decisionTime,
+      Optional<Path> storyDirectory,
+      Optional<Path> dataDirectory) {
+    this(
+        name,
+        port,
+        gui,
+        brokerUri,
+        site,
+        decisionTime,
+        storyDirectory,
+        dataDirectory,
+        Patience.standard());
+  }
 
   /** Of a platform whose goals end with it. */
   public PlatformSettings(

@@ -1,0 +1,116 @@
+package org.maestro.agents;
+
+import jade.core.AID;
+import jade.lang.acl.ACLMessage;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.maestro.coordination.Bid;
+import org.maestro.coordination.CallForPrices;
+import org.maestro.coordination.Market;
+import org.maestro.members.MemberView;
+import org.maestro.ontology.home.Device;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.planning.Step;
+import org.maestro.sl.Formula;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The contract net alone, with neither bus nor goals: agents that name the prices of devices, and
+ * one that asks for them. For measurements.
+ */
+public final class PriceFair {
+  private static final Logger LOG = LoggerFactory.getLogger(PriceFair.class);
+
+  private PriceFair() {}
+
+  /** An agent that stands for the device; its name has to be the device's. */
+  public static MaestroAgent seller(AgentTime time, Device device) {
+    return new Seller(time, device);
+  }
+
+  /** Answers calls as a generic agent does. */
+  private static final class Seller extends MaestroAgent {
+    private static final long serialVersionUID = 1L;
+    private final transient MemberView view = new MemberView();
+
+    Seller(AgentTime time, Device device) {
+      super(time);
+      view.describedAs(device);
+      view.ready(true);
+    }
+
+    @Override
+    protected void setup() {
+      super.setup();
+      addBehaviour(new PriceResponder(this, view));
+    }
+
+    @Override
+    protected boolean expects(ACLMessage message) {
+      return PriceResponder.isCall(message);
+    }
+
+    @Override
+    protected void received(ACLMessage message) {
+      refuse(
+          message, ACLMessage.NOT_UNDERSTOOD, getLocalName() + " answers calls for prices only.");
+    }
+  }
+
+  /** Asks all sellers, round after round. */
+  public static final class Buyer extends MaestroAgent {
+    private static final long serialVersionUID = 1L;
+    private static final String NO_GOAL = "fair";
+
+    private final transient Map<String, FeatureType> wanted = new LinkedHashMap<>();
+    private final transient Contracts contracts = new Contracts();
+    private final transient Market market =
+        new AclMarket(this, this::agentOf, contracts, (goal, sentence) -> LOG.warn("{}", sentence));
+
+    /**
+     * @param devices what they ask for is the first feature of each
+     */
+    public Buyer(AgentTime time, List<Device> devices) {
+      super(time);
+      devices.forEach(device -> wanted.put(device.id(), device.features().get(0)));
+    }
+
+    private Optional<AID> agentOf(String member) {
+      return Optional.of(getAID(member));
+    }
+
+    @Override
+    protected void received(ACLMessage message) {
+      refuse(message, ACLMessage.NOT_UNDERSTOOD, getLocalName() + " sells nothing.");
+    }
+
+    /**
+     * One round: a call to all, the award to the first that names a price, the others rejected. Any
+     * thread may call.
+     *
+     * @param closed is told on this agent's thread when the winner has said that it holds its part
+     */
+    public void round(Runnable closed) {
+      Map<String, List<String>> features = new LinkedHashMap<>();
+      wanted.forEach((member, feature) -> features.put(member, List.of(feature.name())));
+      CallForPrices call = new CallForPrices(NO_GOAL, new Formula.And(List.of()), features);
+      tell(() -> market.callForPrices(call, tender -> award(tender, closed)));
+    }
+
+    private void award(Market.Tender tender, Runnable closed) {
+      String winner =
+          tender.bids().stream()
+              .filter(bid -> bid.refusal().isEmpty())
+              .map(Bid::member)
+              .findFirst()
+              .orElseThrow(() -> new IllegalStateException("Nobody at the fair names a price."));
+      Step step = new Step(1, winner, wanted.get(winner), Map.of(), 1, 1, true, Set.of());
+      tender.award(Map.of(winner, List.of(step)));
+      contracts.whenSettled(NO_GOAL, winner, broken -> closed.run());
+    }
+  }
+}
