@@ -112,9 +112,14 @@ final class DriverFactory {
                             + device.id()
                             + " stands. Give it a scene:position."));
     world.put(body.withRadius(parameters.base().radius()));
+    Scene.Entry truth = scene.of(device.id());
+    PhysicalParameters.BaseData base =
+        parameters.base().atSpeed(truth.speed().orElse(parameters.base().speed()));
+    PhysicalParameters.ArmData arm =
+        parameters.arm().lifting(truth.payload().orElse(parameters.arm().payload()));
     return Drivers.none()
-        .with(MobileBase.class, new SimulatedBase(actuator, parameters.base()))
-        .with(GripperArm.class, new SimulatedArm(actuator, parameters.arm()))
+        .with(MobileBase.class, new SimulatedBase(actuator, base))
+        .with(GripperArm.class, new SimulatedArm(actuator, arm))
         .with(Surroundings.class, new OnBoardMap(device.id(), world));
   }
 

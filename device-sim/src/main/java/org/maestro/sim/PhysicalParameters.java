@@ -115,6 +115,10 @@ public record PhysicalParameters(
    */
   public record BaseData(double speed, double radius, double power, double checkSeconds) {
     static final BaseData YOUBOT = new BaseData(0.8, 0.347, 80, 0.25);
+
+    BaseData atSpeed(double other) {
+      return new BaseData(other, radius, power, checkSeconds);
+    }
   }
 
   /**
@@ -140,6 +144,19 @@ public record PhysicalParameters(
       double placingError,
       double power) {
     static final ArmData YOUBOT = new ArmData(0.5, 0.5, 1.5, 1.5, 0.5, 1.0, 0.15, 0.01, 40);
+
+    ArmData lifting(double other) {
+      return new ArmData(
+          reach,
+          other,
+          extendSeconds,
+          graspSeconds,
+          releaseSeconds,
+          foldSeconds,
+          graspTolerance,
+          placingError,
+          power);
+    }
 
     double pickSeconds() {
       return extendSeconds + graspSeconds + foldSeconds;

@@ -39,6 +39,8 @@ public record Scene(String name, Map<String, Entry> entries) {
    * @param ambientLux light in a zone that comes from no lamp
    * @param open of a door
    * @param dead without power from the beginning
+   * @param speed of a robot that drives at another speed than usual; metres per second
+   * @param payload of a robot that lifts another mass than usual; kilograms
    * @param diesWhen the {@link WorldEvent.Kind} upon which it loses power
    */
   public record Entry(
@@ -51,6 +53,8 @@ public record Scene(String name, Map<String, Entry> entries) {
       OptionalDouble ambientLux,
       Optional<Boolean> open,
       boolean dead,
+      OptionalDouble speed,
+      OptionalDouble payload,
       Optional<WorldEvent.Kind> diesWhen) {
 
     public static final Entry NOTHING =
@@ -64,6 +68,8 @@ public record Scene(String name, Map<String, Entry> entries) {
             OptionalDouble.empty(),
             Optional.empty(),
             false,
+            OptionalDouble.empty(),
+            OptionalDouble.empty(),
             Optional.empty());
 
     public Entry at(Position place) {
@@ -77,6 +83,8 @@ public record Scene(String name, Map<String, Entry> entries) {
           ambientLux,
           open,
           dead,
+          speed,
+          payload,
           diesWhen);
     }
   }

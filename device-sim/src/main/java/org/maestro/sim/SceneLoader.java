@@ -109,6 +109,8 @@ public final class SceneLoader {
             number(thing, "ambientLux", left.remove("ambientLux"), 200_000),
             truth(thing, "open", left.remove("open")),
             truth(thing, "dead", left.remove("dead")).orElse(false),
+            number(thing, "speed", left.remove("speed"), 10),
+            number(thing, "payload", left.remove("payload"), 1_000),
             Optional.ofNullable(left.remove("diesWhen")).map(text -> kind(thing, text)));
     if (!left.isEmpty()) {
       throw fault(
@@ -116,7 +118,7 @@ public final class SceneLoader {
               + new TreeSet<>(left.keySet()).first()
               + " of "
               + thing
-              + "; known are position, hidden, radius, mass, level, strength, ambientLux, open, dead, diesWhen");
+              + "; known are position, hidden, radius, mass, level, strength, ambientLux, open, dead, speed, payload, diesWhen");
     }
     return entry;
   }

@@ -223,6 +223,8 @@ class SimulatedHomeTest {
         none.ambientLux(),
         none.open(),
         none.dead(),
+        none.speed(),
+        none.payload(),
         Optional.of(kind));
   }
 

@@ -121,6 +121,8 @@ final class FloorDraft {
                 Kind.OPEN,
                 Kind.OPEN,
                 Kind.OPEN,
+                Kind.OPEN,
+                Kind.OPEN,
                 Kind.SHUT,
                 Kind.DRIVEN_OPEN,
                 Kind.DRIVEN_SHUT,

@@ -106,14 +106,14 @@ public final class RandomHomes {
 
   private void devices() {
     for (FloorDraft.Room room : floor.rooms()) {
-      if (chance.happens(0.8)) {
+      if (chance.happens(0.9)) {
         device(cast.cameras, "cam-" + room.letter(), ":Camera", camera(room));
       }
-      int lamps = chance.whole(0, 3);
+      int lamps = chance.oneOf(List.of(0, 1, 2, 2, 3));
       for (int i = 1; i <= lamps; i++) {
         lamp(room, "lamp-" + room.letter() + i);
       }
-      if (chance.happens(0.85)) {
+      if (chance.happens(0.94)) {
         device(
             cast.sensors,
             "lux-" + room.letter(),
@@ -131,7 +131,7 @@ public final class RandomHomes {
         .formatted(
             text(room.middle()),
             number(CEILING),
-            number(Math.ceil(chance.happens(0.1) ? angle / 2 : angle)),
+            number(Math.ceil(chance.happens(0.06) ? angle / 2 : angle)),
             number(CAMERA_LEAST_LUX),
             number(CAMERA_GREATEST_LUX));
   }
@@ -151,7 +151,7 @@ public final class RandomHomes {
             .formatted(
                 place,
                 number(CEILING),
-                chance.whole(200, 1500),
+                chance.whole(400, 2200),
                 chance.oneOf(List.of(110, 120)),
                 chance.whole(4, 30)));
     if (chance.happens(0.3)) {
@@ -165,21 +165,24 @@ public final class RandomHomes {
   private void bodies() {
     int robots = chance.whole(1, 3);
     for (String name : ROBOTS.subList(0, robots)) {
+      String speed = number(chance.number(0.4, 1.2));
+      String payload = number(chance.number(0.3, 0.9));
       device(
           cast.robots,
           name,
           ":MobileRobot",
-          ":colour \"%s\" ; :size \"0.58 0.38 0.4\" ; :speed 0.8 ; :payload 0.5"
-              .formatted(nextColour()));
+          ":colour \"%s\" ; :size \"0.58 0.38 0.4\" ; :speed %s ; :payload %s"
+              .formatted(nextColour(), speed, payload));
       scene(
-          "%s> scene:position \"%s\"", name, text(floor.place(floor.anyRoom(), ROBOT_RADIUS, 0.5)));
+          "%s> scene:position \"%s\" ; scene:speed %s ; scene:payload %s",
+          name, text(floor.place(floor.anyRoom(), ROBOT_RADIUS, 0.5)), speed, payload);
     }
     for (String name : PERSONS.subList(0, chance.whole(0, 2))) {
       body(cast.persons, name, ":Person", "0.5 0.5 1.2", PERSON_RADIUS, "");
     }
     for (String name : ITEMS.subList(0, chance.whole(1, 3))) {
       String mass =
-          number(chance.happens(0.85) ? chance.number(0.05, 0.5) : chance.number(0.5, 0.9));
+          number(chance.happens(0.9) ? chance.number(0.05, 0.4) : chance.number(0.4, 0.9));
       body(cast.items, name, ":Item", "0.08 0.08 0.1", ITEM_RADIUS, mass);
     }
   }

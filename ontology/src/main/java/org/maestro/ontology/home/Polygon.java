@@ -102,24 +102,34 @@ public record Polygon(List<Point2> corners) {
   }
 
   /**
-   * Points of a square grid that lie inside, for areas that are measured by sampling.
+   * Points of a grid that lie inside, none of them on the border of the rectangle around, for areas
+   * that are measured by sampling.
    *
-   * @param spacing metres
+   * @param spacing metres, at most
    */
   public List<Point2> samples(double spacing) {
     double left = corners.stream().mapToDouble(Point2::x).min().orElseThrow();
     double right = corners.stream().mapToDouble(Point2::x).max().orElseThrow();
     double bottom = corners.stream().mapToDouble(Point2::y).min().orElseThrow();
     double top = corners.stream().mapToDouble(Point2::y).max().orElseThrow();
+    int columns = cells(right - left, spacing);
+    int rows = cells(top - bottom, spacing);
     List<Point2> samples = new ArrayList<>();
-    for (double x = left + spacing / 2; x < right; x += spacing) {
-      for (double y = bottom + spacing / 2; y < top; y += spacing) {
-        Point2 point = new Point2(x, y);
+    for (int column = 0; column < columns; column++) {
+      for (int row = 0; row < rows; row++) {
+        Point2 point =
+            new Point2(
+                left + (column + 0.5) * (right - left) / columns,
+                bottom + (row + 0.5) * (top - bottom) / rows);
         if (contains(point)) {
           samples.add(point);
         }
       }
     }
     return samples;
+  }
+
+  private static int cells(double length, double spacing) {
+    return Math.max(1, (int) Math.ceil(length / spacing - Segment.TOLERANCE));
   }
 }

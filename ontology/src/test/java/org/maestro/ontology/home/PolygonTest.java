@@ -30,6 +30,17 @@ class PolygonTest {
   }
 
   @Test
+  void samplesLieWithinAndNeverOnTheBorder() {
+    Polygon upstairs = Polygon.parse("5.91 2.99, 9.16 2.99, 9.16 6.64, 5.91 6.64");
+
+    assertThat(upstairs.samples(0.1))
+        .hasSize(33 * 37)
+        .allMatch(p -> upstairs.edges().stream().allMatch(edge -> edge.distance(p) > 0.04));
+    assertThat(LEFT.samples(0.1)).hasSize(900);
+    assertThat(LEFT.samples(10)).containsExactly(new Point2(1.5, 1.5));
+  }
+
+  @Test
   void knowsTheEdgeItSharesWithANeighbour() {
     assertThat(LEFT.sharedEdge(RIGHT)).isCloseTo(3, within(1e-9));
     assertThat(L_SHAPE.sharedEdge(RIGHT)).isCloseTo(1, within(1e-9));
