@@ -43,9 +43,18 @@ public final class JoinedContainer implements AutoCloseable {
 
   /** Joins, with a desk agent named after the container. */
   public static JoinedContainer join(String host, int port, String name, Clock clock) {
+    return join(Optional.empty(), host, port, name, clock);
+  }
+
+  /**
+   * Joins, also from a process that has had platforms of its own.
+   *
+   * @param platform its name; empty in a process without: the main container tells it
+   */
+  public static JoinedContainer join(
+      Optional<String> platform, String host, int port, String name, Clock clock) {
     JadeRuntime.requirePlatform(host, port);
-    AgentContainer container =
-        JadeRuntime.join(Optional.empty(), host, port, name, temporaryDirectory());
+    AgentContainer container = JadeRuntime.join(platform, host, port, name, temporaryDirectory());
     AgentTime time = AgentTime.of(clock);
     DeskAgent desk = new DeskAgent(time);
     JoinedContainer joined = new JoinedContainer(container, desk, time);

@@ -11,6 +11,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
 import org.awaitility.Awaitility;
@@ -49,22 +50,23 @@ class CoordinatorDeathTest {
       List<String> ids = new ArrayList<>();
       int presses = lettersByPress.size();
       int goals = office.letters().size();
-      try (JavaProcess coordinator = start(office, home);
-          JoinedContainer desk = join(coordinator)) {
-        awaitTrue(() -> written("\"event\":\"came\"") == presses);
-        for (String letter : office.letters()) {
-          desk.desk()
-              .request(
-                  ACLMessage.REQUEST,
-                  CoordinatorAgent.NAME,
-                  LIMIT,
-                  reply -> accepted(reply, ids),
-                  Words.content(
-                      "initCNP", Words.named("goal", Words.text("(stamped " + letter + ")"))));
+      try (JavaProcess coordinator = start(office, home)) {
+        try (JoinedContainer desk = join(coordinator)) {
+          awaitTrue(() -> written("\"event\":\"came\"") == presses);
+          for (String letter : office.letters()) {
+            desk.desk()
+                .request(
+                    ACLMessage.REQUEST,
+                    CoordinatorAgent.NAME,
+                    LIMIT,
+                    reply -> accepted(reply, ids),
+                    Words.content(
+                        "initCNP", Words.named("goal", Words.text("(stamped " + letter + ")"))));
+          }
+          awaitTrue(() -> size(ids) == goals && office.atTheGate().size() == presses);
+          awaitTrue(() -> states(desk, "waiting") == goals - presses);
+          assertThat(states(desk, "running")).isEqualTo(presses);
         }
-        awaitTrue(() -> size(ids) == goals && office.atTheGate().size() == presses);
-        awaitTrue(() -> states(desk, "waiting") == goals - presses);
-        assertThat(states(desk, "running")).isEqualTo(presses);
         coordinator.kill();
       }
       // Done while nobody listens; the others are done when the next coordinator is there.
@@ -129,6 +131,7 @@ class CoordinatorDeathTest {
     awaitTrue(() -> !runtime.running().isEmpty() || !coordinator.isAlive());
     assertThat(coordinator.isAlive()).as(coordinator::errors).isTrue();
     return JoinedContainer.join(
+        Optional.of(PostOffice.SITE),
         "127.0.0.1",
         runtime.running().get(0).port(),
         "desk-" + System.nanoTime(),
