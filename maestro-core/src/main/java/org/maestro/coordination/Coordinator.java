@@ -191,7 +191,7 @@ public final class Coordinator {
     if (!roster.isPresent(member)) {
       return;
     }
-    roster.absent(member, reason);
+    roster.absent(member, reason, ports.clock().now());
     ports.journal().write(new JournalEntry.MemberWent(member, reason));
     exactPrices.forget(member);
     ports.knowledge().lost(member);

@@ -62,6 +62,7 @@ final class Economy {
                 vocabulary().predicate(name).filter(PredicateDeclaration::observable).isPresent());
     new PlanningRound(
             ports,
+            new Roster(),
             exactPrices,
             new PlanningRound.Subject(goalId, tight, Optional.empty()),
             Set.of(),

@@ -337,6 +337,7 @@ final class GoalPursuit implements Pursuit {
     new PlanMaking(
             id(),
             ports,
+            roster,
             exactPrices,
             outlook,
             rivals,

@@ -16,6 +16,7 @@ import org.maestro.planning.Step;
 final class PlanMaking {
   private final String goalId;
   private final Ports ports;
+  private final Roster roster;
   private final ExactPrices exactPrices;
   private final Outlook outlook;
   private final Rivals rivals;
@@ -26,6 +27,7 @@ final class PlanMaking {
   PlanMaking(
       String goalId,
       Ports ports,
+      Roster roster,
       ExactPrices exactPrices,
       Outlook outlook,
       Rivals rivals,
@@ -34,6 +36,7 @@ final class PlanMaking {
       Consumer<PlanningRound.Ended> then) {
     this.goalId = goalId;
     this.ports = ports;
+    this.roster = roster;
     this.exactPrices = exactPrices;
     this.outlook = outlook;
     this.rivals = rivals;
@@ -49,6 +52,7 @@ final class PlanMaking {
   private void round(Set<String> without, Consumer<PlanningRound.Ended> made) {
     new PlanningRound(
             ports,
+            roster,
             exactPrices,
             outlook.subject(),
             outlook.barred(),

@@ -3,6 +3,7 @@ package org.maestro.coordination;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -24,6 +25,7 @@ import org.maestro.planning.PlanningTask;
 import org.maestro.planning.PricedFeature;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
+import org.maestro.planning.Unavailable;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
@@ -60,14 +62,18 @@ final class PlanningRound {
    * How the round ended.
    *
    * @param questions exact prices asked
-   * @param unpriced sentences about exact prices that were not given, the member's name first
+   * @param unpriced sentences about exact prices that were not given or cannot be, the member's
+   *     name first
+   * @param task what was planned last: with all prices that are known, and who could not be counted
+   *     on
    */
   record Ended(
       Market.Tender tender,
       PlanningResult result,
       List<PricedFeature> features,
       int questions,
-      List<String> unpriced) {
+      List<String> unpriced,
+      PlanningTask task) {
 
     /** A sentence about those who might have helped, and named no price. */
     Optional<String> notCountedOn() {
@@ -85,9 +91,12 @@ final class PlanningRound {
   /** How often it is asked again before a goal is given up because of prices not named. */
   private static final int LAST_CHANCES = 2;
 
+  private static final double SAME_PRICE = 1e-9;
+
   private static final Logger LOG = LoggerFactory.getLogger(PlanningRound.class);
 
   private final Ports ports;
+  private final Roster roster;
   private final ExactPrices exactPrices;
   private final Subject subject;
   private final Set<StepKey> barred;
@@ -96,11 +105,14 @@ final class PlanningRound {
   private final Consumer<Ended> then;
   private final Set<String> unpriced = new LinkedHashSet<>();
   private final Set<StepKey> declined = new HashSet<>();
+  private final Map<StepKey, String> reasons = new HashMap<>();
+  private Map<String, List<String>> candidates = Map.of();
   private int questions;
   private int lastChances;
 
   PlanningRound(
       Ports ports,
+      Roster roster,
       ExactPrices exactPrices,
       Subject subject,
       Set<StepKey> barred,
@@ -108,6 +120,7 @@ final class PlanningRound {
       Supplier<? extends Facts> facts,
       Consumer<Ended> then) {
     this.ports = ports;
+    this.roster = roster;
     this.exactPrices = exactPrices;
     this.subject = subject;
     this.barred = barred;
@@ -117,8 +130,7 @@ final class PlanningRound {
   }
 
   void start() {
-    Map<String, List<String>> candidates =
-        Relevance.candidates(subject.goal(), ports.knowledge().home());
+    candidates = Relevance.candidates(subject.goal(), ports.knowledge().home());
     candidates.keySet().removeAll(without);
     ports
         .market()
@@ -135,10 +147,11 @@ final class PlanningRound {
     unusable.addAll(exactPrices.unusable(ports.clock().now()));
     PlanningTask task =
         new PlanningTask(
-            subject.vocabulary(home), facts.get(), features, subject.planned(), unusable);
+                subject.vocabulary(home), facts.get(), features, subject.planned(), unusable)
+            .withUnavailable(unavailable(tender.bids(), home), Map.copyOf(reasons));
     ports
         .thinking()
-        .think(() -> planned(task), result -> solved(tender, features, result, home, snapshot));
+        .think(() -> planned(task), result -> solved(tender, task, result, home, snapshot));
   }
 
   /** A fault of the planner's own ends the goal with a reason; it must not leave it without end. */
@@ -153,7 +166,7 @@ final class PlanningRound {
 
   private void solved(
       Market.Tender tender,
-      List<PricedFeature> features,
+      PlanningTask task,
       PlanningResult result,
       Home home,
       Snapshot snapshot) {
@@ -172,7 +185,8 @@ final class PlanningRound {
       if (!(result instanceof PlanningResult.Found) && mayAskAgain()) {
         solve(tender);
       } else {
-        then.accept(new Ended(tender, result, features, questions, List.copyOf(unpriced)));
+        then.accept(
+            new Ended(tender, result, task.features(), questions, List.copyOf(unpriced), task));
       }
       return;
     }
@@ -209,12 +223,24 @@ final class PlanningRound {
       Step step = steps.get(i);
       Market.Quote quote =
           i < quotes.size() ? quotes.get(i) : new Market.Quote.Unanswered("named too few prices");
+      if (quote instanceof Market.Quote.Priced priced && priced.cost() < step.cost() - SAME_PRICE) {
+        unpriced.add(
+            "%s (%s: it names %s, and had said at least %s, which counts)"
+                .formatted(
+                    step.member(),
+                    step.feature().name(),
+                    Sentences.number(priced.cost()),
+                    Sentences.number(step.cost())));
+        quote = new Market.Quote.Priced(step.cost(), priced.seconds());
+      }
       if (quote instanceof Market.Quote.Declined declined) {
         decline(step, asked);
+        reasons.put(step.key(), "it names no price: " + declined.reason());
         unpriced.add(
             "%s (%s: %s)".formatted(step.member(), step.feature().name(), declined.reason()));
       } else if (quote instanceof Market.Quote.Unanswered unanswered) {
         exactPrices.put(step.key(), quote, asked, ports.clock().now());
+        reasons.put(step.key(), unanswered.reason());
         unpriced.add("%s (%s)".formatted(step.member(), unanswered.reason()));
       } else {
         exactPrices.put(step.key(), quote, asked, ports.clock().now());
@@ -244,6 +270,34 @@ final class PlanningRound {
     Map<String, Term> bindings = new TreeMap<>(step.bindings());
     bindings.put("self", new Term.Name(step.member()));
     return new Evaluation(facts.get()).truth(step.feature().precondition(), bindings) == Truth.TRUE;
+  }
+
+  /** Features that would count if their members were there, or took part. */
+  private List<Unavailable> unavailable(List<Bid> bids, Home home) {
+    Map<String, Bid> bidByMember = new LinkedHashMap<>();
+    bids.forEach(bid -> bidByMember.put(bid.member(), bid));
+    List<Unavailable> unavailable = new ArrayList<>();
+    candidates.forEach(
+        (member, names) -> {
+          Optional<Bid> bid = Optional.ofNullable(bidByMember.get(member));
+          Device device = home.devices().get(member);
+          if (device != null && (bid.isEmpty() || bid.get().refusal().isPresent())) {
+            String reason = absence(member, bid);
+            device.features().stream()
+                .filter(type -> names.contains(type.name()))
+                .map(type -> new PricedFeature(member, type, type.cost(), Map.of()))
+                .forEach(f -> unavailable.add(new Unavailable(subject.feature(f), reason)));
+          }
+        });
+    return unavailable;
+  }
+
+  private String absence(String member, Optional<Bid> bid) {
+    if (!roster.isPresent(member)) {
+      return roster.absence(member, ports.clock().now());
+    }
+    return bid.map(b -> "it refuses: " + b.refusal().orElse("no reason given"))
+        .orElse("it did not answer");
   }
 
   private List<PricedFeature> features(List<Bid> bids, Home home) {

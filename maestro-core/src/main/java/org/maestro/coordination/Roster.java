@@ -1,5 +1,6 @@
 package org.maestro.coordination;
 
+import java.time.Duration;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -11,6 +12,7 @@ import java.util.TreeMap;
 public final class Roster {
   private final SortedMap<String, Optional<String>> absenceByMember = new TreeMap<>();
   private final SortedMap<String, Optional<String>> lifeByMember = new TreeMap<>();
+  private final SortedMap<String, Duration> lostByMember = new TreeMap<>();
 
   public void present(String member) {
     present(member, Optional.empty());
@@ -26,6 +28,23 @@ public final class Roster {
 
   public void absent(String member, String reason) {
     absenceByMember.put(member, Optional.of(reason));
+    lostByMember.remove(member);
+  }
+
+  /**
+   * @param at when the member was lost, by the coordinator's clock
+   */
+  public void absent(String member, String reason, Duration at) {
+    absent(member, reason);
+    lostByMember.put(member, at);
+  }
+
+  /** Why the member cannot be counted on, and since when: {@code lost since 12 s: no power}. */
+  public String absence(String member, Duration now) {
+    Duration lost = lostByMember.get(member);
+    return lost == null
+        ? absence(member)
+        : "lost since " + now.minus(lost).toSeconds() + " s: " + absence(member);
   }
 
   public boolean isPresent(String member) {

@@ -2,6 +2,7 @@ package org.maestro.planning;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -9,6 +10,8 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import org.maestro.planning.Condition.Constant;
 import org.maestro.planning.GroundGoal.Alternative;
+import org.maestro.planning.PlanningResult.Obstacle.Kind;
+import org.maestro.sl.Effect.Assignment;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
@@ -57,22 +60,32 @@ final class CureSearch {
    * @param given what is taken to hold for nothing
    */
   Outcome run(Map<Condition, Double> weights, Set<Condition> given) {
-    Map<Condition, Condition> replacements = new LinkedHashMap<>();
-    List<Operator> operators = new ArrayList<>();
-    Map<Operator, Condition> assumptionOf = new LinkedHashMap<>();
+    Map<Condition, Double> paidPerUse = new LinkedHashMap<>(weights);
+    paidPerUse.keySet().removeIf(leaf -> !isOfOneSetting(leaf));
     Map<Condition, Condition> flags = new LinkedHashMap<>();
+    List<Operator> operators = new ArrayList<>();
     weights.forEach(
         (leaf, weight) -> {
-          Variable flag = flag(flags.size());
-          flags.put(leaf, new Condition.Literal(flag, 0, Condition.Question.IS));
-          Operator assume = assumption(flag, weight);
-          operators.add(assume);
-          assumptionOf.put(assume, leaf);
+          if (!paidPerUse.containsKey(leaf)) {
+            Variable flag = flag(flags.size());
+            flags.put(leaf, new Condition.Literal(flag, 0, Condition.Question.IS));
+            operators.add(assumption(flag, weight));
+          }
         });
-    weights.keySet().forEach(leaf -> replacements.put(leaf, weakened(leaf, flags, given)));
+    Map<Condition, Condition> replacements = new LinkedHashMap<>();
+    flags.keySet().forEach(leaf -> replacements.put(leaf, weakened(leaf, flags, given)));
+    paidPerUse.keySet().forEach(leaf -> replacements.put(leaf, Constant.TRUE));
     given.forEach(leaf -> replacements.put(leaf, Constant.TRUE));
+    Map<StepKey, Condition> paidBy = new LinkedHashMap<>();
     for (Operator operator : base.operators()) {
-      operators.add(operator.withPrecondition(replaced(operator.precondition(), replacements)));
+      Operator freed = operator.withPrecondition(replaced(operator.precondition(), replacements));
+      for (Condition leaf : operator.precondition().conjuncts()) {
+        if (paidPerUse.containsKey(leaf)) {
+          freed = dearer(freed, paidPerUse.get(leaf));
+          paidBy.put(operator.key(), leaf);
+        }
+      }
+      operators.add(freed);
     }
     GroundGoal goal =
         new GroundGoal(
@@ -89,11 +102,55 @@ final class CureSearch {
     OptimalSearch.Outcome outcome =
         new OptimalSearch(pruned, new LandmarkCut(new RelaxedProblem(pruned)), mostStates).run();
     if (outcome instanceof OptimalSearch.Outcome.Found found) {
-      return new Outcome.Found(assumed(found.operators(), flags));
+      Map<Condition, Optional<StepKey>> assumed = assumed(found.operators(), flags);
+      for (Operator operator : found.operators()) {
+        if (paidBy.containsKey(operator.key())) {
+          assumed.put(paidBy.get(operator.key()), Optional.of(operator.key()));
+        }
+      }
+      return new Outcome.Found(assumed);
     }
     return outcome instanceof OptimalSearch.Outcome.Exhausted
         ? new Outcome.Nothing()
         : new Outcome.BrokenOff();
+  }
+
+  /**
+   * Whether the condition is that a member is there which does nothing but set one number. Its
+   * absence is paid for with each use, so that bounds for sums of settings know of it.
+   */
+  private boolean isOfOneSetting(Condition leaf) {
+    if (!(leaf instanceof Condition.Fixed fixed) || fixed.obstacle().kind() != Kind.MEMBER) {
+      return false;
+    }
+    Set<Object> assigned = new LinkedHashSet<>();
+    for (Operator operator : base.operators()) {
+      if (operator.precondition().conjuncts().contains(leaf)) {
+        List<Object> here =
+            operator.changes().stream()
+                .filter(c -> c instanceof Change.Adjust a && a.assignment() == Assignment.ASSIGN)
+                .map(Change::target)
+                .toList();
+        if (here.size() != 1) {
+          return false;
+        }
+        assigned.addAll(here);
+      }
+    }
+    return assigned.size() == 1;
+  }
+
+  private static Operator dearer(Operator operator, double weight) {
+    StepPrice price = operator.price();
+    NumberExpression sum =
+        new NumberExpression.Operation(
+            Expression.Operator.PLUS,
+            List.of(price.cost(), new NumberExpression.Constant(weight * ASSUMPTION)));
+    NumberExpression cost =
+        price.cost().isConstant()
+            ? new NumberExpression.Constant(sum.value(new NumberVector(new double[0])))
+            : sum;
+    return operator.withPrice(new StepPrice(cost, price.seconds(), price.exact()));
   }
 
   /** What reaches a higher threshold of a number reaches the lower ones too. */

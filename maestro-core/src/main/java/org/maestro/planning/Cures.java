@@ -31,22 +31,26 @@ public final class Cures {
 
   /** The same task in a world in which these obstacles are none. */
   public static PlanningTask applied(PlanningTask task, List<Obstacle> overcome) {
-    Changed facts = new Changed(task.facts(), task.vocabulary());
+    Set<String> back = new HashSet<>();
+    overcome.stream()
+        .filter(obstacle -> obstacle.kind() == Kind.MEMBER)
+        .forEach(obstacle -> back.add(obstacle.condition()));
+    List<Unavailable> returning =
+        task.unavailable().stream().filter(m -> back.contains(m.feature().member())).toList();
+    Changed facts =
+        new Changed(new Returned(task.facts(), task.vocabulary(), returning), task.vocabulary());
     List<PricedFeature> features = new ArrayList<>(task.features());
     List<Unavailable> unavailable = new ArrayList<>(task.unavailable());
     Set<StepKey> barred = new HashSet<>(task.barred());
     for (Obstacle obstacle : overcome) {
-      if (obstacle.kind() == Kind.MEMBER) {
-        unavailable.stream()
-            .filter(missing -> missing.feature().member().equals(obstacle.condition()))
-            .forEach(missing -> features.add(missing.feature()));
-        unavailable.removeIf(m -> m.feature().member().equals(obstacle.condition()));
-      } else if (obstacle.kind() == Kind.STEP) {
+      if (obstacle.kind() == Kind.STEP) {
         barred.removeAll(obstacle.subject().map(Set::of).orElse(Set.of()));
-      } else {
+      } else if (obstacle.kind() != Kind.MEMBER) {
         facts.make(obstacle);
       }
     }
+    returning.forEach(missing -> features.add(missing.feature()));
+    unavailable.removeAll(returning);
     return task.withFacts(facts)
         .withFeatures(features)
         .withBarred(barred)
@@ -158,6 +162,11 @@ public final class Cures {
     public OptionalDouble number(Expression.Fluent fluent) {
       Double made = numbers.get(fluent);
       return made == null ? before.number(fluent) : OptionalDouble.of(made);
+    }
+
+    @Override
+    public double chanceStill(Formula.Atom atom) {
+      return before.chanceStill(atom);
     }
 
     @Override

@@ -14,6 +14,7 @@ import org.maestro.planning.PlanningResult.Cure;
 import org.maestro.planning.PlanningResult.Explanation;
 import org.maestro.planning.PlanningResult.Obstacle;
 import org.maestro.planning.PlanningResult.Obstacle.Kind;
+import org.maestro.sl.Facts;
 
 /**
  * Why there is no plan: the least set of conditions with which there would be one, found by {@link
@@ -52,7 +53,8 @@ final class FailureExplanation {
       Predicate<PlanningTask> isSolvable) {
     this.task = task;
     this.isSolvable = isSolvable;
-    this.base = Grounder.forExplanation(task).ground();
+    Facts facts = new Returned(task.facts(), task.vocabulary(), task.unavailable());
+    this.base = Grounder.forExplanation(task.withFacts(facts)).ground();
     Set<Condition> leaves = leavesThatFail();
     GroundProblem available =
         base.with(base.operators().stream().filter(FailureExplanation::isToBeHad).toList());

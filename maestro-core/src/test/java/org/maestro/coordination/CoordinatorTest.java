@@ -110,8 +110,10 @@ class CoordinatorTest {
     assertThat(outcome.state()).isEqualTo(GoalState.FAILED);
     assertThat(String.join(" ", outcome.reasons()))
         .contains("illuminance of zone-b")
-        .contains("72")
-        .contains("17");
+        .contains("at least 72 lux")
+        .contains("17 lux at most")
+        .contains("55 lux higher")
+        .contains("lamp-b2 were there (lost since");
   }
 
   @Test

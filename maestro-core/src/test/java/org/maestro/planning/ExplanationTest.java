@@ -243,7 +243,7 @@ class ExplanationTest {
     assertThat(new OptimalPlanner(2).plan(task)).isInstanceOf(PlanningResult.GaveUp.class);
   }
 
-  @Property(tries = 40, shrinking = ShrinkingMode.OFF)
+  @Property(tries = 25, shrinking = ShrinkingMode.OFF)
   void eachNamedCureOfARandomHomeIsOne(@ForAll long seed) {
     Random random = new Random(seed);
     SmallWorld world = random.nextBoolean() ? bright() : home();
