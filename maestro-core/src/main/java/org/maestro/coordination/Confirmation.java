@@ -29,7 +29,7 @@ import org.maestro.sl.TypedVariable;
  * "seen" is a synthetic predicate that every sensing of the thing brings about.
  */
 final class Confirmation {
-  private static final String SEEN = "$seen";
+  private static final String SEEN = "seen%";
   private static final String POSITION = "position";
 
   private final SortedSet<String> things;

@@ -112,6 +112,15 @@ final class GoalLife {
   }
 
   void end(GoalState how, boolean confirmed, Map<String, Term> binding, List<String> reasons) {
+    end(how, confirmed, binding, reasons, List.of());
+  }
+
+  void end(
+      GoalState how,
+      boolean confirmed,
+      Map<String, Term> binding,
+      List<String> reasons,
+      List<SearchReport> searches) {
     become(how, String.join(" ", reasons));
     GoalOutcome outcome =
         new GoalOutcome(
@@ -125,7 +134,8 @@ final class GoalLife {
             effort.replans(),
             submittedAt,
             clock.now(),
-            decisionMillis);
+            decisionMillis,
+            searches);
     story.ended(outcome);
     journal.write(new JournalEntry.Over(outcome));
     ended.accept(outcome);

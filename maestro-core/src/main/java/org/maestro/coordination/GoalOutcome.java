@@ -14,6 +14,8 @@ import org.maestro.sl.Term;
  * @param calls feature calls started
  * @param replans plans made after the first, without the one that confirms
  * @param decisionMillis wall time from the goal's arrival to its first call; 0 when none was needed
+ * @param searches what was looked at in vain and what could not be looked at, when it failed and
+ *     nobody knows where a thing is that it names
  */
 public record GoalOutcome(
     String id,
@@ -26,7 +28,39 @@ public record GoalOutcome(
     int replans,
     Duration submittedAt,
     Duration endedAt,
-    double decisionMillis) {
+    double decisionMillis,
+    List<SearchReport> searches) {
+  public GoalOutcome {
+    searches = List.copyOf(searches);
+  }
+
+  /** An outcome without searches to tell of. */
+  public GoalOutcome(
+      String id,
+      String goal,
+      GoalState state,
+      boolean confirmed,
+      Map<String, Term> binding,
+      List<String> reasons,
+      int calls,
+      int replans,
+      Duration submittedAt,
+      Duration endedAt,
+      double decisionMillis) {
+    this(
+        id,
+        goal,
+        state,
+        confirmed,
+        binding,
+        reasons,
+        calls,
+        replans,
+        submittedAt,
+        endedAt,
+        decisionMillis,
+        List.of());
+  }
 
   public boolean reached() {
     return state == GoalState.ACHIEVED;

@@ -321,11 +321,7 @@ final class GoalPursuit implements Pursuit {
       return;
     }
     if (life.plans() >= MOST_PLANS) {
-      end(
-          GoalState.FAILED,
-          false,
-          Map.of(),
-          List.of("It was planned " + life.plans() + " times without getting there; given up."));
+      giveUp(List.of("It was planned " + life.plans() + " times without getting there; given up."));
       return;
     }
     planning = true;
@@ -417,7 +413,27 @@ final class GoalPursuit implements Pursuit {
       List<String> reasons = new ArrayList<>(outlook.reasonsOfLeavingAlone());
       reasons.addAll(story.reasons(round.result()));
       round.notCountedOn().ifPresent(reasons::add);
-      end(GoalState.FAILED, false, Map.of(), reasons);
+      giveUp(reasons);
+    }
+  }
+
+  /** Ends it, with what was looked at in vain and what could not be looked at. */
+  private void giveUp(List<String> reasons) {
+    SearchReview review = outlook.searchReview(roster);
+    ports
+        .thinking()
+        .think(
+            () -> review.reports(life.request().goal()),
+            reports -> rivals.run(() -> gaveUp(reasons, reports)));
+  }
+
+  private void gaveUp(List<String> reasons, List<SearchReport> reports) {
+    if (!life.isOver()) {
+      List<String> all = new ArrayList<>(reasons);
+      reports.forEach(report -> all.addAll(story.searched(report)));
+      execution.release();
+      life.end(GoalState.FAILED, false, Map.of(), all, reports);
+      rivals.leave(id());
     }
   }
 
@@ -435,6 +451,7 @@ final class GoalPursuit implements Pursuit {
   private void stepEnded(StepExecution.Ended ended) {
     if (ended.report().succeeded()) {
       plan.done(ended.step());
+      outlook.done(ended.step(), ended.report().outputs());
       story.done(ended.step(), ended.change());
     } else if (!ended.calledOff()) {
       outlook.failed(ended.step(), ended.factsBefore());

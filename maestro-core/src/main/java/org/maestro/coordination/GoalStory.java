@@ -264,6 +264,13 @@ final class GoalStory {
     throw new IllegalStateException("A plan that was found is no reason: " + result);
   }
 
+  /** Tells it, and returns it as sentences. */
+  List<String> searched(SearchReport report) {
+    List<String> told = sentences().search(report);
+    told.forEach(text -> tell(StoryEntry.Kind.SEARCHED, text));
+    return told;
+  }
+
   String becauseOf(KnowledgeBase.Change change) {
     return facts(change);
   }

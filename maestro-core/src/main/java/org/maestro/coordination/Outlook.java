@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.maestro.planning.Plan;
 import org.maestro.planning.PlanningTask;
 import org.maestro.planning.PricedFeature;
@@ -22,6 +23,7 @@ final class Outlook {
   private final Rivals rivals;
   private final PlanCheck check;
   private final FailureMemory failures = new FailureMemory();
+  private final SearchLog searches = new SearchLog();
   private final Map<StepKey, String> leftAlone = new LinkedHashMap<>();
   private List<PricedFeature> features = List.of();
   private Optional<Confirmation> confirmation = Optional.empty();
@@ -115,7 +117,33 @@ final class Outlook {
     leftAlone.values().removeIf(keeper -> rivals.find(keeper).filter(Pursuit::isHolding).isEmpty());
     Set<StepKey> barred = new HashSet<>(failures.barred(this::factsUnder));
     barred.addAll(leftAlone.keySet());
+    barred.addAll(searches.spent());
     return barred;
+  }
+
+  /** A step succeeded, and what it found is known. */
+  void done(Step step, Map<String, Term> outputs) {
+    searches.done(
+        step,
+        outputs,
+        ports.knowledge().snapshot(),
+        ports.clock().now(),
+        ports.knowledge().home().vocabulary());
+  }
+
+  /** What became of the goal's searches. */
+  SearchReview searchReview(Roster roster) {
+    Set<String> absent = new TreeSet<>(ports.knowledge().home().devices().keySet());
+    absent.removeIf(roster::isPresent);
+    return new SearchReview(
+        ports.knowledge().home(),
+        ports.knowledge().snapshot(),
+        ports.planner(),
+        features,
+        barred(),
+        absent,
+        searches,
+        ports.clock());
   }
 
   /** The facts on which the step's precondition rests, as text to be compared. */

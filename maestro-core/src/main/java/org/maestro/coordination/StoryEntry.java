@@ -23,6 +23,7 @@ public record StoryEntry(String goalId, Duration at, Kind kind, String text) {
     MISCONDUCT,
     REPLAN,
     CONFIRM,
+    SEARCHED,
     /** A held goal is so, for the first time or again. */
     HELD,
     /** A held goal is not so any more. */

@@ -2,6 +2,7 @@ package org.maestro.knowledge;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.OptionalDouble;
 
 /**
  * A fact with its origin.
@@ -10,8 +11,16 @@ import java.time.Instant;
  *     (illuminance zone-b) 17)}
  * @param since by time of receipt
  * @param confidence of the source in it, 0 to 1
+ * @param coveredShare of a fact that says where something is not: the share of that place's floor,
+ *     0 to 1, that the source looked at, where it is known
  */
-public record Belief(String fact, Source source, Instant since, double confidence) {
+public record Belief(
+    String fact, Source source, Instant since, double confidence, OptionalDouble coveredShare) {
+
+  /** A fact of which no covered area is known. */
+  public Belief(String fact, Source source, Instant since, double confidence) {
+    this(fact, source, since, confidence, OptionalDouble.empty());
+  }
 
   /** A fact of whose source there is no doubt. */
   public Belief(String fact, Source source, Instant since) {

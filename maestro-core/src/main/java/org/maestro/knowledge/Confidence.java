@@ -4,9 +4,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.vocabulary.Doubt;
+import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Facts;
 import org.maestro.sl.FreeVariables;
@@ -41,7 +43,16 @@ final class Confidence {
             .mapToDouble(Doubt::confidence)
             .min()
             .orElse(1);
-    return new Voice(source, voice.confidence() * most);
+    return new Voice(source, voice.confidence() * most, coveredShare(run));
+  }
+
+  private static OptionalDouble coveredShare(FeatureRun run) {
+    return run.feature().outputs().stream()
+        .filter(output -> output.types().contains(Parameter.COVERED_SHARE))
+        .map(output -> run.outputs().get(output.name()))
+        .filter(Term.Number.class::isInstance)
+        .mapToDouble(share -> ((Term.Number) share).value())
+        .findFirst();
   }
 
   private static double of(Home home, String agent) {

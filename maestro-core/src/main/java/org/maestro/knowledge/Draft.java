@@ -214,6 +214,7 @@ final class Draft {
         before.map(Held::noted).orElse(speech.since()),
         confidence,
         speech.fromPosition(),
+        speech.voice().coveredShare(),
         before.map(Held::serial).orElseGet(serials::getAsLong));
   }
 

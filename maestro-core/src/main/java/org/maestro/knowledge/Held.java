@@ -2,6 +2,7 @@ package org.maestro.knowledge;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.OptionalDouble;
 import org.maestro.sl.Term;
 
 /**
@@ -13,6 +14,8 @@ import org.maestro.sl.Term;
  * @param noted when what it says was written down; what is repeated soon after is not written anew
  * @param confidence of the source in it, 0 to 1
  * @param fromPosition it follows from where things were seen, and goes when the position goes
+ * @param coveredShare the share of a place's floor, 0 to 1, of which the source speaks, where it
+ *     said so
  * @param serial names the observation in the dataset
  */
 record Held(
@@ -23,6 +26,7 @@ record Held(
     Instant noted,
     double confidence,
     boolean fromPosition,
+    OptionalDouble coveredShare,
     long serial) {
 
   private static final int TENTH = 10;

@@ -36,6 +36,7 @@ record Remembered(StateVariable variable, Held held, boolean has) {
         belief.since(),
         belief.confidence(),
         false,
+        belief.coveredShare(),
         serial);
   }
 

@@ -21,6 +21,8 @@ import org.maestro.sl.Truth;
 /** A world seen at an instant: ages are reckoned from it. */
 final class View implements Snapshot {
 
+  private static final String VIEW_SHARE = "viewShare";
+
   private final World world;
   private final Instant now;
   private final Instant described;
@@ -175,7 +177,7 @@ final class View implements Snapshot {
               : Wording.holds(asked, value.get().value().equals(new Term.Truth(true)));
       return Optional.of(belief(fact, value.get()));
     }
-    return excluded.map(held -> belief(Wording.holds(asked, false), held));
+    return excluded.map(held -> exclusion(Wording.holds(asked, false), held));
   }
 
   @Override
@@ -214,7 +216,10 @@ final class View implements Snapshot {
     for (StateVariable variable : world.variables()) {
       Settled settled = settled(world.cell(variable).orElseThrow());
       settled.value().ifPresent(held -> beliefs.add(belief(variable, held, true)));
-      settled.excluded().values().forEach(held -> beliefs.add(belief(variable, held, false)));
+      settled
+          .excluded()
+          .values()
+          .forEach(held -> beliefs.add(exclusion(Wording.value(variable, held, false), held)));
     }
     beliefs.sort(Comparator.comparing(Belief::fact));
     return List.copyOf(beliefs);
@@ -298,6 +303,22 @@ final class View implements Snapshot {
 
   private Belief describedBelief(String fact) {
     return new Belief(fact, new Source(Source.Kind.DESCRIBED, "home"), described);
+  }
+
+  /** With the share of the place that its source covered: what it said, or what it has in view. */
+  private Belief exclusion(String fact, Held held) {
+    List<Term> view = List.of(new Term.Name(held.source().agent()), held.value());
+    OptionalDouble share =
+        held.coveredShare().isPresent() || !world.measures().isNumber(VIEW_SHARE)
+            ? held.coveredShare()
+            : world.measures().number(VIEW_SHARE, view, this);
+    boolean sees = share.isPresent() && share.getAsDouble() > 0;
+    return new Belief(
+        fact,
+        held.source(),
+        held.since(),
+        held.confidence(),
+        sees ? share : OptionalDouble.empty());
   }
 
   private static Belief belief(StateVariable variable, Held held, boolean has) {

@@ -1,11 +1,18 @@
 package org.maestro.knowledge;
 
+import java.util.OptionalDouble;
+
 /**
  * Who says something, and how sure it is of what it says.
  *
  * @param confidence 0 (worthless) to 1 (certain)
+ * @param coveredShare the share of a place's floor, 0 to 1, of which it speaks, where it says so
  */
-record Voice(Source source, double confidence) {
+record Voice(Source source, double confidence, OptionalDouble coveredShare) {
+
+  Voice(Source source, double confidence) {
+    this(source, confidence, OptionalDouble.empty());
+  }
 
   boolean expects() {
     return source.kind() == Source.Kind.EXPECTED;

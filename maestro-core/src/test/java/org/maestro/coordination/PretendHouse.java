@@ -43,6 +43,7 @@ final class PretendHouse implements Market, Crew {
   final Set<String> weak = new TreeSet<>();
   Predicate<String> declines = feature -> false;
   Consumer<String> beforeCall = call -> {};
+  Duration stepTakes = Duration.ofMillis(500);
   DoubleSupplier noise = () -> 1;
 
   PretendHouse(Home home) {
@@ -175,7 +176,7 @@ final class PretendHouse implements Market, Crew {
   /** A sensor tells a value twice a second until it is ended. */
   private void stream(Step step, boolean[] ended) {
     clock.schedule(
-        Duration.ofMillis(500),
+        stepTakes,
         step.member(),
         () -> {
           if (!ended[0] && !dead.contains(step.member())) {
@@ -200,7 +201,7 @@ final class PretendHouse implements Market, Crew {
     boolean[] ended = new boolean[1];
     calls.add(step.feature().procedure() + " " + step.member());
     clock.schedule(
-        Duration.ofMillis(500),
+        stepTakes,
         step.member(),
         () -> {
           beforeCall.accept(step.feature().procedure() + " " + step.member());

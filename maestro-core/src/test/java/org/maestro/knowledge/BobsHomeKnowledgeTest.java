@@ -13,6 +13,7 @@ import org.maestro.ontology.home.HomeLoader;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.sl.Expression;
+import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
@@ -57,6 +58,52 @@ class BobsHomeKnowledgeTest {
 
     assertThat(truth("(and (in Cup rose) (in rose zone-a) (not (handFree rose)))"))
         .isEqualTo(Truth.TRUE);
+  }
+
+  @Test
+  void whatWasNotFoundSaysHowMuchOfThePlaceWasCovered() {
+    FeatureType observe = knowledge.home().vocabulary().features().get("observeObject");
+    knowledge.state(
+        new Source(Source.Kind.OBSERVED, "lux-b"), List.of("(= (illuminance zone-b) 100)"));
+    knowledge.learn(
+        new FeatureRun(
+            "cam-b",
+            observe,
+            Map.of("object", new Term.Name("Cup"), "zone", new Term.Name("zone-b")),
+            true,
+            Map.of("found", new Term.Truth(false)),
+            List.of()));
+    assertThat(covered("(in Cup zone-b)")).isBetween(0.95, 1.0);
+
+    FeatureType look = knowledge.home().vocabulary().features().get("lookAround");
+    knowledge.learn(lookAround(look, "zone-a", 0.97));
+    assertThat(covered("(in Cup zone-a)")).isEqualTo(0.97);
+  }
+
+  @Test
+  void aLookThatCoveredTooLittleRulesNothingOut() {
+    FeatureType look = knowledge.home().vocabulary().features().get("lookAround");
+    knowledge.learn(lookAround(look, "zone-a", 0.6));
+    assertThat(truth("(in Cup zone-a)")).isEqualTo(Truth.UNKNOWN);
+  }
+
+  private static FeatureRun lookAround(FeatureType look, String zone, double covered) {
+    return new FeatureRun(
+        "rose",
+        look,
+        Map.of("object", new Term.Name("Cup"), "zone", new Term.Name(zone)),
+        true,
+        Map.of("found", new Term.Truth(false), "covered", new Term.Number(covered)),
+        List.of());
+  }
+
+  private double covered(String atom) {
+    return knowledge
+        .snapshot()
+        .belief((Formula.Atom) SlParser.formula(atom))
+        .orElseThrow()
+        .coveredShare()
+        .orElseThrow();
   }
 
   @Test

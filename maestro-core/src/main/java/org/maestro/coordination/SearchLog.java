@@ -1,0 +1,117 @@
+package org.maestro.coordination;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.TreeMap;
+import org.maestro.knowledge.Belief;
+import org.maestro.knowledge.Snapshot;
+import org.maestro.ontology.vocabulary.Parameter;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.planning.Step;
+import org.maestro.planning.StepKey;
+import org.maestro.sl.Effect;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
+
+/**
+ * The looks of one goal that found nothing. What is known of them ages, and then it may be looked
+ * again; but no look is made in vain more often than a few times, so that a search ends.
+ */
+final class SearchLog {
+  /** Times that the same look may be in vain. */
+  static final int ROUNDS = 3;
+
+  private record Vain(Formula.Atom atom, SearchReport.Look look) {}
+
+  private final List<Vain> looks = new ArrayList<>();
+  private final Map<StepKey, Integer> vainByStep = new LinkedHashMap<>();
+
+  /** A step has succeeded, and its result is known. */
+  void done(
+      Step step, Map<String, Term> outputs, Snapshot now, Duration at, Vocabulary vocabulary) {
+    Map<String, Term> bindings = new TreeMap<>(step.bindings());
+    bindings.put("self", new Term.Name(step.member()));
+    for (Formula.Atom atom : sensed(step.feature().effect(), vocabulary)) {
+      Formula.Atom ground = new Substitution(bindings).apply(atom);
+      if (ground.isGround() && now.truth(ground) != Truth.TRUE) {
+        vainByStep.merge(step.key(), 1, Integer::sum);
+        looks.add(
+            new Vain(
+                ground,
+                new SearchReport.Look(
+                    place(ground), step.member(), at, covered(step, outputs, ground, now))));
+      }
+    }
+  }
+
+  /** What the result itself says, or what is known of it. */
+  private static OptionalDouble covered(
+      Step step, Map<String, Term> outputs, Formula.Atom atom, Snapshot now) {
+    for (Parameter output : step.feature().outputs()) {
+      if (output.types().contains(Parameter.COVERED_SHARE)
+          && outputs.get(output.name()) instanceof Term.Number share) {
+        return OptionalDouble.of(share.value());
+      }
+    }
+    return now.belief(atom).map(Belief::coveredShare).orElse(OptionalDouble.empty());
+  }
+
+  /** The functional predicates of which the effect senses an atom. */
+  static List<Formula.Atom> sensed(Effect effect, Vocabulary vocabulary) {
+    List<Formula.Atom> atoms = new ArrayList<>();
+    collect(effect, atoms);
+    atoms.removeIf(
+        atom ->
+            atom.arguments().size() != 2
+                || vocabulary
+                    .predicate(atom.predicate())
+                    .filter(PredicateDeclaration::functional)
+                    .isEmpty());
+    return atoms;
+  }
+
+  private static void collect(Effect effect, List<Formula.Atom> atoms) {
+    if (effect instanceof Effect.All all) {
+      all.effects().forEach(part -> collect(part, atoms));
+    } else if (effect instanceof Effect.When when) {
+      collect(when.effect(), atoms);
+    } else if (effect instanceof Effect.SenseAtom sense) {
+      atoms.add(sense.atom());
+    }
+  }
+
+  /** Looks that are not repeated. */
+  Set<StepKey> spent() {
+    Set<StepKey> spent = new HashSet<>();
+    vainByStep.forEach(
+        (step, times) -> {
+          if (times >= ROUNDS) {
+            spent.add(step);
+          }
+        });
+    return spent;
+  }
+
+  /** The latest look at the place that the atom names. */
+  Optional<SearchReport.Look> latest(Formula.Atom atom) {
+    return looks.stream()
+        .filter(vain -> vain.atom().equals(atom))
+        .reduce((earlier, later) -> later)
+        .map(Vain::look);
+  }
+
+  static String place(Formula.Atom atom) {
+    return SlPrinter.print(atom.arguments().get(1));
+  }
+}

@@ -1,0 +1,113 @@
+package org.maestro.coordination;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+
+/** Searches that find nothing end, and tell what was looked at and what could not be. */
+class SearchEndTest {
+  private static Home home;
+
+  @BeforeAll
+  static void loadHome() throws IOException {
+    try (InputStream turtle = SearchEndTest.class.getResourceAsStream("/bob.ttl")) {
+      home =
+          new HomeLoader()
+              .load(new String(turtle.readAllBytes(), StandardCharsets.UTF_8), "bob.ttl");
+    }
+  }
+
+  private final PretendHouse house = new PretendHouse(home);
+
+  private SearchReport report(GoalOutcome outcome, String thing) {
+    assertThat(outcome.state()).isEqualTo(GoalState.FAILED);
+    assertThat(outcome.searches())
+        .as(String.join("\n", house.story))
+        .extracting(SearchReport::thing)
+        .contains(thing);
+    return outcome.searches().stream()
+        .filter(report -> report.thing().equals(thing))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  @Test
+  void tellsWhereItWasLookedByWhomAndWhen() {
+    house.place.put("Cup", "nowhere");
+
+    GoalOutcome outcome = house.achieve("(nextTo Cup Bob)");
+
+    SearchReport report = report(outcome, "Cup");
+    assertThat(report.looks())
+        .extracting(SearchReport.Look::place, SearchReport.Look::by)
+        .containsExactlyInAnyOrder(tuple("zone-a", "cam-a"), tuple("zone-b", "cam-b"));
+    assertThat(report.looks())
+        .allSatisfy(
+            look -> {
+              assertThat(look.at()).isPositive();
+              assertThat(look.coveredShare().orElse(0)).isGreaterThan(0.95);
+            });
+    assertThat(report.gaps()).isEmpty();
+    assertThat(String.join(" ", outcome.reasons()))
+        .contains("Cup was looked for in vain")
+        .contains("in zone-a by cam-a at");
+    assertThat(house.story).anyMatch(text -> text.contains("Cup was looked for in vain"));
+  }
+
+  @Test
+  void tellsWhoIsMissedWhereNobodyLooked() {
+    house.place.put("Cup", "nowhere");
+    house.coordinator.memberLost("cam-b", "no power");
+
+    GoalOutcome outcome = house.achieve("(nextTo Cup Bob)");
+
+    SearchReport report = report(outcome, "Cup");
+    assertThat(report.gaps()).hasSize(1);
+    assertThat(report.gaps().get(0).place()).isEqualTo("zone-b");
+    assertThat(report.gaps().get(0).reason()).isEqualTo(SearchReport.Reason.MEMBERS_LOST);
+    assertThat(report.gaps().get(0).details()).containsExactly("cam-b");
+    assertThat(String.join(" ", outcome.reasons())).contains("could look: cam-b");
+  }
+
+  @Test
+  void tellsWhatItWasTooDarkFor() {
+    house.place.put("Cup", "nowhere");
+    for (String lamp : new String[] {"lamp-b1", "lamp-b2", "lamp-b3"}) {
+      house.weak.add(lamp);
+    }
+    house.ambientLux.put("zone-b", 1.0);
+
+    SearchReport report = report(house.achieve("(nextTo Cup Bob)"), "Cup");
+
+    SearchReport.Gap gap = report.gaps().get(0);
+    assertThat(gap.place()).isEqualTo("zone-b");
+    assertThat(gap.reason()).isEqualTo(SearchReport.Reason.CONDITION);
+    assertThat(gap.details().get(0)).contains("(illuminance zone-b)").contains("72");
+  }
+
+  @Test
+  void doesNotGoRoundForEverWhenWhatWasSeenAgesFasterThanItIsLookedAt() {
+    house.place.put("Bob", "nowhere");
+    house.stepTakes = Duration.ofSeconds(40);
+
+    GoalOutcome outcome = house.achieve("(nextTo Cup Bob)");
+
+    SearchReport report = report(outcome, "Bob");
+    assertThat(report.looks()).extracting(SearchReport.Look::place).contains("zone-a");
+    assertThat(report.gaps())
+        .extracting(SearchReport.Gap::reason)
+        .containsOnly(SearchReport.Reason.LOOKED_IN_VAIN);
+    for (String camera : new String[] {"cam-a", "cam-b"}) {
+      assertThat(house.calls.stream().filter(call -> call.equals("observeObject " + camera)))
+          .hasSizeLessThanOrEqualTo(2 * SearchLog.ROUNDS);
+    }
+  }
+}
