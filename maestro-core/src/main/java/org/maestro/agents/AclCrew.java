@@ -57,7 +57,9 @@ final class AclCrew implements Crew {
         .apply(member)
         .ifPresent(
             receiver ->
-                agent.send(agent.message(ACLMessage.CANCEL, receiver, Orders.callOff(call))));
+                agent.send(
+                    agent.message(
+                        ACLMessage.CANCEL, receiver, Orders.callOff(call, agent.getLocalName()))));
   }
 
   int underwayCount() {

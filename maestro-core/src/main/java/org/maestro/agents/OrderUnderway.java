@@ -57,7 +57,8 @@ final class OrderUnderway implements Crew.Performance {
   }
 
   private void send() {
-    ACLMessage request = agent.message(ACLMessage.REQUEST, receiver, Orders.order(order));
+    ACLMessage request =
+        agent.message(ACLMessage.REQUEST, receiver, Orders.order(order, agent.getLocalName()));
     conversation =
         Optional.of(
             agent

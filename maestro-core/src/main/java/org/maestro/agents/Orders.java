@@ -28,10 +28,14 @@ final class Orders {
         Words.terms("parameters", new TreeMap<>(step.bindings())));
   }
 
-  static Content order(Crew.Order order) {
+  /**
+   * @param caller the agent that orders: each names calls by itself, and members take all of them
+   *     for calls of one controller
+   */
+  static Content order(Crew.Order order, String caller) {
     List<Content.Argument> arguments = new ArrayList<>();
     arguments.add(Words.named("goal", Words.name(order.goalId())));
-    order.call().ifPresent(call -> arguments.addAll(call(call)));
+    order.call().ifPresent(call -> arguments.addAll(call(call, caller)));
     arguments.add(Words.named("feature", Words.name(order.step().feature().name())));
     arguments.add(Words.named("timeout", Words.number(order.timeout().toMillis())));
     arguments.add(parameters("parameters", order.parameters()));
@@ -39,13 +43,13 @@ final class Orders {
   }
 
   /** Of a call that was ordered by a coordinator before this one. */
-  static Content callOff(Crew.Call call) {
-    return new Content("cancel", List.copyOf(call(call)));
+  static Content callOff(Crew.Call call, String caller) {
+    return new Content("cancel", List.copyOf(call(call, caller)));
   }
 
-  private static List<Content.Argument> call(Crew.Call call) {
+  private static List<Content.Argument> call(Crew.Call call, String caller) {
     List<Content.Argument> name = new ArrayList<>();
-    name.add(Words.named("call", Words.text(call.id())));
+    name.add(Words.named("call", Words.text(caller + "-" + call.id())));
     call.life().ifPresent(life -> name.add(Words.named("life", Words.text(life))));
     return name;
   }
