@@ -39,7 +39,8 @@ final class GoalPursuit implements Pursuit {
   private final Turn turn;
   private final StepExecution execution;
   private Optional<String> planAgain = Optional.empty();
-  private Interest planInterest;
+  private Concern concern;
+  private long ownChange = -1;
   private Interest changedMeanwhile;
   private boolean planning;
 
@@ -57,9 +58,9 @@ final class GoalPursuit implements Pursuit {
     this.exactPrices = exactPrices;
     this.story = new GoalStory(id, ports.story(), ports.clock(), ports.knowledge());
     this.life = new GoalLife(id, request, ports, story, ended);
-    this.planInterest = new Interest(ports.knowledge().home().vocabulary());
-    this.changedMeanwhile = planInterest;
+    this.changedMeanwhile = new Interest(ports.knowledge().home().vocabulary());
     this.outlook = new Outlook(id, request, ports, rivals);
+    this.concern = concern(List.of());
     this.contention = new Contention(id, request, ports, rivals, plan, underway);
     this.turn = new Turn(life, story, rivals, contention, underway);
     this.execution =
@@ -154,28 +155,24 @@ final class GoalPursuit implements Pursuit {
     if (planning) {
       changedMeanwhile.addAll(changed);
     }
-    if (!isFollowingPlan()) {
+    if (!isFollowingPlan() || change.version() == ownChange) {
       return;
     }
     if (turn.isAwaited()) {
-      if (goalInterest().isConcernedBy(changed)) {
+      if (concern.ofGoal(changed)) {
         settleIfReached();
       }
-    } else if (planInterest.isConcernedBy(changed)) {
+    } else if (concern.indeed(changed, outlook.presentFacts())) {
       reconsider(() -> story.becauseOf(change));
     }
   }
 
-  private Interest goalInterest() {
-    Interest interest = new Interest(ports.knowledge().home().vocabulary());
-    interest.add(life.request().goal(), Map.of());
-    return interest;
-  }
-
-  private Interest interestIn(List<Step> steps) {
-    Interest interest = goalInterest();
-    steps.forEach(interest::add);
-    return interest;
+  private Concern concern(List<Step> steps) {
+    return new Concern(
+        life.request().goal(),
+        steps,
+        ports.knowledge().home().vocabulary(),
+        outlook.presentFacts());
   }
 
   @Override
@@ -373,7 +370,7 @@ final class GoalPursuit implements Pursuit {
 
   private Optional<String> changedMeanwhile(PlanningResult result) {
     return result instanceof PlanningResult.Found found
-            && interestIn(found.plan().steps()).isConcernedBy(changedMeanwhile)
+            && concern(found.plan().steps()).perhaps(changedMeanwhile)
         ? Optional.of("things have changed while it was planned")
         : Optional.empty();
   }
@@ -387,7 +384,7 @@ final class GoalPursuit implements Pursuit {
 
   private void adopt(Plan found, Market.Tender tender) {
     plan.adopt(found);
-    planInterest = interestIn(found.steps());
+    concern = concern(found.steps());
     story.plan(life.plans(), found, outlook.isConfirming());
     Map<String, List<Step>> parts = new TreeMap<>();
     found.steps().forEach(s -> parts.computeIfAbsent(s.member(), m -> new ArrayList<>()).add(s));
@@ -449,6 +446,9 @@ final class GoalPursuit implements Pursuit {
   }
 
   private void stepEnded(StepExecution.Ended ended) {
+    if (!ended.change().facts().isEmpty()) {
+      ownChange = ended.change().version();
+    }
     if (ended.report().succeeded()) {
       plan.done(ended.step());
       outlook.done(ended.step(), ended.report().outputs());

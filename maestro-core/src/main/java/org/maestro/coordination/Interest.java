@@ -68,11 +68,16 @@ final class Interest {
         (name, names) -> subjects.computeIfAbsent(name, n -> new TreeSet<>()).addAll(names));
   }
 
-  void add(Step step) {
-    Map<String, Term> bindings = new TreeMap<>(step.bindings());
-    bindings.put("self", new Term.Name(step.member()));
+  /** What the step needs to begin. */
+  void addConditions(Step step) {
+    Map<String, Term> bindings = Contention.bindings(step);
     add(step.feature().precondition(), bindings);
     step.feature().claims().forEach(claim -> add(claim.when(), bindings));
+  }
+
+  /** What the step's effect and price depend on. */
+  void addEffects(Step step) {
+    Map<String, Term> bindings = Contention.bindings(step);
     if (step.feature().cost() instanceof Price.Stated stated) {
       add(stated.cost(), bindings);
     }
@@ -106,7 +111,6 @@ final class Interest {
     } else if (effect instanceof Effect.Forall forall) {
       add(forall.effect(), bindings);
     } else if (effect instanceof Effect.Change change) {
-      add(change.fluent(), bindings);
       add(change.value(), bindings);
     } else if (effect instanceof Effect.SenseAtom sense) {
       add(sense.atom(), bindings);
@@ -144,14 +148,17 @@ final class Interest {
 
   /** Whether any of the changed facts is among those that matter here. */
   boolean isConcernedBy(Interest changed) {
+    return changed.subjects.keySet().stream()
+            .anyMatch(name -> subjects.getOrDefault(name, Set.of()).contains(ANY))
+        || isNamedBy(changed);
+  }
+
+  /** The same, without what matters here of any individual. */
+  boolean isNamedBy(Interest changed) {
     return changed.subjects.entrySet().stream()
         .anyMatch(
-            change -> {
-              Set<String> mine = subjects.getOrDefault(change.getKey(), Set.of());
-              return !mine.isEmpty()
-                  && (mine.contains(ANY)
-                      || change.getValue().contains(ANY)
-                      || change.getValue().stream().anyMatch(mine::contains));
-            });
+            change ->
+                change.getValue().stream()
+                    .anyMatch(subjects.getOrDefault(change.getKey(), Set.of())::contains));
   }
 }

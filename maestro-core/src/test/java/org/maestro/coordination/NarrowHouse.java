@@ -20,6 +20,7 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.planning.OptimalPlanner;
+import org.maestro.planning.Planner;
 import org.maestro.planning.Step;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.sl.SlParser;
@@ -45,13 +46,17 @@ final class NarrowHouse implements Market, Crew {
   private final Map<String, String> busy = new TreeMap<>();
 
   NarrowHouse(Home home, long seed) {
+    this(home, seed, new OptimalPlanner());
+  }
+
+  NarrowHouse(Home home, long seed, Planner planner) {
     random = new Random(seed);
     knowledge = new CollectiveKnowledge(home, clock);
     coordinator =
         new Coordinator(
             new Ports(
                 knowledge,
-                new OptimalPlanner(),
+                planner,
                 this,
                 this,
                 new Thinking() {
