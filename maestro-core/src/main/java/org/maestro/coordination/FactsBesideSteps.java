@@ -4,10 +4,8 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.TreeMap;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
@@ -31,21 +29,25 @@ final class FactsBesideSteps implements Facts {
   private final List<Handled> handled = new ArrayList<>();
 
   /** A name with arguments; of a state variable, without its value. */
-  private record Subject(String name, List<Term> arguments) {}
+  record Subject(String name, List<Term> arguments) {}
 
-  private record Handled(Set<Subject> subjects, Snapshot before) {}
+  /** What a step is just changing, and what was known before. */
+  record Handled(Set<Subject> subjects, Snapshot before) {}
 
   FactsBesideSteps(Snapshot now, Vocabulary vocabulary) {
     this.now = now;
     this.vocabulary = vocabulary;
   }
 
+  void add(Handled beside) {
+    handled.add(beside);
+  }
+
   /** The step is under way since the given moment. */
-  void add(Step step, Snapshot before) {
-    Map<String, Term> bindings = new TreeMap<>(step.bindings());
-    bindings.put("self", new Term.Name(step.member()));
+  Handled handled(Step step, Snapshot before) {
     Set<Subject> subjects = new HashSet<>();
-    for (Change change : new Evaluation(before).changes(step.feature().effect(), bindings)) {
+    for (Change change :
+        new Evaluation(before).changes(step.feature().effect(), Contention.bindings(step))) {
       if (change instanceof Change.OfTruth truth) {
         subjects.add(subject(truth.atom()));
         subjects.add(subject(mirrored(truth.atom())));
@@ -54,7 +56,7 @@ final class FactsBesideSteps implements Facts {
         subjects.add(subject(number.fluent()));
       }
     }
-    handled.add(new Handled(subjects, before));
+    return new Handled(subjects, before);
   }
 
   private Subject subject(Formula.Atom atom) {
@@ -84,11 +86,12 @@ final class FactsBesideSteps implements Facts {
   }
 
   private Snapshot source(Subject subject) {
-    return handled.stream()
-        .filter(h -> h.subjects().contains(subject))
-        .map(Handled::before)
-        .findFirst()
-        .orElse(now);
+    for (Handled beside : handled) {
+      if (beside.subjects().contains(subject)) {
+        return beside.before();
+      }
+    }
+    return now;
   }
 
   @Override

@@ -1,5 +1,6 @@
 package org.maestro.coordination;
 
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -16,6 +17,7 @@ import org.maestro.planning.StepKey;
  */
 final class StepsUnderway {
   private final Map<StepKey, Underway> underway = new LinkedHashMap<>();
+  private final Map<StepKey, FactsBesideSteps.Handled> handled = new HashMap<>();
   private final Set<StepKey> calledOff = new LinkedHashSet<>();
 
   private record Underway(Step step, Snapshot before, Crew.Performance performance) {}
@@ -27,6 +29,7 @@ final class StepsUnderway {
   /** Returns whether it was called off, so that its failure says nothing. */
   boolean ended(Step step) {
     underway.remove(step.key());
+    handled.remove(step.key());
     return calledOff.remove(step.key());
   }
 
@@ -64,6 +67,8 @@ final class StepsUnderway {
 
   /** Tells what these steps are just changing. */
   void addTo(FactsBesideSteps facts) {
-    underway.values().forEach(u -> facts.add(u.step(), u.before()));
+    underway.forEach(
+        (key, u) ->
+            facts.add(handled.computeIfAbsent(key, k -> facts.handled(u.step(), u.before()))));
   }
 }
