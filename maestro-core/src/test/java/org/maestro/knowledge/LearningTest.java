@@ -2,6 +2,7 @@ package org.maestro.knowledge;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -62,6 +63,29 @@ class LearningTest {
     assertThat(change.facts())
         .startsWith("(position Cup \"4 0 0\")", "(in Cup zone-b)")
         .contains("(canSee cam-b Cup)");
+  }
+
+  @Test
+  void aDeviceWhoseClockIsOffByAnHourChangesNothing() {
+    Map<String, Term> bindings = Map.of("object", name("Cup"), "zone", name("zone-b"));
+    succeed("cam-b", LOOK, bindings, seen("4 0 0", "2026-01-01T01:00:00Z"));
+    home.pass(Duration.ofSeconds(1));
+    succeed("cam-a", LOOK, bindings, seen("1 0 0", "2025-12-31T23:00:00Z"));
+
+    Belief place = home.belief("(in Cup zone-a)").orElseThrow();
+    assertThat(place.source().agent()).as("received later").isEqualTo("cam-a");
+    assertThat(place.age(home.clock.instant())).isZero();
+    home.pass(Duration.ofMinutes(9));
+    assertThat(home.truth("(in Cup zone-a)")).isEqualTo(Truth.TRUE);
+    home.pass(Duration.ofMinutes(2));
+    assertThat(home.truth("(in Cup zone-a)")).isEqualTo(Truth.UNKNOWN);
+  }
+
+  private static Map<String, Term> seen(String place, String timeOfItsOwn) {
+    return Map.of(
+        "found", new Term.Truth(true),
+        "pose", new Term.Text(place),
+        "time", new Term.Text(timeOfItsOwn));
   }
 
   @Test
