@@ -361,6 +361,7 @@ final class GoalPursuit implements Pursuit {
       round.tender().award(Map.of());
       makePlan(why);
     } else if (round.result() instanceof PlanningResult.Found found) {
+      found.atLeast().ifPresent(atLeast -> story.notProven(atLeast, found.plan()));
       adopt(found.plan(), round.tender());
     } else {
       round.tender().award(Map.of());

@@ -182,6 +182,14 @@ final class GoalStory {
             + ".");
   }
 
+  /** The planner broke its search off: a shorter plan may exist. */
+  void notProven(double atLeast, Plan plan) {
+    tell(
+        StoryEntry.Kind.PLAN,
+        "That this plan is over first is not proven: it takes %s s, none takes less than %s s."
+            .formatted(Sentences.number(plan.seconds()), Sentences.number(atLeast)));
+  }
+
   void begun(Step step, int steps) {
     tell(
         StoryEntry.Kind.STEP,

@@ -4,11 +4,12 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.maestro.planning.PlanningResult.Explanation;
 
 /**
- * Finds cheapest plans and proves it: backward grounding, A* with landmark cuts, knapsack bounds
- * for sums of settings. Stateless and thread-safe.
+ * Finds cheapest plans, or those that are over first, and proves it: backward grounding, A* with
+ * landmark cuts, knapsack bounds for sums of settings. Stateless and thread-safe.
  */
 public final class OptimalPlanner implements Planner {
   /** About 100 MB for homes of some ten devices. */
@@ -16,6 +17,9 @@ public final class OptimalPlanner implements Planner {
 
   /** For plans that begin a search elsewhere: they are worth less time. */
   private static final int MOST_STATES_BESIDE = 1_000;
+
+  /** For the plan that is over first. */
+  private static final int MOST_SCHEDULES = 20_000;
 
   private final int mostStates;
 
@@ -67,9 +71,12 @@ public final class OptimalPlanner implements Planner {
     if (!new RelaxedProblem(ground).isSolvable()) {
       return impossible(task);
     }
-    GroundProblem problem = Pruning.pruned(ground);
+    GroundProblem problem = Pruning.pruned(ground, task.objective());
     OptimalSearch.Outcome outcome = search(problem, mostStates);
-    if (outcome instanceof OptimalSearch.Outcome.Found found) {
+    if (outcome instanceof OptimalSearch.Outcome.Found found
+        && task.objective() == Objective.EARLIEST_FINISH) {
+      return earliest(problem, PlanBuilder.plan(problem, found.operators()));
+    } else if (outcome instanceof OptimalSearch.Outcome.Found found) {
       return new PlanningResult.Found(
           weighingSearches
               ? new ExpectedCostSearch(
@@ -83,6 +90,19 @@ public final class OptimalPlanner implements Planner {
         "No plan and no proof that there is none within "
             + mostStates
             + " states; allow more states or state a smaller goal.");
+  }
+
+  /** Exact in small problems; else the cheapest plan or a better one, and what no plan is below. */
+  private PlanningResult earliest(GroundProblem problem, Plan cheapest) {
+    EarliestFinishSearch.Outcome outcome =
+        new EarliestFinishSearch(problem, cheapest.seconds(), Math.min(mostStates, MOST_SCHEDULES))
+            .run();
+    if (outcome instanceof EarliestFinishSearch.Outcome.Found found) {
+      return new PlanningResult.Found(PlanBuilder.plan(problem, found.operators()));
+    }
+    return outcome instanceof EarliestFinishSearch.Outcome.BoundReached bound
+        ? new PlanningResult.Found(cheapest, OptionalDouble.of(bound.atLeastSeconds()))
+        : new PlanningResult.Found(cheapest);
   }
 
   private static OptimalSearch.Outcome search(GroundProblem problem, int mostStates) {

@@ -24,6 +24,11 @@ public record Plan(
     this(steps, cost, goalBinding, List.of());
   }
 
+  /** From the first step's beginning to the last one's end, as it is executed; seconds. */
+  public double seconds() {
+    return PlanTime.seconds(steps);
+  }
+
   Plan withSearches(List<PlannedSearch> planned) {
     return new Plan(steps, cost, goalBinding, planned);
   }

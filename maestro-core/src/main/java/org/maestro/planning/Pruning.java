@@ -18,9 +18,16 @@ final class Pruning {
 
   /** The smaller problem; the given one must be solvable as far as its relaxation tells. */
   static GroundProblem pruned(GroundProblem problem) {
+    return pruned(problem, Objective.CHEAPEST);
+  }
+
+  /** Where time counts, an operator may do the same at a higher price and sooner. */
+  static GroundProblem pruned(GroundProblem problem, Objective objective) {
     GroundProblem before = problem;
     while (true) {
-      GroundProblem after = before.with(withoutDominated(reachable(before)));
+      List<Operator> possible = reachable(before);
+      GroundProblem after =
+          before.with(objective == Objective.CHEAPEST ? withoutDominated(possible) : possible);
       if (size(after) == size(before)) {
         return after;
       }

@@ -35,7 +35,8 @@ final class StepOrder {
     return reduced;
   }
 
-  private static boolean conflict(Operator earlier, Operator later) {
+  /** Whether the later one has to wait for the earlier one. */
+  static boolean conflict(Operator earlier, Operator later) {
     if (earlier.feature().member().equals(later.feature().member())) {
       return true;
     }
@@ -58,7 +59,26 @@ final class StepOrder {
     return writer.changes().stream().anyMatch(change -> read.contains(change.target()));
   }
 
-  private static Set<Object> reads(Operator operator) {
+  /** What the operator adds to, in any order with others that do. */
+  static Set<Object> added(Operator operator) {
+    Set<Object> targets = new LinkedHashSet<>();
+    operator.changes().stream()
+        .filter(StepOrder::isAddition)
+        .forEach(change -> targets.add(change.target()));
+    return targets;
+  }
+
+  /** What the operator changes otherwise. */
+  static Set<Object> assigned(Operator operator) {
+    Set<Object> targets = new LinkedHashSet<>();
+    operator.changes().stream()
+        .filter(change -> !isAddition(change))
+        .forEach(change -> targets.add(change.target()));
+    return targets;
+  }
+
+  /** The parts of the state on which the operator depends. */
+  static Set<Object> reads(Operator operator) {
     Set<Object> read = new LinkedHashSet<>();
     collect(operator.precondition(), read);
     operator.price().cost().forEachVariable(read::add);

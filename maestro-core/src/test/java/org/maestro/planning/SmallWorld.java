@@ -30,6 +30,7 @@ final class SmallWorld implements Facts {
   final Map<String, PredicateDeclaration> predicates = new TreeMap<>();
   final Map<String, FeatureType> types = new LinkedHashMap<>();
   final List<PricedFeature> offers = new ArrayList<>();
+  private final Map<String, String> seconds = new TreeMap<>();
   private final Map<String, Set<Term.Name>> members = new LinkedHashMap<>();
   private final Set<Term.Name> everybody = new LinkedHashSet<>();
   private final Map<Formula.Atom, Boolean> truths = new LinkedHashMap<>();
@@ -98,6 +99,12 @@ final class SmallWorld implements Facts {
     return this;
   }
 
+  /** Seconds of a feature that is declared after this. */
+  SmallWorld takes(String feature, String expression) {
+    seconds.put(feature, expression);
+    return this;
+  }
+
   /**
    * Parameters: {@code zone:Zone target:Thing|Zone level=0,0.5,1}; after {@code ;} come the binds.
    */
@@ -123,7 +130,7 @@ final class SmallWorld implements Facts {
             List.of(),
             List.of(),
             new Price.Stated(SlParser.expression("1")),
-            SlParser.expression("1"),
+            SlParser.expression(seconds.getOrDefault(name, "1")),
             Optional.empty(),
             name,
             Map.of()));

@@ -17,6 +17,7 @@ import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.knowledge.KnowledgeSettings;
 import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.DescriptionWriter;
+import org.maestro.planning.ObjectivePlanner;
 import org.maestro.planning.OptimalPlanner;
 import org.maestro.planning.TieredPlanner;
 import org.maestro.platform.MaestroPlatform;
@@ -161,7 +162,7 @@ public final class LocalSite implements AutoCloseable {
                 settings.storyDirectory(),
                 settings.dataDirectory()),
             knowledge(),
-            new TieredPlanner(new OptimalPlanner()),
+            new ObjectivePlanner(new TieredPlanner(new OptimalPlanner()), settings.allocation()),
             link,
             clock,
             new DescriptionReader(settings.home().vocabulary())::read);

@@ -4,6 +4,7 @@ import java.net.URI;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.maestro.ontology.home.Home;
+import org.maestro.planning.Objective;
 import org.maestro.sim.Scene;
 
 /**
@@ -17,6 +18,7 @@ import org.maestro.sim.Scene;
  * @param storyDirectory where stories are kept
  * @param dataDirectory where goals and what was known of the past are kept, to be taken up after a
  *     restart; empty: they end with the site
+ * @param allocation what plans are to be best in
  */
 public record SiteSettings(
     String name,
@@ -27,7 +29,37 @@ public record SiteSettings(
     int jadePort,
     boolean gui,
     Optional<Path> storyDirectory,
-    Optional<Path> dataDirectory) {
+    Optional<Path> dataDirectory,
+    Objective allocation) {
+
+  /** Of a site that allocates steps so that they cost least. */
+  public SiteSettings(
+      String name,
+      Home home,
+      Optional<Scene> scene,
+      long seed,
+      Optional<URI> broker,
+      int jadePort,
+      boolean gui,
+      Optional<Path> storyDirectory,
+      Optional<Path> dataDirectory) {
+    this(
+        name,
+        home,
+        scene,
+        seed,
+        broker,
+        jadePort,
+        gui,
+        storyDirectory,
+        dataDirectory,
+        Objective.CHEAPEST);
+  }
+
+  public SiteSettings withAllocation(Objective other) {
+    return new SiteSettings(
+        name, home, scene, seed, broker, jadePort, gui, storyDirectory, dataDirectory, other);
+  }
 
   /** Of a site that remembers nothing. */
   public SiteSettings(

@@ -16,6 +16,7 @@ import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.launch.picture.TopView;
 import org.maestro.ontology.home.Home;
+import org.maestro.planning.Objective;
 import org.maestro.platform.GoalReport;
 import org.maestro.sim.Scene;
 import org.maestro.sim.SimulationException;
@@ -63,6 +64,16 @@ final class DemoCommand implements Callable<Integer> {
       description = "Of all chance in the world; default ${DEFAULT-VALUE}.")
   private long seed;
 
+  @Option(
+      names = "--allocation",
+      paramLabel = "WAY",
+      defaultValue = "cheapest",
+      converter = Allocation.class,
+      description =
+          "Who gets which steps: cheapest, or earliest for the plan that is over first; default"
+              + " ${DEFAULT-VALUE}.")
+  private Objective allocation;
+
   @Option(names = "--json", description = "Print one JSON document instead of the story.")
   private boolean json;
 
@@ -99,14 +110,15 @@ final class DemoCommand implements Callable<Integer> {
     RuntimeDirectory directory = RuntimeDirectory.ofUser();
     SiteSettings settings =
         new SiteSettings(
-            NAME,
-            home,
-            Optional.of(truth),
-            seed,
-            Optional.empty(),
-            0,
-            false,
-            Optional.of(directory.beginStories(NAME)));
+                NAME,
+                home,
+                Optional.of(truth),
+                seed,
+                Optional.empty(),
+                0,
+                false,
+                Optional.of(directory.beginStories(NAME)))
+            .withAllocation(allocation);
     try (LocalSite site = LocalSite.paced(settings, speed)) {
       Optional<Duration> lowerBound = lowerBound(site, home, goal);
       TopView view = new TopView(home, site.world());

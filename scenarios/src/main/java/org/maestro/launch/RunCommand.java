@@ -11,6 +11,7 @@ import java.util.regex.Pattern;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.ontology.home.Home;
+import org.maestro.planning.Objective;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -80,6 +81,16 @@ final class RunCommand implements Callable<Integer> {
       description = "Of the platform; default ${DEFAULT-VALUE}.")
   private String name;
 
+  @Option(
+      names = "--allocation",
+      paramLabel = "WAY",
+      defaultValue = "cheapest",
+      converter = Allocation.class,
+      description =
+          "Who gets which steps: cheapest, or earliest for the plan that is over first; default"
+              + " ${DEFAULT-VALUE}.")
+  private Objective allocation;
+
   @Override
   public Integer call() throws InterruptedException {
     check();
@@ -100,17 +111,18 @@ final class RunCommand implements Callable<Integer> {
     Optional<URI> bus = broker.map(Endpoint::broker);
     SiteSettings settings =
         new SiteSettings(
-            name,
-            loaded,
-            sceneName.map(s -> Shipped.scene(s, loaded)),
-            seed,
-            bus,
-            port,
-            gui,
-            Optional.of(
-                data.map(kept -> directory.beginStories(kept.resolve("stories")))
-                    .orElseGet(() -> directory.beginStories(name))),
-            data);
+                name,
+                loaded,
+                sceneName.map(s -> Shipped.scene(s, loaded)),
+                seed,
+                bus,
+                port,
+                gui,
+                Optional.of(
+                    data.map(kept -> directory.beginStories(kept.resolve("stories")))
+                        .orElseGet(() -> directory.beginStories(name))),
+                data)
+            .withAllocation(allocation);
     LocalSite site = LocalSite.paced(settings, speed);
     directory.add(
         new RuntimeDirectory.Running(
