@@ -157,7 +157,10 @@ final class PlanningRound {
   /** A fault of the planner's own ends the goal with a reason; it must not leave it without end. */
   private PlanningResult planned(PlanningTask task) {
     try {
-      return ports.planner().plan(task);
+      // Nobody is told why something cannot be seen.
+      return subject.confirmation().isPresent()
+          ? ports.planner().solve(task)
+          : ports.planner().plan(task);
     } catch (RuntimeException e) {
       LOG.error("Planning for {} failed", subject.goalId(), e);
       return new PlanningResult.GaveUp("The planner failed; its log says why.");

@@ -20,6 +20,7 @@ import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.OptimalPlanner;
+import org.maestro.planning.TieredPlanner;
 import org.maestro.rats.link.BusLink;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.time.SteppedClock;
@@ -40,6 +41,10 @@ public final class AgentlessSite implements AutoCloseable {
   private static final String SITE = "agentless";
   private static final String CONTROLLER = "maestro";
   private static final Duration DECISION = Duration.ofMillis(20);
+
+  /** Much is tried here in a short time: what is larger than this is given up, and said so. */
+  private static final int MOST_STATES = 20_000;
+
   private static final Duration OPENING = Duration.ofSeconds(60);
 
   private final Deque<AutoCloseable> parts = new ArrayDeque<>();
@@ -66,7 +71,7 @@ public final class AgentlessSite implements AutoCloseable {
         new Coordinator(
             new Ports(
                 knowledge,
-                new OptimalPlanner(),
+                new TieredPlanner(new OptimalPlanner(MOST_STATES)),
                 new LinkMarket(deputies, link),
                 new LinkCrew(deputies, link),
                 new InTurn(clock),

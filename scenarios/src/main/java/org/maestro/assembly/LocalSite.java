@@ -62,6 +62,7 @@ public final class LocalSite implements AutoCloseable {
   private final Optional<URI> broker;
   private final Function<String, Transport> transports;
   private Optional<SimulatedHome> simulated = Optional.empty();
+  private Optional<InProcessBus> bus = Optional.empty();
   private MaestroPlatform platform;
 
   private LocalSite(
@@ -80,9 +81,9 @@ public final class LocalSite implements AutoCloseable {
   /** On the stepped clock, over the bus within the process: the same seed gives the same run. */
   public static LocalSite stepped(SiteSettings settings) {
     SteppedClock clock = new SteppedClock();
-    LocalSite site =
-        new LocalSite(
-            settings, clock, clock::runUntil, Optional.empty(), new InProcessBus(clock)::client);
+    InProcessBus bus = new InProcessBus(clock);
+    LocalSite site = new LocalSite(settings, clock, clock::runUntil, Optional.empty(), bus::client);
+    site.bus = Optional.of(bus);
     return site.opened(DECISION_ON_STEPPED_CLOCK, STEPPED_OPENING);
   }
 
@@ -217,6 +218,12 @@ public final class LocalSite implements AutoCloseable {
   /** Of the bus; empty when it lives within the process. */
   public Optional<URI> broker() {
     return broker;
+  }
+
+  /** The bus within the process, to disturb it. */
+  public InProcessBus bus() {
+    return bus.orElseThrow(
+        () -> new SiteException("The site %s is on a real bus.".formatted(settings.name())));
   }
 
   /** The simulated devices and the world they live in. */

@@ -65,7 +65,7 @@ final class FloorDraft {
   }
 
   private void drawRooms() {
-    int count = chance.whole(1, 6);
+    int count = chance.oneOf(List.of(1, 2, 2, 2, 3, 3, 3, 4, 4, 5, 6));
     int columns = count <= 3 ? count : (count + 1) / 2;
     double[] widths = new double[columns];
     for (int column = 0; column < columns; column++) {

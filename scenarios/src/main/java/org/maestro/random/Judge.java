@@ -8,7 +8,6 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Supplier;
-import org.maestro.coordination.GoalOutcome;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Substitution;
 
@@ -69,29 +68,29 @@ final class Judge {
     }
   }
 
-  Verdict of(Formula goal, GoalOutcome outcome, Duration now) {
-    return outcome.reached() ? achieved(goal, outcome) : failed(goal, outcome, now);
+  Verdict of(Formula goal, Claim claim, Duration now) {
+    return claim.reached() ? achieved(goal, claim) : failed(goal, claim, now);
   }
 
-  private Verdict achieved(Formula goal, GoalOutcome outcome) {
-    Formula bound = new Substitution(outcome.binding()).apply(goal);
+  private Verdict achieved(Formula goal, Claim claim) {
+    Formula bound = new Substitution(claim.binding()).apply(goal);
     recent.addLast(present.get());
     Truths.Grade best =
         recent.stream()
             .map(moment -> new Truths(moment, site).of(bound))
             .reduce(Truths.Grade.FALSE, Truths.Grade::or);
     return switch (best) {
-      case TRUE -> verdict(outcome, Verdict.Kind.ACHIEVED, "");
-      case CLOSE -> verdict(outcome, Verdict.Kind.ACHIEVED_CLOSELY, "");
+      case TRUE -> verdict(claim, Verdict.Kind.ACHIEVED, "");
+      case CLOSE -> verdict(claim, Verdict.Kind.ACHIEVED_CLOSELY, "");
       case FALSE ->
           verdict(
-              outcome,
+              claim,
               Verdict.Kind.FALSELY_ACHIEVED,
               "it is not so, nor was it in the last " + NEWS.toSeconds() + " s");
     };
   }
 
-  private Verdict failed(Formula goal, GoalOutcome outcome, Duration now) {
+  private Verdict failed(Formula goal, Claim claim, Duration now) {
     Moment moment = present.get();
     Set<String> usable = new TreeSet<>(moment.alive());
     usable.removeAll(cut);
@@ -100,23 +99,15 @@ final class Judge {
             changedAt.containsKey(device)
                 && now.minus(changedAt.get(device)).compareTo(SETTLED.plus(slowest)) < 0);
     if (!new Possibilities(site, moment, usable).canBe(goal)) {
-      return verdict(outcome, Verdict.Kind.IMPOSSIBLE, "");
+      return verdict(claim, Verdict.Kind.IMPOSSIBLE, "");
     }
     if (now.minus(lastFault).compareTo(NEWS.plus(slowest)) < 0) {
-      return verdict(outcome, Verdict.Kind.TOO_LATE_TO_KNOW, "");
+      return verdict(claim, Verdict.Kind.TOO_LATE_TO_KNOW, "");
     }
-    return verdict(outcome, Verdict.Kind.FALSELY_IMPOSSIBLE, "it can be done with " + usable);
+    return verdict(claim, Verdict.Kind.FALSELY_IMPOSSIBLE, "it can be done with " + usable);
   }
 
-  static Verdict withoutEnd(String goal) {
-    return new Verdict(goal, Verdict.Kind.WITHOUT_END, "", "it never ended");
-  }
-
-  private static Verdict verdict(GoalOutcome outcome, Verdict.Kind kind, String reason) {
-    String claim =
-        outcome.reached()
-            ? "reached" + (outcome.confirmed() ? "" : ", not seen") + " " + outcome.binding()
-            : "not reached: " + String.join(" ", outcome.reasons());
-    return new Verdict(outcome.goal(), kind, claim, reason);
+  private static Verdict verdict(Claim claim, Verdict.Kind kind, String reason) {
+    return new Verdict(claim.goal(), kind, claim.toString(), reason);
   }
 }

@@ -163,7 +163,7 @@ public final class RandomHomes {
   }
 
   private void bodies() {
-    int robots = chance.whole(1, 3);
+    int robots = chance.oneOf(List.of(1, 1, 1, 2, 2, 3));
     for (String name : ROBOTS.subList(0, robots)) {
       String speed = number(chance.number(0.4, 1.2));
       String payload = number(chance.number(0.3, 0.9));

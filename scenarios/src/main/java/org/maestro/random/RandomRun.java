@@ -3,12 +3,14 @@ package org.maestro.random;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.BiFunction;
 import org.maestro.assembly.AgentlessSite;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.assembly.LocalSite;
+import org.maestro.assembly.SiteSettings;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.sim.Scene;
@@ -17,6 +19,7 @@ import org.maestro.sim.SceneLoader;
 /**
  * One random home, its goals pursued while its faults strike, and every claim judged.
  *
+ * @param verdicts one for each goal, in the goals' order
  * @param story of all goals, line by line: the same for the same seed
  */
 public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> story) {
@@ -24,55 +27,72 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
 
   /** Runs without agents. */
   public static RandomRun withoutAgents(RandomHome random) {
+    return run(
+        random,
+        (home, scene) -> new ArenaWithoutAgents(AgentlessSite.start(home, scene, random.seed())));
+  }
+
+  /** The same with the whole platform. */
+  public static RandomRun withAgents(RandomHome random) {
+    return run(
+        random,
+        (home, scene) ->
+            new ArenaWithAgents(
+                LocalSite.stepped(
+                    new SiteSettings(
+                        random.name(),
+                        home,
+                        Optional.of(scene),
+                        random.seed(),
+                        Optional.empty(),
+                        0,
+                        false,
+                        Optional.empty()))));
+  }
+
+  private static RandomRun run(RandomHome random, BiFunction<Home, Scene, Arena> arenas) {
     Home home = new HomeLoader().load(random.homeText(), random.name() + ".ttl");
     Scene scene =
         SceneLoader.load(
             random.name(),
             new ByteArrayInputStream(random.sceneText().getBytes(StandardCharsets.UTF_8)),
             home);
-    Site judged = new Site(home, scene);
-    try (AgentlessSite site = AgentlessSite.start(home, scene, random.seed())) {
-      Judge judge = new Judge(judged, () -> Moment.of(site.world(), judged, site.clock().now()));
-      for (Fault fault : random.faults()) {
-        site.clock()
-            .schedule(
-                fault.at(),
-                "fault",
-                () -> {
-                  fault.strike(site.world(), site.bus(), site.clock());
-                  judge.struck(fault, site.clock().now());
-                });
-      }
-      Map<String, Verdict> verdicts = new LinkedHashMap<>();
-      for (String goal : random.goals()) {
-        site.pursue(
+    Site site = new Site(home, scene);
+    try (Arena arena = arenas.apply(home, scene)) {
+      Judge judge = new Judge(site, () -> Moment.of(arena.world(), site, arena.clock().now()));
+      random.faults().forEach(fault -> prepare(fault, arena, judge));
+      Map<Integer, Verdict> verdicts = new TreeMap<>();
+      for (int i = 0; i < random.goals().size(); i++) {
+        String goal = random.goals().get(i);
+        int number = i;
+        arena.pursue(
             goal,
-            outcome ->
-                verdicts.put(
-                    outcome.id(), judge.of(site.parsed(goal), outcome, site.clock().now())));
+            claim ->
+                verdicts.put(number, judge.of(arena.parsed(goal), claim, arena.clock().now())));
       }
-      site.runUntil(
+      arena.runUntil(
           () -> {
-            judge.timePassed(site.clock().now());
+            judge.timePassed(arena.clock().now());
             return verdicts.size() == random.goals().size();
           },
           LONGEST);
-      List<Verdict> all = new ArrayList<>(verdicts.values());
-      if (all.size() < random.goals().size()) {
-        site.coordinator().goals().stream()
-            .filter(goal -> !goal.state().isFinal())
-            .forEach(goal -> all.add(Judge.withoutEnd(goal + "")));
+      for (int i = 0; i < random.goals().size(); i++) {
+        verdicts.putIfAbsent(i, Verdict.withoutEnd(random.goals().get(i)));
       }
-      return new RandomRun(random, all, lines(site.story()));
+      return new RandomRun(random, List.copyOf(verdicts.values()), arena.story());
     }
   }
 
-  private static List<String> lines(List<StoryEntry> story) {
-    return story.stream()
-        .map(
-            entry ->
-                "%s %.3f %s".formatted(entry.goalId(), entry.at().toNanos() / 1e9, entry.text()))
-        .toList();
+  private static void prepare(Fault fault, Arena arena, Judge judge) {
+    arena
+        .clock()
+        .schedule(
+            fault.at(),
+            "fault",
+            () -> {
+              fault.strike(arena.world(), arena.bus(), arena.clock());
+              judge.struck(fault, arena.clock().now());
+            });
   }
 
   /** Whether no claim was false. */
@@ -82,13 +102,21 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
 
   /** Everything that is needed to understand it, and how to see it again. */
   public String text() {
-    return "%s%nfaults %s%n%s%n%s%n%s%nAgain: -Dmaestro.seed=%d"
+    return """
+        Seed %d claims what is not so. To see it again: mvn test -pl scenarios -am \
+        -Dtest=RandomHomesTest -Dsurefire.failIfNoSpecifiedTests=false -Dmaestro.seed=%d
+        %s
+        %s
+        %s
+        %s
+        %s"""
         .formatted(
-            home.homeText(),
-            home.faults(),
-            home.sceneText(),
-            String.join("\n", story),
+            home.seed(),
+            home.seed(),
             verdicts,
-            home.seed());
+            home.faults(),
+            String.join("\n", story),
+            home.sceneText(),
+            home.homeText());
   }
 }

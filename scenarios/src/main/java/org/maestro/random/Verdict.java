@@ -17,6 +17,8 @@ public record Verdict(String goal, Kind kind, String claim, String reason) {
     IMPOSSIBLE,
     /** Said to be impossible within moments of a change that nobody could know of yet. */
     TOO_LATE_TO_KNOW,
+    /** Neither said to be impossible nor reached: too large for the planner. */
+    GAVE_UP,
     /** Said to be reached, and it is not. */
     FALSELY_ACHIEVED,
     /** Said to be impossible, and it can be done. */
@@ -27,5 +29,9 @@ public record Verdict(String goal, Kind kind, String claim, String reason) {
     public boolean agrees() {
       return ordinal() <= TOO_LATE_TO_KNOW.ordinal();
     }
+  }
+
+  static Verdict withoutEnd(String goal) {
+    return new Verdict(goal, Kind.WITHOUT_END, "", "it never ended");
   }
 }

@@ -1,0 +1,34 @@
+package org.maestro.random;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import org.maestro.rats.time.Clock;
+import org.maestro.rats.transport.InProcessBus;
+import org.maestro.sim.World;
+import org.maestro.sl.Formula;
+
+/** A site in which a random home comes to life on the stepped clock. For one thread. */
+interface Arena extends AutoCloseable {
+
+  World world();
+
+  InProcessBus bus();
+
+  Clock clock();
+
+  Formula parsed(String goal);
+
+  /**
+   * @param ended told once, on the thread that lets time pass
+   */
+  void pursue(String goal, Consumer<Claim> ended);
+
+  boolean runUntil(BooleanSupplier condition, Duration limit);
+
+  List<String> story();
+
+  @Override
+  void close();
+}

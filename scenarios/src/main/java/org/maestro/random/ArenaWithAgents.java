@@ -1,0 +1,99 @@
+package org.maestro.random;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import org.maestro.assembly.LocalSite;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.rats.time.Clock;
+import org.maestro.rats.transport.InProcessBus;
+import org.maestro.sim.World;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+
+/** The whole platform with its agents. */
+final class ArenaWithAgents implements Arena {
+  private final LocalSite site;
+  private final List<String> story = new CopyOnWriteArrayList<>();
+
+  /** Agents report on threads of their own; it is told where time passes. */
+  private final Queue<Runnable> reports = new ConcurrentLinkedQueue<>();
+
+  ArenaWithAgents(LocalSite site) {
+    this.site = site;
+    site.platform().onStory(entry -> story.add(ArenaWithoutAgents.line(entry)));
+  }
+
+  @Override
+  public World world() {
+    return site.world();
+  }
+
+  @Override
+  public InProcessBus bus() {
+    return site.bus();
+  }
+
+  @Override
+  public Clock clock() {
+    return site.clock();
+  }
+
+  @Override
+  public Formula parsed(String goal) {
+    return SlParser.formula(
+        goal,
+        name ->
+            site.platform()
+                .knowledge()
+                .home()
+                .vocabulary()
+                .predicate(name)
+                .filter(PredicateDeclaration::fluent)
+                .isPresent());
+  }
+
+  @Override
+  public void pursue(String goal, Consumer<Claim> ended) {
+    site.platform()
+        .pursue(
+            parsed(goal),
+            id -> {},
+            report ->
+                reports.add(
+                    () ->
+                        ended.accept(
+                            new Claim(
+                                goal,
+                                report.reached(),
+                                report.confirmed(),
+                                report.binding(),
+                                report.reasons()))));
+  }
+
+  @Override
+  public boolean runUntil(BooleanSupplier condition, Duration limit) {
+    return site.runUntil(
+        () -> {
+          for (Runnable report = reports.poll(); report != null; report = reports.poll()) {
+            report.run();
+          }
+          return condition.getAsBoolean();
+        },
+        limit);
+  }
+
+  @Override
+  public List<String> story() {
+    return List.copyOf(story);
+  }
+
+  @Override
+  public void close() {
+    site.close();
+  }
+}

@@ -1,0 +1,69 @@
+package org.maestro.random;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import org.maestro.assembly.AgentlessSite;
+import org.maestro.coordination.StoryEntry;
+import org.maestro.rats.time.Clock;
+import org.maestro.rats.transport.InProcessBus;
+import org.maestro.sim.World;
+import org.maestro.sl.Formula;
+
+/** The heart alone. */
+record ArenaWithoutAgents(AgentlessSite site) implements Arena {
+
+  @Override
+  public World world() {
+    return site.world();
+  }
+
+  @Override
+  public InProcessBus bus() {
+    return site.bus();
+  }
+
+  @Override
+  public Clock clock() {
+    return site.clock();
+  }
+
+  @Override
+  public Formula parsed(String goal) {
+    return site.parsed(goal);
+  }
+
+  @Override
+  public void pursue(String goal, Consumer<Claim> ended) {
+    site.pursue(
+        goal,
+        outcome ->
+            ended.accept(
+                new Claim(
+                    goal,
+                    outcome.reached(),
+                    outcome.confirmed(),
+                    outcome.binding(),
+                    outcome.reasons())));
+  }
+
+  @Override
+  public boolean runUntil(BooleanSupplier condition, Duration limit) {
+    return site.runUntil(condition, limit);
+  }
+
+  @Override
+  public List<String> story() {
+    return site.story().stream().map(ArenaWithoutAgents::line).toList();
+  }
+
+  static String line(StoryEntry entry) {
+    return "%s %.3f %s".formatted(entry.goalId(), entry.at().toNanos() / 1e9, entry.text());
+  }
+
+  @Override
+  public void close() {
+    site.close();
+  }
+}
