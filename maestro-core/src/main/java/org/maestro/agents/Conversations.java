@@ -1,7 +1,6 @@
 package org.maestro.agents;
 
 import jade.core.AID;
-import jade.core.behaviours.CyclicBehaviour;
 import jade.lang.acl.ACLMessage;
 import jade.lang.acl.MessageTemplate;
 import java.time.Duration;
@@ -19,8 +18,7 @@ import org.maestro.rats.time.Clock;
  * or a FAILURE of our own when the time is up. What comes later is told apart from other mail for a
  * while. Agent thread only.
  */
-final class Conversations extends CyclicBehaviour {
-  private static final long serialVersionUID = 1L;
+final class Conversations {
   private static final int REMEMBERED = 256;
 
   private static final class Open {
@@ -55,7 +53,6 @@ final class Conversations extends CyclicBehaviour {
   private int number;
 
   Conversations(MaestroAgent agent, Clock clock) {
-    super(agent);
     this.agent = agent;
     this.clock = clock;
   }
@@ -129,7 +126,7 @@ final class Conversations extends CyclicBehaviour {
 
   void leave(String id) {
     adopted.remove(id);
-    restart();
+    agent.wake();
   }
 
   private static AID partner(ACLMessage request) {
@@ -180,8 +177,8 @@ final class Conversations extends CyclicBehaviour {
     return open.size() + adopted.size();
   }
 
-  @Override
-  public void action() {
+  /** Takes one message; returns whether there was one. */
+  boolean step() {
     ACLMessage message =
         agent.receive(
             new MessageTemplate(
@@ -189,19 +186,19 @@ final class Conversations extends CyclicBehaviour {
                     isFromPartner(open.get(String.valueOf(m.getConversationId())), m)
                         || isLate(m)));
     if (message == null) {
-      block();
-      return;
+      return false;
     }
     String id = message.getConversationId();
     Open conversation = open.get(id);
     if (conversation == null) {
       agent.work(() -> ended.get(id).late.accept(message));
-      return;
+      return true;
     }
     if (!conversation.lasting && isFinal(message)) {
       close(id);
     }
     agent.work(() -> conversation.listener.accept(message));
+    return true;
   }
 
   private void timedOut(String id, Open conversation, Clock.Timer timer, Duration timeout) {

@@ -1,6 +1,5 @@
 package org.maestro.agents;
 
-import jade.core.behaviours.CyclicBehaviour;
 import java.time.Duration;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -9,9 +8,7 @@ import org.maestro.agents.stepping.WorkTickets;
 import org.maestro.rats.time.Clock;
 
 /** Work handed to an agent by other threads, done on the agent's own, in order of arrival. */
-final class Inbox extends CyclicBehaviour {
-  private static final long serialVersionUID = 1L;
-
+final class Inbox {
   private record Work(Runnable action, Clock.Ticket ticket) {}
 
   private final transient Queue<Work> queue = new ConcurrentLinkedQueue<>();
@@ -21,7 +18,6 @@ final class Inbox extends CyclicBehaviour {
   private final transient IdleDetector idleDetector;
 
   Inbox(MaestroAgent agent, Clock clock, WorkTickets tickets, IdleDetector idleDetector) {
-    super(agent);
     this.agent = agent;
     this.clock = clock;
     this.tickets = tickets;
@@ -42,22 +38,23 @@ final class Inbox extends CyclicBehaviour {
 
   private void enqueue(Runnable action) {
     queue.add(new Work(action, clock.hold("the inbox of " + agent.getLocalName())));
-    restart();
+    agent.wake();
   }
 
-  @Override
-  public void action() {
+  boolean hasWork() {
+    return !queue.isEmpty();
+  }
+
+  /** Does one thing; returns whether there was one. Agent thread only. */
+  boolean step() {
     Work work = queue.poll();
     if (work == null) {
-      block();
-      if (!queue.isEmpty()) {
-        restart();
-      }
-      return;
+      return false;
     }
     tickets.taken(work.ticket());
     idleDetector.restart();
     agent.work(work.action());
+    return true;
   }
 
   /** The agent ends: nobody will do what is left. */

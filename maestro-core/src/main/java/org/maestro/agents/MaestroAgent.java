@@ -5,12 +5,12 @@ import jade.core.Agent;
 import jade.core.MessageQueue;
 import jade.core.ServiceException;
 import jade.core.behaviours.Behaviour;
-import jade.core.behaviours.CyclicBehaviour;
 import jade.domain.FIPANames;
 import jade.lang.acl.ACLMessage;
 import jade.lang.acl.MessageTemplate;
 import java.time.Duration;
 import java.util.Date;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -47,6 +47,7 @@ public abstract class MaestroAgent extends Agent {
   private final transient Conversations conversations;
   private final transient Protest protest;
   private final transient Inbox inbox;
+  private final transient Reception reception;
   private final transient CountDownLatch started = new CountDownLatch(1);
 
   protected MaestroAgent(AgentTime time) {
@@ -56,6 +57,25 @@ public abstract class MaestroAgent extends Agent {
     this.conversations = new Conversations(this, time.clock());
     this.protest = new Protest(this);
     this.inbox = new Inbox(this, time.clock(), tickets, idleDetector);
+    this.reception =
+        new Reception(
+            this,
+            List.of(inbox::step, conversations::step, new Mail()::step),
+            inbox::hasWork,
+            this::settled);
+  }
+
+  /** Where time is paced nobody waits until the agent is idle, but for its start. */
+  private void settled() {
+    if (!clock().isStepped()) {
+      tickets.idle();
+      started.countDown();
+    }
+  }
+
+  /** Has the agent look for work. Any thread may call. */
+  final void wake() {
+    reception.restart();
   }
 
   @Override
@@ -65,7 +85,9 @@ public abstract class MaestroAgent extends Agent {
 
   @Override
   public void addBehaviour(Behaviour behaviour) {
-    idleDetector.added(behaviour);
+    if (clock().isStepped()) {
+      idleDetector.added(behaviour);
+    }
     super.addBehaviour(behaviour);
   }
 
@@ -114,10 +136,10 @@ public abstract class MaestroAgent extends Agent {
   protected void setup() {
     tickets.taken(time.clock().hold("the start of " + getLocalName()));
     time.mail().ifPresent(this::joinMail);
-    super.addBehaviour(idleDetector);
-    addBehaviour(inbox);
-    addBehaviour(conversations);
-    addBehaviour(new Mail());
+    if (clock().isStepped()) {
+      super.addBehaviour(idleDetector);
+    }
+    addBehaviour(reception);
   }
 
   private void joinMail(SteppedMail mail) {
@@ -161,7 +183,7 @@ public abstract class MaestroAgent extends Agent {
     conversations.ask(request, patience(timeout), reply);
   }
 
-  /** How many behaviours this agent has now. For its own thread. */
+  /** How many behaviours this agent has now, counted on a stepped clock only. */
   final int behaviourCount() {
     return idleDetector.behaviourCount();
   }
@@ -201,19 +223,16 @@ public abstract class MaestroAgent extends Agent {
   }
 
   /** Messages that are neither replies to our requests nor part of a contract net under way. */
-  private final class Mail extends CyclicBehaviour {
-    private static final long serialVersionUID = 1L;
-    private final transient MessageTemplate template =
+  private final class Mail {
+    private final MessageTemplate template =
         new MessageTemplate(m -> !conversations.isOurs(m) && !expects(m));
 
-    @Override
-    public void action() {
+    boolean step() {
       ACLMessage message = receive(template);
-      if (message == null) {
-        block();
-      } else {
+      if (message != null) {
         sort(message);
       }
+      return message != null;
     }
 
     private void sort(ACLMessage message) {

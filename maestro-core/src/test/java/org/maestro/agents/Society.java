@@ -78,6 +78,10 @@ final class Society implements AutoCloseable {
     controllers.put(name, BareJade.start(where, name, agent));
   }
 
+  void start(String name, MaestroAgent agent) {
+    start(container, name, agent);
+  }
+
   Actor add(String member, Actor.Part part) {
     return add(container, member, part);
   }

@@ -39,7 +39,8 @@ public final class WorkTickets {
     taken.add(ticket);
   }
 
-  synchronized void idle() {
+  /** Nothing that was taken is being worked on any more. */
+  public synchronized void idle() {
     taken.forEach(Clock.Ticket::close);
     taken.clear();
   }
