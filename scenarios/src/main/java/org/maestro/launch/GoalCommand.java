@@ -11,6 +11,9 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.Words;
@@ -28,12 +31,20 @@ import picocli.CommandLine.Spec;
 @Command(name = "goal", description = "Ask a running platform for a goal and follow it live.")
 final class GoalCommand implements Callable<Integer> {
   private static final Duration NO_END = Duration.ofDays(365);
+  private static final int LOOK_AGAIN_SECONDS = 2;
 
   @Spec private CommandSpec spec;
   @Mixin private PlatformOptions platform;
 
-  @Parameters(paramLabel = "GOAL", description = "In MAESTRO-SL, such as \"(nextTo Cup Bob)\".")
+  @Parameters(
+      paramLabel = "GOAL",
+      description = "In MAESTRO-SL, such as \"(nextTo Cup Bob)\"; with --follow, an id such as G1.")
   private String goal;
+
+  @Option(
+      names = "--follow",
+      description = "Follow a goal that was stated before, also before a restart.")
+  private boolean stated;
 
   @Option(
       names = "--priority",
@@ -48,11 +59,14 @@ final class GoalCommand implements Callable<Integer> {
       description = "Simulated seconds from now by which it has to be reached; else it fails.")
   private Optional<Double> deadlineSeconds = Optional.empty();
 
+  private volatile String id = "";
+
   @Option(names = "--json", description = "Print one JSON document instead of the story.")
   private boolean json;
 
   @Override
   public Integer call() {
+    Endpoint endpoint = platform.endpoint();
     CompletableFuture<ACLMessage> ended = new CompletableFuture<>();
     try (JoinedContainer container = platform.join()) {
       container
@@ -70,7 +84,7 @@ final class GoalCommand implements Callable<Integer> {
                 }
               },
               request());
-      ACLMessage reply = ended.join();
+      ACLMessage reply = reply(ended, endpoint);
       if (reply.getPerformative() == ACLMessage.NOT_UNDERSTOOD
           || reply.getPerformative() == ACLMessage.REFUSE) {
         throw CommandException.badInput(Reply.reason(Reply.words(reply)));
@@ -83,7 +97,27 @@ final class GoalCommand implements Callable<Integer> {
     }
   }
 
+  private ACLMessage reply(CompletableFuture<ACLMessage> ended, Endpoint endpoint) {
+    while (true) {
+      try {
+        return ended.get(LOOK_AGAIN_SECONDS, TimeUnit.SECONDS);
+      } catch (TimeoutException e) {
+        if (!platform.isStillAt(endpoint)) {
+          throw CommandException.outside(
+              "The platform has ended before the goal did; if it keeps its goals (run --data), start it again, and ./maestro goal --follow %s tells how it ends."
+                  .formatted(id.isEmpty() ? "GOAL" : id));
+        }
+      } catch (InterruptedException | ExecutionException e) {
+        Thread.currentThread().interrupt();
+        throw CommandException.outside("The goal is not followed any more.", e);
+      }
+    }
+  }
+
   private Content request() {
+    if (stated) {
+      return Words.content("await", Words.named("goal", Words.name(goal)));
+    }
     List<Content.Argument> arguments = new ArrayList<>();
     arguments.add(Words.named("goal", Words.text(goal)));
     if (priority != 0) {
@@ -95,7 +129,7 @@ final class GoalCommand implements Callable<Integer> {
   }
 
   private void follow(JoinedContainer container, ACLMessage agreed) {
-    String id = Reply.words(agreed).get(0).string("goal").orElse("");
+    id = Reply.words(agreed).get(0).string("goal").orElse("");
     PrintWriter out = spec.commandLine().getOut();
     if (!json) {
       out.println(id + ": " + goal);

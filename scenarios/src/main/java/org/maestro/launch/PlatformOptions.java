@@ -27,6 +27,14 @@ final class PlatformOptions {
     return main.isPresent() || !RuntimeDirectory.ofUser().running().isEmpty();
   }
 
+  /** Whether the platform that was found there still runs. */
+  boolean isStillAt(Endpoint endpoint) {
+    return main.isPresent()
+        ? endpoint.answers()
+        : RuntimeDirectory.ofUser().running().stream()
+            .anyMatch(running -> running.port() == endpoint.port());
+  }
+
   Endpoint endpoint() {
     return main.map(Endpoint::parse).orElseGet(() -> new Endpoint(LOOPBACK, found().port()));
   }

@@ -167,7 +167,9 @@ final class RunCommand implements Callable<Integer> {
         site.platform().agents().size(),
         site.platform().port(),
         site.broker().map(URI::toString).orElse("no port"));
-    data.ifPresent(kept -> out.println("Goals and their stories are kept in " + kept + "."));
+    out.println(
+        data.map(kept -> "Goals and their stories are kept in " + kept + ".")
+            .orElse("Goals end with this process; --data DIR keeps them over a restart."));
     out.println("In another terminal: ./maestro goal \"(nextTo Cup Bob)\"   Stop with Ctrl-C.");
     out.flush();
   }
