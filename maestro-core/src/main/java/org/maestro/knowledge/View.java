@@ -150,9 +150,14 @@ final class View implements Snapshot {
   }
 
   private static double chanceStill(Held held, Instant now) {
-    double good = Duration.between(held.since(), held.expires()).toMillis();
-    double age = Math.max(0, Duration.between(held.since(), now).toMillis());
+    double good = seconds(Duration.between(held.since(), held.expires()));
+    double age = Math.max(0, seconds(Duration.between(held.since(), now)));
     return good > 0 ? good / (good + age) : 0;
+  }
+
+  /** What was remembered over a restart may be good for longer than milliseconds can count. */
+  private static double seconds(Duration duration) {
+    return duration.getSeconds() + duration.getNano() / 1e9;
   }
 
   @Override
