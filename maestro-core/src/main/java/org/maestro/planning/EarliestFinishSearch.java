@@ -146,7 +146,7 @@ final class EarliestFinishSearch {
       adds[i] = placesOf(StepOrder.added(operator));
       reads[i] = placesOf(StepOrder.reads(operator));
       senses[i] = PlanTime.senses(operator.feature().type().effect());
-      if (!relaxed.settings().settingsOf(operator).isEmpty()) {
+      if (relaxed.settings().settingOf(operator).isPresent()) {
         least = Math.min(least, leastSeconds(operator));
       }
       for (int j = 0; j <= i; j++) {

@@ -71,7 +71,7 @@ final class RelaxedProblem {
         operators.stream()
             .mapToDouble(
                 operator ->
-                    settings.settingsOf(operator).stream().anyMatch(prices::paysFor)
+                    settings.settingOf(operator).filter(prices::paysFor).isPresent()
                         ? 0
                         : settings.leastCost(operator, problem.initial().numbers()))
             .toArray();
@@ -245,8 +245,10 @@ final class RelaxedProblem {
 
   /** Whether the operator is paid for where it helps to reach a threshold of a sum. */
   boolean isPaidForByThreshold(int operator) {
-    return settings.settingsOf(problem.operators().get(operator)).stream()
-        .anyMatch(prices::paysFor);
+    return settings
+        .settingOf(problem.operators().get(operator))
+        .filter(prices::paysFor)
+        .isPresent();
   }
 
   boolean[] truths(State state) {

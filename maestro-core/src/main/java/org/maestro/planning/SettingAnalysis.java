@@ -1,27 +1,24 @@
 package org.maestro.planning;
 
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 
 /** Finds the settings of a problem and the sums of them. */
 final class SettingAnalysis {
   private final Map<Setting, List<Operator>> settings = new LinkedHashMap<>();
+  private final Set<NumberVariable> variables = new HashSet<>();
+  private final Map<Operator, Setting> settingOf = new HashMap<>();
   private final Map<NumberVariable, SettingSum> sums = new LinkedHashMap<>();
 
   SettingAnalysis(GroundProblem problem) {
     NumberVector initial = problem.initial().numbers();
-    Map<NumberVariable, List<Operator>> changing = new LinkedHashMap<>();
-    for (NumberVariable number : problem.numbers()) {
-      List<Operator> operators =
-          problem.operators().stream()
-              .filter(o -> o.changes().stream().anyMatch(c -> c.target() == number))
-              .toList();
-      if (!operators.isEmpty()) {
-        changing.put(number, operators);
-      }
-    }
+    Map<NumberVariable, List<Operator>> changing = changing(problem);
     changing.forEach(
         (number, operators) -> {
           Setting setting = Setting.of(number, operators, initial);
@@ -30,43 +27,54 @@ final class SettingAnalysis {
           }
         });
     dropSharedOperators();
+    settings.forEach(
+        (setting, operators) -> {
+          variables.add(setting.variable());
+          operators.forEach(operator -> settingOf.put(operator, setting));
+        });
     changing.forEach(
         (number, operators) -> {
           SettingSum sum =
-              settings.keySet().stream().anyMatch(s -> s.variable() == number)
-                  ? null
-                  : SettingSum.of(number, operators, settings, initial);
+              isSetting(number) ? null : SettingSum.of(number, operators, settings, initial);
           if (sum != null) {
             sums.put(number, sum);
           }
         });
   }
 
+  /** The operators that change each number, in the order of the problem's numbers. */
+  private static Map<NumberVariable, List<Operator>> changing(GroundProblem problem) {
+    Map<NumberVariable, List<Operator>> changing = new LinkedHashMap<>();
+    problem.numbers().forEach(number -> changing.put(number, new ArrayList<>()));
+    for (Operator operator : problem.operators()) {
+      for (Change change : operator.changes()) {
+        List<Operator> operators =
+            change.target() instanceof NumberVariable number ? changing.get(number) : null;
+        if (operators != null
+            && (operators.isEmpty() || operators.get(operators.size() - 1) != operator)) {
+          operators.add(operator);
+        }
+      }
+    }
+    changing.values().removeIf(List::isEmpty);
+    return changing;
+  }
+
   /** An operator that sets two numbers at once would be paid for twice. */
   private void dropSharedOperators() {
-    List<Setting> shared = new ArrayList<>();
-    settings.forEach(
-        (setting, operators) ->
-            settings.forEach(
-                (other, others) -> {
-                  if (setting != other && operators.stream().anyMatch(others::contains)) {
-                    shared.add(setting);
-                  }
-                }));
-    shared.forEach(settings::remove);
+    Map<Operator, Integer> uses = new HashMap<>();
+    settings.values().forEach(all -> all.forEach(o -> uses.merge(o, 1, Integer::sum)));
+    settings.values().removeIf(all -> all.stream().anyMatch(o -> uses.get(o) > 1));
   }
 
   /** Whether the number is always known. */
   boolean isSetting(NumberVariable variable) {
-    return settings.keySet().stream().anyMatch(setting -> setting.variable() == variable);
+    return variables.contains(variable);
   }
 
-  /** The settings that the operator changes: one at most. */
-  List<Setting> settingsOf(Operator operator) {
-    return settings.entrySet().stream()
-        .filter(setting -> setting.getValue().contains(operator))
-        .map(Map.Entry::getKey)
-        .toList();
+  /** The setting that the operator changes, if it changes one. */
+  Optional<Setting> settingOf(Operator operator) {
+    return Optional.ofNullable(settingOf.get(operator));
   }
 
   /** The least that the operator costs in any state. */
@@ -74,16 +82,16 @@ final class SettingAnalysis {
     if (operator.price().cost().isConstant()) {
       return operator.price().cost(initial);
     }
-    for (Setting setting : settingsOf(operator)) {
-      double least = Double.POSITIVE_INFINITY;
-      for (double value : setting.values()) {
-        int index = setting.variable().index();
-        double cost = operator.price().cost(initial.with(index, value));
-        least = cost < least ? cost : least;
-      }
-      return least;
+    Setting setting = settingOf.get(operator);
+    if (setting == null) {
+      return 0;
     }
-    return 0;
+    double least = Double.POSITIVE_INFINITY;
+    for (double value : setting.values()) {
+      double cost = operator.price().cost(initial.with(setting.variable().index(), value));
+      least = cost < least ? cost : least;
+    }
+    return least;
   }
 
   /** The sum that the number is, or null. */
