@@ -76,4 +76,62 @@ class SharedLightTest {
     assertThat(status(dark).waits()).isNotEmpty().allMatch(edge -> edge.holder().equals(look));
     assertThat(status(dark).detail()).contains(look);
   }
+
+  @Test
+  void whatIsKeptForGoodIsNotSpoiledAndTheReasonNamesIt() {
+    String kept = wish("(keep (>= (illuminance zone-b) 30))", 0);
+    house.clock.runUntil(() -> status(kept).state() == GoalState.HOLDING, Duration.ofMinutes(1));
+    String dark = wish("(<= (illuminance zone-b) 20)", 0);
+    house.clock.runUntil(() -> status(dark).state().isFinal(), Duration.ofMinutes(5));
+
+    assertThat(status(dark).state()).as(String.join("\n", house.story)).isEqualTo(GoalState.FAILED);
+    assertThat(status(dark).detail()).contains(kept);
+    assertThat(status(kept).state()).isEqualTo(GoalState.HOLDING);
+    assertThat(house.lux("zone-b")).isGreaterThanOrEqualTo(30);
+  }
+
+  @Test
+  void whoIsMoreImportantThanWhatIsKeptGoesFirstAndThenItIsKeptAgain() {
+    String kept = wish("(keep (>= (illuminance zone-b) 30))", 0);
+    house.clock.runUntil(() -> status(kept).state() == GoalState.HOLDING, Duration.ofMinutes(1));
+    String dark = wish("(<= (illuminance zone-b) 20)", 3);
+    house.clock.runUntil(() -> status(dark).state().isFinal(), Duration.ofMinutes(5));
+
+    assertThat(status(dark).state())
+        .as(String.join("\n", house.story))
+        .isEqualTo(GoalState.ACHIEVED);
+    house.clock.runUntil(() -> status(kept).state() == GoalState.HOLDING, Duration.ofMinutes(5));
+    assertThat(status(kept).state())
+        .as(String.join("\n", house.story))
+        .isEqualTo(GoalState.HOLDING);
+    assertThat(String.join("\n", house.story)).contains(dark + " goes first");
+  }
+
+  @Test
+  void twoKeptWishesThatExcludeEachOtherEndWithAReasonNotInAFight() {
+    String light = wish("(keep (>= (illuminance zone-b) 30))", 0);
+    house.clock.runUntil(() -> status(light).state() == GoalState.HOLDING, Duration.ofMinutes(1));
+    String dark = wish("(keep (<= (illuminance zone-b) 20))", 0);
+    house.clock.run(Duration.ofMinutes(2));
+
+    assertThat(status(light).state()).isEqualTo(GoalState.HOLDING);
+    assertThat(status(dark).state())
+        .as(String.join("\n", house.story))
+        .isNotEqualTo(GoalState.HOLDING);
+    assertThat(status(dark).detail()).contains(light);
+    assertThat(house.calls).filteredOn(c -> c.startsWith("adjustLight")).hasSizeLessThan(4);
+  }
+
+  @Test
+  void twoSuchWishesAtOnceDoNotFightEither() {
+    String light = wish("(keep (>= (illuminance zone-b) 30))", 0);
+    String dark = wish("(keep (<= (illuminance zone-b) 20))", 0);
+    house.clock.run(Duration.ofMinutes(5));
+
+    assertThat(house.calls)
+        .as(String.join("\n", house.story))
+        .filteredOn(c -> c.startsWith("adjustLight"))
+        .hasSizeLessThan(6);
+    assertThat(status(light).detail() + status(dark).detail()).containsAnyOf(light, dark);
+  }
 }
