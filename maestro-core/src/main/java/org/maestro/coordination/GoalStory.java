@@ -274,7 +274,9 @@ final class GoalStory {
 
   /** Tells it, and returns it as sentences. */
   List<String> searched(SearchReport report) {
-    List<String> told = sentences().search(report);
+    List<String> told =
+        new SearchSentences(new ObstacleSentences(knowledge.home(), knowledge.snapshot()))
+            .of(report);
     told.forEach(text -> tell(StoryEntry.Kind.SEARCHED, text));
     return told;
   }

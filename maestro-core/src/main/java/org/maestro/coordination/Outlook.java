@@ -1,5 +1,6 @@
 package org.maestro.coordination;
 
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -7,12 +8,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.TreeSet;
+import org.maestro.ontology.home.Device;
 import org.maestro.planning.Plan;
 import org.maestro.planning.PlanningTask;
 import org.maestro.planning.PricedFeature;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
+import org.maestro.planning.Unavailable;
 import org.maestro.sl.Term;
 
 /** What is known now, as it looks to one goal: whether it holds, and whether steps lead to it. */
@@ -133,15 +135,22 @@ final class Outlook {
 
   /** What became of the goal's searches. */
   SearchReview searchReview(Roster roster) {
-    Set<String> absent = new TreeSet<>(ports.knowledge().home().devices().keySet());
-    absent.removeIf(roster::isPresent);
+    List<Unavailable> unavailable = new ArrayList<>();
+    for (Device device : ports.knowledge().home().devices().values()) {
+      if (!roster.isPresent(device.id())) {
+        device.features().stream()
+            .map(type -> new PricedFeature(device.id(), type, type.cost(), Map.of()))
+            .map(feature -> new Unavailable(feature, roster.absence(device.id())))
+            .forEach(unavailable::add);
+      }
+    }
     return new SearchReview(
         ports.knowledge().home(),
         ports.knowledge().snapshot(),
         ports.planner(),
         features,
         barred(),
-        absent,
+        unavailable,
         searches,
         ports.clock());
   }

@@ -3,6 +3,7 @@ package org.maestro.coordination;
 import java.time.Duration;
 import java.util.List;
 import java.util.OptionalDouble;
+import org.maestro.planning.PlanningResult.Obstacle;
 
 /**
  * What became of a search that found nothing: everywhere it was looked, and where not, and why.
@@ -44,12 +45,12 @@ public record SearchReport(String predicate, String thing, List<Look> looks, Lis
   /**
    * A place that is open still.
    *
-   * @param details for {@code CONDITION} what stands in the way, in sentences; for {@code
-   *     MEMBERS_LOST} who is missed
+   * @param obstacles what stands in the way of a look, for {@code CONDITION} and {@code
+   *     MEMBERS_LOST}
    */
-  public record Gap(String place, Reason reason, List<String> details) {
+  public record Gap(String place, Reason reason, List<Obstacle> obstacles) {
     public Gap {
-      details = List.copyOf(details);
+      obstacles = List.copyOf(obstacles);
     }
   }
 }

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeSet;
 import org.maestro.knowledge.Belief;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.ontology.home.Device;
@@ -17,11 +16,13 @@ import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.planning.Planner;
 import org.maestro.planning.PlanningResult;
+import org.maestro.planning.PlanningResult.Obstacle;
 import org.maestro.planning.PlanningTask;
 import org.maestro.planning.PricedFeature;
-import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
+import org.maestro.planning.Unavailable;
 import org.maestro.rats.time.Clock;
+import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlPrinter;
@@ -39,13 +40,13 @@ final class SearchReview {
   private final Planner planner;
   private final List<PricedFeature> features;
   private final Set<StepKey> barred;
-  private final Set<String> absent;
+  private final List<Unavailable> unavailable;
   private final SearchLog log;
   private final Duration time;
 
   /**
    * @param features those of members that are here
-   * @param absent members that are not here
+   * @param unavailable those of members that are not
    */
   SearchReview(
       Home home,
@@ -53,7 +54,7 @@ final class SearchReview {
       Planner planner,
       List<PricedFeature> features,
       Set<StepKey> barred,
-      Set<String> absent,
+      List<Unavailable> unavailable,
       SearchLog log,
       Clock clock) {
     this.home = home;
@@ -61,7 +62,7 @@ final class SearchReview {
     this.planner = planner;
     this.features = List.copyOf(features);
     this.barred = Set.copyOf(barred);
-    this.absent = new TreeSet<>(absent);
+    this.unavailable = List.copyOf(unavailable);
     this.log = log;
     this.time = clock.now();
   }
@@ -147,59 +148,59 @@ final class SearchReview {
 
   private SearchReport.Gap gap(Formula.Atom atom) {
     String place = SearchLog.place(atom);
-    PlanningResult result = planner.plan(lookingAt(atom, features));
-    if (result instanceof PlanningResult.Found) {
-      return new SearchReport.Gap(place, SearchReport.Reason.OF_NO_USE, List.of());
-    }
-    List<String> missed = missed(atom);
-    if (!missed.isEmpty()) {
-      return new SearchReport.Gap(place, SearchReport.Reason.MEMBERS_LOST, missed);
-    }
     if (log.latest(atom).isPresent()) {
       return new SearchReport.Gap(place, SearchReport.Reason.LOOKED_IN_VAIN, List.of());
     }
-    List<String> obstacles = obstacles(atom, result);
-    return new SearchReport.Gap(
-        place,
-        obstacles.isEmpty() ? SearchReport.Reason.NOBODY_CAN : SearchReport.Reason.CONDITION,
-        obstacles);
-  }
-
-  /** The lost members without whom nobody can look there, and with whom somebody could. */
-  private List<String> missed(Formula.Atom atom) {
-    List<PricedFeature> all = new ArrayList<>(features);
-    for (String member : absent) {
-      Optional.ofNullable(home.devices().get(member))
-          .map(Device::features)
-          .orElse(List.of())
-          .forEach(type -> all.add(new PricedFeature(member, type, type.cost(), Map.of())));
-    }
-    if (all.size() == features.size()
-        || !(planner.plan(lookingAt(atom, all)) instanceof PlanningResult.Found found)) {
-      return List.of();
-    }
-    return found.plan().steps().stream()
-        .map(Step::member)
-        .filter(absent::contains)
-        .distinct()
-        .toList();
-  }
-
-  private static List<String> obstacles(Formula.Atom atom, PlanningResult result) {
+    PlanningResult result = planner.plan(lookingAt(atom));
     if (!(result instanceof PlanningResult.Impossible impossible)) {
-      return List.of(((PlanningResult.GaveUp) result).reason());
+      return new SearchReport.Gap(place, SearchReport.Reason.OF_NO_USE, List.of());
     }
     String sought = SlPrinter.print(atom);
-    return impossible.explanation().obstacles().stream()
-        .filter(obstacle -> !obstacle.condition().contains(sought))
-        .map(
-            obstacle ->
-                "%s needs %s; possible: %s"
-                    .formatted(obstacle.neededBy(), obstacle.condition(), obstacle.possible()))
-        .toList();
+    List<Obstacle> obstacles =
+        impossible.explanation().obstacles().stream()
+            .filter(obstacle -> !obstacle.condition().contains(sought))
+            .toList();
+    return new SearchReport.Gap(place, reason(obstacles), obstacles);
   }
 
-  private PlanningTask lookingAt(Formula.Atom atom, List<PricedFeature> offered) {
-    return new PlanningTask(home.vocabulary(), now, offered, atom, barred);
+  private static SearchReport.Reason reason(List<Obstacle> obstacles) {
+    if (obstacles.isEmpty()) {
+      return SearchReport.Reason.NOBODY_CAN;
+    }
+    return obstacles.stream().anyMatch(obstacle -> obstacle.kind() == Obstacle.Kind.MEMBER)
+        ? SearchReport.Reason.MEMBERS_LOST
+        : SearchReport.Reason.CONDITION;
+  }
+
+  private PlanningTask lookingAt(Formula.Atom atom) {
+    return new PlanningTask(
+            home.vocabulary(),
+            now,
+            features.stream().filter(feature -> helpsToLook(feature.type(), atom)).toList(),
+            atom,
+            barred)
+        .withUnavailable(
+            unavailable.stream()
+                .filter(missed -> helpsToLook(missed.feature().type(), atom))
+                .toList(),
+            Map.of());
+  }
+
+  /** Whether it does not put things where they are sought. */
+  private static boolean helpsToLook(FeatureType feature, Formula.Atom atom) {
+    return !puts(feature.effect(), atom.predicate());
+  }
+
+  private static boolean puts(Effect effect, String predicate) {
+    if (effect instanceof Effect.All all) {
+      return all.effects().stream().anyMatch(part -> puts(part, predicate));
+    } else if (effect instanceof Effect.When when) {
+      return puts(when.effect(), predicate);
+    } else if (effect instanceof Effect.Forall forall) {
+      return puts(forall.effect(), predicate);
+    }
+    return effect instanceof Effect.Add add
+        && add.atom().predicate().equals(predicate)
+        && !add.atom().arguments().get(0).equals(new Term.Variable("self"));
   }
 }

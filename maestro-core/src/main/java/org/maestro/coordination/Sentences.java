@@ -1,6 +1,5 @@
 package org.maestro.coordination;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -78,47 +77,6 @@ public final class Sentences {
     return steps.stream()
         .map(step -> step.number() + ". " + step(step))
         .collect(Collectors.joining("; "));
-  }
-
-  /** What was looked at in vain, and what could not be looked at and why. */
-  public List<String> search(SearchReport report) {
-    List<String> sentences = new ArrayList<>();
-    if (!report.looks().isEmpty()) {
-      sentences.add(
-          report.looks().stream()
-              .map(Sentences::look)
-              .collect(
-                  Collectors.joining("; ", report.thing() + " was looked for in vain: ", ".")));
-    }
-    if (!report.gaps().isEmpty()) {
-      sentences.add(
-          report.gaps().stream()
-              .map(Sentences::gap)
-              .collect(
-                  Collectors.joining("; ", "Where " + report.thing() + " may be still: ", ".")));
-    }
-    return sentences;
-  }
-
-  private static String look(SearchReport.Look look) {
-    String covered =
-        look.coveredShare().isPresent()
-            ? " (" + number(100 * look.coveredShare().getAsDouble()) + " % of it in view)"
-            : "";
-    return "in %s by %s at %s s%s"
-        .formatted(look.place(), look.by(), number(look.at().toMillis() / 1e3), covered);
-  }
-
-  private static String gap(SearchReport.Gap gap) {
-    String details = String.join("; ", gap.details());
-    return gap.place()
-        + switch (gap.reason()) {
-          case NOBODY_CAN -> ", into which nobody can look";
-          case MEMBERS_LOST -> ", into which only somebody who is lost could look: " + details;
-          case CONDITION -> ", into which nobody could look, since " + details;
-          case LOOKED_IN_VAIN -> ", where looks settled nothing and are not repeated for ever";
-          case OF_NO_USE -> ", where nobody looked, as it would not have helped";
-        };
   }
 
   public String binding(Map<String, Term> binding) {

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
+import org.maestro.planning.PlanningResult.Obstacle;
 
 /** Searches that find nothing end, and tell what was looked at and what could not be. */
 class SearchEndTest {
@@ -73,8 +74,11 @@ class SearchEndTest {
     assertThat(report.gaps()).hasSize(1);
     assertThat(report.gaps().get(0).place()).isEqualTo("zone-b");
     assertThat(report.gaps().get(0).reason()).isEqualTo(SearchReport.Reason.MEMBERS_LOST);
-    assertThat(report.gaps().get(0).details()).containsExactly("cam-b");
-    assertThat(String.join(" ", outcome.reasons())).contains("could look: cam-b");
+    assertThat(report.gaps().get(0).obstacles())
+        .extracting(Obstacle::condition)
+        .containsExactly("cam-b");
+    assertThat(String.join(" ", outcome.reasons()))
+        .contains("zone-b, which was not looked at. Cam-b is needed and not there (no power)");
   }
 
   @Test
@@ -90,7 +94,9 @@ class SearchEndTest {
     SearchReport.Gap gap = report.gaps().get(0);
     assertThat(gap.place()).isEqualTo("zone-b");
     assertThat(gap.reason()).isEqualTo(SearchReport.Reason.CONDITION);
-    assertThat(gap.details().get(0)).contains("(illuminance zone-b)").contains("72");
+    assertThat(gap.obstacles())
+        .extracting(Obstacle::condition)
+        .containsExactly("(>= (illuminance zone-b) 72)");
   }
 
   @Test
