@@ -1,5 +1,6 @@
 package org.maestro.agents;
 
+import jade.core.AID;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -10,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.ConcurrentSkipListSet;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.HeldNews;
@@ -48,11 +50,16 @@ public final class CoordinatorAgent extends MaestroAgent {
   private final transient Coordinator coordinator;
   private final transient Story archive;
   private final transient Recovery recovery;
+  private final transient boolean returns;
+  private final transient Map<String, GoalOfAnother> goalsOfOthers = new LinkedHashMap<>();
   private final transient Journal journal;
   private final transient Endings endings = new Endings(this::reply);
   private final transient Map<String, List<StoryEntry>> stories = new LinkedHashMap<>();
   private final transient Set<String> present = new ConcurrentSkipListSet<>();
   private final transient List<Subscription> subscriptions = new ArrayList<>();
+
+  /** A goal that an agent pursues of its own accord, as it last told of it. */
+  private record GoalOfAnother(AID owner, Content status) {}
 
   private record Subscription(String goalId, ACLMessage request) {}
 
@@ -82,6 +89,7 @@ public final class CoordinatorAgent extends MaestroAgent {
     this.knowledge = knowledge;
     this.archive = archive;
     this.recovery = past.recovery();
+    this.returns = past.returns();
     this.journal = new AgentJournal(this, time.clock(), past.journal());
     past.stories().forEach((goal, story) -> stories.put(goal, new ArrayList<>(story)));
     this.deliberation =
@@ -133,11 +141,32 @@ public final class CoordinatorAgent extends MaestroAgent {
   protected void setup() {
     super.setup();
     deliberation.begin();
+    if (returns) {
+      callRoll();
+    }
     Map<String, Formula> goals = new HashMap<>();
     recovery.goals().forEach(goal -> goals.put(goal.id(), goal.request().goal()));
     recovery.ended().forEach(goal -> endings.ended(goal.request().goal(), goal.outcome()));
     coordinator.resume(
         recovery, patience(COMEBACK), outcome -> endings.ended(goals.get(outcome.id()), outcome));
+  }
+
+  /** The agents of another coordinator's time tell who is there, as they did then. */
+  private void callRoll() {
+    Set<String> names = new TreeSet<>(knowledge.home().devices().keySet());
+    names.addAll(knowledge.home().groups().keySet());
+    for (String name : names) {
+      send(
+          message(
+              ACLMessage.SUBSCRIBE,
+              getAID(name),
+              Words.content("subscribe", Words.named("member", Words.name(name)))));
+    }
+  }
+
+  /** What was told so far, by the goal's id. To be asked for when the agent has ended. */
+  public Map<String, List<StoryEntry>> stories() {
+    return stories;
   }
 
   @Override
@@ -152,7 +181,7 @@ public final class CoordinatorAgent extends MaestroAgent {
       Words words = Words.of(content);
       switch (content.operator()) {
         case "initCNP" -> goal(message, words);
-        case "inform" -> memberNews(message, words);
+        case "inform" -> memberNews(message, words, content);
         case "cancel" -> cancel(message, words);
         case "explain" -> explain(message, words);
         case "subscribe" -> subscribe(message, words);
@@ -250,7 +279,7 @@ public final class CoordinatorAgent extends MaestroAgent {
         GoalWords.news(news));
   }
 
-  private void memberNews(ACLMessage message, Words words) {
+  private void memberNews(ACLMessage message, Words words, Content whole) {
     Optional<String> member = words.string("member");
     Optional<String> phase = words.string("phase");
     if (member.isPresent() && phase.isPresent()) {
@@ -261,6 +290,8 @@ public final class CoordinatorAgent extends MaestroAgent {
         present.remove(member.get());
         deliberation.memberLost(member.get(), words.string("reason").orElse("lost"));
       }
+    } else if (words.string("goal").isPresent() && words.string("state").isPresent()) {
+      goalsOfOthers.put(words.string("goal").get(), new GoalOfAnother(message.getSender(), whole));
     } else {
       refuse(
           message,
@@ -271,6 +302,20 @@ public final class CoordinatorAgent extends MaestroAgent {
 
   private void cancel(ACLMessage message, Words words) {
     String id = words.string("goal").orElse("");
+    if (goalsOfOthers.containsKey(id)) {
+      ask(
+          message(
+              ACLMessage.REQUEST,
+              goalsOfOthers.get(id).owner(),
+              Words.content("cancel", Words.named("goal", Words.name(id)))),
+          patience(patience().agreement()),
+          answer ->
+              reply(
+                  message,
+                  answer.getPerformative(),
+                  Words.parse(answer.getContent()).toArray(Content[]::new)));
+      return;
+    }
     if (coordinator.cancel(id, message.getSender().getLocalName())) {
       reply(
           message,
@@ -309,10 +354,13 @@ public final class CoordinatorAgent extends MaestroAgent {
   /** The goals, or with {@code (query-ref waits)} the wait-for graph. */
   private void list(ACLMessage message, Words words) {
     boolean waits = words.terms().contains(new Term.Name("waits"));
-    List<Content> lines =
-        waits
-            ? coordinator.waits().stream().map(GoalWords::wait).toList()
-            : coordinator.goals().stream().map(GoalWords::status).toList();
+    List<Content> lines = new ArrayList<>();
+    if (waits) {
+      coordinator.waits().forEach(wait -> lines.add(GoalWords.wait(wait)));
+    } else {
+      coordinator.goals().forEach(goal -> lines.add(GoalWords.status(goal)));
+      goalsOfOthers.values().forEach(other -> lines.add(other.status()));
+    }
     reply(message, ACLMessage.INFORM, lines.toArray(Content[]::new));
   }
 

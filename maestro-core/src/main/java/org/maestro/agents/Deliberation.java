@@ -10,7 +10,9 @@ import java.util.concurrent.Executors;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.Crew;
 import org.maestro.coordination.Journal;
+import org.maestro.coordination.Market;
 import org.maestro.coordination.Ports;
 import org.maestro.coordination.Story;
 import org.maestro.coordination.Thinking;
@@ -31,6 +33,7 @@ final class Deliberation {
   private final Map<String, AID> agentByMember = new HashMap<>();
   private volatile boolean ended;
 
+  /** Of an agent that orders other agents by messages. */
   Deliberation(
       MaestroAgent agent,
       Clock clock,
@@ -41,17 +44,48 @@ final class Deliberation {
     this.agent = agent;
     this.mind = mind;
     this.crew = new AclCrew(agent, this::agentOf, contracts, misconduct);
+    Market market = new AclMarket(agent, this::agentOf, contracts, misconduct);
+    this.coordinator = new Coordinator(ports(clock, market, crew, story, journal));
+  }
+
+  /**
+   * Of an agent with goals of its own, which have its name before their number.
+   *
+   * @param own the member that is the agent's own; empty: it orders other agents
+   */
+  Deliberation(
+      MaestroAgent agent,
+      Clock clock,
+      Mind mind,
+      Story story,
+      String name,
+      Misconduct misconduct,
+      Optional<OwnMember> own) {
+    this.agent = agent;
+    this.mind = mind;
+    this.crew = new AclCrew(agent, this::agentOf, contracts, misconduct);
+    Market market = new AclMarket(agent, this::agentOf, contracts, misconduct);
     this.coordinator =
         new Coordinator(
-            new Ports(
-                mind.knowledge(),
-                mind.planner(),
-                new AclMarket(agent, this::agentOf, contracts, misconduct),
-                crew,
-                new OwnThread(clock),
+            ports(
                 clock,
+                own.map(Market.class::cast).orElse(market),
+                own.map(Crew.class::cast).orElse(crew),
                 story,
-                journal));
+                Journal.none()),
+            name + "-");
+  }
+
+  private Ports ports(Clock clock, Market market, Crew orders, Story story, Journal journal) {
+    return new Ports(
+        mind.knowledge(),
+        mind.planner(),
+        market,
+        orders,
+        new OwnThread(clock),
+        clock,
+        story,
+        journal);
   }
 
   Coordinator coordinator() {

@@ -7,14 +7,21 @@ import jade.domain.FIPAAgentManagement.ServiceDescription;
 import jade.domain.FIPANames;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.function.BiFunction;
+import org.maestro.coordination.Story;
 import org.maestro.members.MemberNews;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.sl.Content;
+import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -34,6 +41,9 @@ public final class GenericAgent extends MaestroAgent {
   private final transient MemberView view = new MemberView();
   private final transient MemberNews news;
   private final transient Performances performances;
+  private final transient Optional<OwnGoals> goals;
+  private boolean announced;
+  private final transient Set<AID> listeners = new LinkedHashSet<>();
 
   /**
    * @param describedBy reads a description (first argument) that a member (second) sent; throws a
@@ -44,17 +54,39 @@ public final class GenericAgent extends MaestroAgent {
       RatsLink link,
       String member,
       BiFunction<String, String, Device> describedBy) {
+    this(time, link, member, describedBy, Optional.empty(), entry -> {});
+  }
+
+  /**
+   * @param mind with which it pursues the goals that its member's description states; empty where
+   *     the collective knowledge is out of reach
+   * @param story where it tells of them
+   */
+  public GenericAgent(
+      AgentTime time,
+      RatsLink link,
+      String member,
+      BiFunction<String, String, Device> describedBy,
+      Optional<Mind> mind,
+      Story story) {
     super(time);
     this.member = member;
     this.link = link;
     this.news = new MemberNews(member, view, describedBy, new Teller());
     this.performances = new Performances(this, member, link, view, news, this::say);
+    OwnMember own = new OwnMember(member, view, performances);
+    this.goals =
+        mind.map(
+            m ->
+                new OwnGoals(
+                    this, member, time.clock(), m, story, member::equals, Optional.of(own)));
   }
 
   @Override
   protected void setup() {
     super.setup();
     addBehaviour(new PriceResponder(this, view));
+    goals.ifPresent(OwnGoals::begin);
     link.watch(
         changed -> {
           if (changed.id().equals(member)) {
@@ -78,6 +110,8 @@ public final class GenericAgent extends MaestroAgent {
 
     @Override
     public void lost(String reason) {
+      announced = false;
+      goals.ifPresent(own -> own.memberLost(member, reason));
       announce("lost", reason);
     }
   }
@@ -95,7 +129,9 @@ public final class GenericAgent extends MaestroAgent {
         ANSWER_WITHIN,
         reply -> {
           if (reply.getPerformative() == ACLMessage.INFORM && view.isReady()) {
+            announced = true;
             announce("ready", "described");
+            pursue();
           } else if (Conversations.isOverdue(reply)) {
             if (view.isReady() && news.isCurrent(description)) {
               introduce(description);
@@ -106,17 +142,42 @@ public final class GenericAgent extends MaestroAgent {
         });
   }
 
+  /** The goals of its own that the member's description states. */
+  private void pursue() {
+    goals.ifPresent(
+        own -> {
+          own.memberPresent(member, getAID(), Optional.of(performances.life()));
+          Substitution self = new Substitution(Map.of("self", new Term.Name(member)));
+          own.pursueOnly(view.device().orElseThrow().pursues().stream().map(self::apply).toList());
+        });
+  }
+
   private void announce(String phase, String reason) {
-    send(
-        message(
-            ACLMessage.INFORM,
-            agent(CoordinatorAgent.NAME),
-            Words.content(
-                "inform",
-                Words.named("member", Words.name(member)),
-                Words.named("phase", Words.name(phase)),
-                Words.named("life", Words.text(performances.life())),
-                Words.named("reason", Words.text(reason)))));
+    Content news = presence(phase, reason);
+    send(message(ACLMessage.INFORM, agent(CoordinatorAgent.NAME), news));
+    listeners.forEach(listener -> send(message(ACLMessage.INFORM, listener, news)));
+  }
+
+  private Content presence(String phase, String reason) {
+    return Words.content(
+        "inform",
+        Words.named("member", Words.name(member)),
+        Words.named("phase", Words.name(phase)),
+        Words.named("life", Words.text(performances.life())),
+        Words.named("reason", Words.text(reason)));
+  }
+
+  /** Who subscribes hears at once, and then each time, whether the member can be used. */
+  private void subscribe(ACLMessage message) {
+    boolean isCentre = message.getSender().getLocalName().equals(CoordinatorAgent.NAME);
+    if (isCentre) {
+      goals.ifPresent(OwnGoals::centreReturned);
+    } else {
+      listeners.add(message.getSender());
+    }
+    if (announced) {
+      send(message(ACLMessage.INFORM, message.getSender(), presence("ready", "described")));
+    }
   }
 
   private void say(List<String> facts) {
@@ -169,7 +230,9 @@ public final class GenericAgent extends MaestroAgent {
         case "perform" ->
             when(message, ACLMessage.REQUEST, () -> performances.perform(message, words));
         case "cost" -> when(message, ACLMessage.REQUEST, () -> performances.cost(message, words));
-        case "cancel" -> when(message, ACLMessage.CANCEL, () -> performances.cancel(words));
+        case "cancel" -> cancel(message, words);
+        case "subscribe" -> when(message, ACLMessage.SUBSCRIBE, () -> subscribe(message));
+        case "query-ref" -> goals.ifPresent(own -> GoalWords.list(this, message, own));
         default ->
             refuse(
                 message,
@@ -177,9 +240,24 @@ public final class GenericAgent extends MaestroAgent {
                 member
                     + " does not know the operator "
                     + Replies.shortened(content.operator())
-                    + "; it knows perform, cost and cancel.");
+                    + "; it knows perform, cost, cancel, subscribe and query-ref.");
       }
     }
+  }
+
+  /** A goal of its own is cancelled like any goal, what it does for others by who ordered it. */
+  private void cancel(ACLMessage message, Words words) {
+    if (goals.isPresent() && words.string("goal").isPresent()) {
+      GoalWords.cancel(this, message, words, goals.get());
+    } else {
+      when(message, ACLMessage.CANCEL, () -> performances.cancel(words));
+    }
+  }
+
+  @Override
+  protected void takeDown() {
+    goals.ifPresent(OwnGoals::end);
+    super.takeDown();
   }
 
   /** A device must not move because of a message that does not order it to. */

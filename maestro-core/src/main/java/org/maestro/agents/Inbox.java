@@ -16,6 +16,7 @@ final class Inbox {
   private final transient Clock clock;
   private final transient WorkTickets tickets;
   private final transient IdleDetector idleDetector;
+  private volatile boolean ended;
 
   Inbox(MaestroAgent agent, Clock clock, WorkTickets tickets, IdleDetector idleDetector) {
     this.agent = agent;
@@ -38,7 +39,11 @@ final class Inbox {
 
   private void enqueue(Runnable action) {
     queue.add(new Work(action, clock.hold("the inbox of " + agent.getLocalName())));
-    agent.wake();
+    if (ended) {
+      end();
+    } else {
+      agent.wake();
+    }
   }
 
   boolean hasWork() {
@@ -59,6 +64,7 @@ final class Inbox {
 
   /** The agent ends: nobody will do what is left. */
   void end() {
+    ended = true;
     for (Work work = queue.poll(); work != null; work = queue.poll()) {
       work.ticket().close();
     }

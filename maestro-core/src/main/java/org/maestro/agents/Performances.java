@@ -7,9 +7,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.maestro.coordination.Argument;
 import org.maestro.coordination.Crew;
+import org.maestro.coordination.Market;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.members.CallReporter;
 import org.maestro.members.JsonTerms;
@@ -76,30 +78,58 @@ final class Performances {
         message,
         ACLMessage.AGREE,
         Words.content("perform", Words.named("feature", Words.name(name))));
-    Map<String, Argument> arguments =
-        words.find("parameters").map(Orders::arguments).orElse(Map.of());
+    Deed deed =
+        new Deed(
+            feature.get(),
+            words.find("parameters").map(Orders::arguments).orElse(Map.of()),
+            Duration.ofMillis((long) words.number("timeout", 30_000)),
+            words.string("call"),
+            words.string("goal"));
+    begin(conversation(message), deed, (outcome, report) -> answer(message, outcome, report));
+  }
+
+  /** What is to be done. */
+  record Deed(
+      FeatureType feature,
+      Map<String, Argument> arguments,
+      Duration timeout,
+      Optional<String> call,
+      Optional<String> goal) {}
+
+  /**
+   * Has the member do it.
+   *
+   * @param conversation names it here
+   * @param reported told once
+   */
+  RatsLink.CallHandle begin(
+      String conversation, Deed deed, BiConsumer<Outcome, Crew.Report> reported) {
     Map<String, Object> parameters = new TreeMap<>();
     Map<String, Term> bindings = new TreeMap<>();
-    arguments.forEach(
-        (key, argument) -> {
-          parameters.put(key, JsonTerms.json(argument));
-          bindings.put(key, argument.value());
-        });
-    String conversation = conversation(message);
+    deed.arguments()
+        .forEach(
+            (key, argument) -> {
+              parameters.put(key, JsonTerms.json(argument));
+              bindings.put(key, argument.value());
+            });
     view.begun(conversation, bindings);
-    Duration timeout = Duration.ofMillis((long) words.number("timeout", 30_000));
-    handles.put(
-        conversation,
+    RatsLink.CallHandle handle =
         link.call(
             new RatsLink.Order(
-                words.string("call"),
+                deed.call(),
                 member,
                 Optional.of(news.boot()),
-                name,
+                deed.feature().name(),
                 parameters,
-                timeout,
-                words.string("goal")),
-            new CallReporter(agent::tell, new Reporter(message, conversation, feature.get()))));
+                deed.timeout(),
+                deed.goal()),
+            new CallReporter(agent::tell, new Reporter(conversation, deed.feature(), reported)));
+    handles.put(conversation, handle);
+    return handle;
+  }
+
+  void callOff(String call) {
+    link.cancel(member, news.boot(), call);
   }
 
   private static String conversation(ACLMessage message) {
@@ -130,6 +160,34 @@ final class Performances {
                         answers.stream().map(Performances::price).toArray(Content[]::new))));
   }
 
+  /** Exact prices, for the agent's own plans. */
+  void quote(
+      String feature, List<Map<String, Argument>> sets, Consumer<List<Market.Quote>> answer) {
+    List<Map<String, Object>> parameters = new ArrayList<>();
+    for (Map<String, Argument> set : sets) {
+      Map<String, Object> json = new TreeMap<>();
+      set.forEach((key, argument) -> json.put(key, JsonTerms.json(argument)));
+      parameters.add(json);
+    }
+    link.cost(
+        member,
+        feature,
+        parameters,
+        answers ->
+            agent.tell(() -> answer.accept(answers.stream().map(Performances::quote).toList())));
+  }
+
+  private static Market.Quote quote(CostAnswer answer) {
+    String reason = answer.reason().orElse("no reason given");
+    if (answer.cost().isPresent()) {
+      return new Market.Quote.Priced(
+          answer.cost().get(), answer.seconds().orElse(answer.cost().get()));
+    }
+    return answer.answered()
+        ? new Market.Quote.Declined(reason)
+        : new Market.Quote.Unanswered(reason);
+  }
+
   private static Content price(CostAnswer answer) {
     if (answer.cost().isPresent()) {
       return Words.content(
@@ -154,44 +212,44 @@ final class Performances {
         .ifPresent(call -> link.cancel(member, news.boot(), call));
   }
 
-  /** Turns what becomes of one call into messages. */
+  private void answer(ACLMessage order, Outcome outcome, Crew.Report report) {
+    if (report.succeeded()) {
+      agent.reply(
+          order,
+          ACLMessage.INFORM,
+          Words.content("inform", Words.terms("outputs", report.outputs())));
+      return;
+    }
+    List<Content.Argument> refs = new ArrayList<>();
+    for (FeatureRun.Learnt ref : report.refs()) {
+      refs.add(Words.named("fact", Words.text(ref.fact()), Words.term(ref.value())));
+    }
+    agent.reply(
+        order,
+        ACLMessage.FAILURE,
+        Words.content(
+            "inform",
+            Words.named("outcome", Words.name(outcome.name().toLowerCase())),
+            Words.named("problem", Words.text(report.problem().orElse("no reason given"))),
+            Words.named("refs", refs)));
+  }
+
+  /** Tells on what becomes of one call. */
   private final class Reporter implements CallReporter.Listener {
-    private final ACLMessage order;
     private final String conversation;
     private final FeatureType feature;
+    private final BiConsumer<Outcome, Crew.Report> reported;
 
-    Reporter(ACLMessage order, String conversation, FeatureType feature) {
-      this.order = order;
+    Reporter(String conversation, FeatureType feature, BiConsumer<Outcome, Crew.Report> reported) {
       this.conversation = conversation;
       this.feature = feature;
+      this.reported = reported;
     }
 
     @Override
     public void reported(Outcome outcome, Crew.Report report) {
-      if (report.succeeded()) {
-        agent.reply(
-            order,
-            ACLMessage.INFORM,
-            Words.content("inform", Words.terms("outputs", report.outputs())));
-      } else {
-        failed(outcome, report);
-      }
+      reported.accept(outcome, report);
       say.accept(view.over());
-    }
-
-    private void failed(Outcome outcome, Crew.Report report) {
-      List<Content.Argument> refs = new ArrayList<>();
-      for (FeatureRun.Learnt ref : report.refs()) {
-        refs.add(Words.named("fact", Words.text(ref.fact()), Words.term(ref.value())));
-      }
-      agent.reply(
-          order,
-          ACLMessage.FAILURE,
-          Words.content(
-              "inform",
-              Words.named("outcome", Words.name(outcome.name().toLowerCase())),
-              Words.named("problem", Words.text(report.problem().orElse("no reason given"))),
-              Words.named("refs", refs)));
     }
 
     @Override

@@ -32,6 +32,9 @@ public final class SupervisorAgent extends MaestroAgent {
 
     List<String> topics();
 
+    /** Starts the central agent again; returns false when it is there. */
+    boolean reviveCoordinator();
+
     List<Line> agents();
   }
 
@@ -73,11 +76,36 @@ public final class SupervisorAgent extends MaestroAgent {
             ACLMessage.INFORM,
             Words.content("inform", Words.named("done", Words.name("stop"))));
       }
+      case "revive" -> revive(message);
       default ->
           refuse(
               message,
               ACLMessage.NOT_UNDERSTOOD,
-              "The supervisor cannot " + action + "; it can take and stop.");
+              "The supervisor cannot " + action + "; it can take, stop and revive.");
+    }
+  }
+
+  /** Starting an agent waits for JADE, which an agent must not. */
+  private void revive(ACLMessage message) {
+    Thread starter =
+        new Thread(
+            () -> {
+              boolean revived = containers.reviveCoordinator();
+              tell(() -> revived(message, revived));
+            },
+            "revival");
+    starter.setDaemon(true);
+    starter.start();
+  }
+
+  private void revived(ACLMessage message, boolean revived) {
+    if (revived) {
+      reply(
+          message,
+          ACLMessage.INFORM,
+          Words.content("inform", Words.named("done", Words.name("revive"))));
+    } else {
+      refuse(message, ACLMessage.REFUSE, "The central coordination agent (CCA) is there.");
     }
   }
 

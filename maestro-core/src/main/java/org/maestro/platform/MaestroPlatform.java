@@ -2,6 +2,7 @@ package org.maestro.platform;
 
 import jade.lang.acl.ACLMessage;
 import jade.wrapper.AgentContainer;
+import jade.wrapper.ControllerException;
 import jade.wrapper.StaleProxyException;
 import java.awt.GraphicsEnvironment;
 import java.io.IOException;
@@ -21,8 +22,11 @@ import org.maestro.agents.AgentTime;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.GenericAgent;
+import org.maestro.agents.GroupAgent;
 import org.maestro.agents.KnowledgeAgent;
 import org.maestro.agents.MaestroAgent;
+import org.maestro.agents.Mind;
+import org.maestro.agents.Past;
 import org.maestro.agents.SupervisorAgent;
 import org.maestro.coordination.Story;
 import org.maestro.coordination.StoryEntry;
@@ -44,6 +48,7 @@ import org.slf4j.LoggerFactory;
 public final class MaestroPlatform implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(MaestroPlatform.class);
   private static final String DEFAULT_TOPIC = "devices";
+  private static final String GROUPS = "groups";
   private static final String DESK = "desk";
 
   private final long sinceNanos = System.nanoTime();
@@ -57,7 +62,10 @@ public final class MaestroPlatform implements AutoCloseable {
   private final int port;
   private final AgentContainer main;
   private final TopicContainers topics;
-  private final CoordinatorAgent coordinator;
+  private final Mind mind;
+  private final Chronicle chronicle;
+  private volatile CoordinatorAgent coordinator;
+  private volatile boolean hasCoordinator = true;
   private final DeskAgent desk;
   private volatile boolean closing;
   private final Collection<Story> listeners = new ConcurrentLinkedQueue<>();
@@ -87,9 +95,10 @@ public final class MaestroPlatform implements AutoCloseable {
             topic ->
                 JadeRuntime.join(
                     Optional.of(settings.name()), "127.0.0.1", port, topic, fileDirectory));
-    this.coordinator =
-        new CoordinatorAgent(
-            time, knowledge, planner, this::told, settings.decisionTime(), memory.past());
+    this.mind = new Mind(knowledge, planner, settings.decisionTime());
+    Past past = memory.past();
+    this.chronicle = new Chronicle(past.journal(), clock, past.recovery());
+    this.coordinator = coordinator(new Past(chronicle, past.recovery(), past.stories()));
     this.desk = new DeskAgent(time);
   }
 
@@ -131,6 +140,16 @@ public final class MaestroPlatform implements AutoCloseable {
     knowledge.home().devices().values().stream()
         .sorted(Comparator.comparingDouble(Device::order).thenComparing(Device::id))
         .forEach(device -> place(device.id(), topic(device)));
+    knowledge
+        .home()
+        .groups()
+        .values()
+        .forEach(
+            group ->
+                topics.place(
+                    group.id(),
+                    group.container().orElse(GROUPS),
+                    name -> new GroupAgent(time, mind, group, this::told)));
     link.watch(this::memberChanged);
     AgentDeaths.watch(main, this::agentDied);
     if (settings.gui()) {
@@ -139,6 +158,41 @@ public final class MaestroPlatform implements AutoCloseable {
       } catch (StaleProxyException e) {
         throw new PlatformStartException("The JADE GUI could not start.", e);
       }
+    }
+  }
+
+  private CoordinatorAgent coordinator(Past past) {
+    return new CoordinatorAgent(
+        time, knowledge, mind.planner(), this::told, settings.decisionTime(), past);
+  }
+
+  /**
+   * Starts the central agent again after it was ended; its goals go on.
+   *
+   * @return false when it is there
+   */
+  public synchronized boolean reviveCoordinator() {
+    if (hasCoordinator || closing) {
+      return false;
+    }
+    CoordinatorAgent revived =
+        coordinator(new Past(chronicle, chronicle.recovery(), coordinator.stories(), true));
+    coordinator = revived;
+    hasCoordinator = true;
+    accept(CoordinatorAgent.NAME, revived);
+    return true;
+  }
+
+  /**
+   * Ends an agent of the main container, as a person does in the JADE GUI.
+   *
+   * @throws PlatformStartException when there is none of that name
+   */
+  public void endAgent(String name) {
+    try {
+      main.getAgent(name).kill();
+    } catch (ControllerException e) {
+      throw new PlatformStartException("There is no agent " + name + " to end.", e);
     }
   }
 
@@ -180,7 +234,7 @@ public final class MaestroPlatform implements AutoCloseable {
   }
 
   private GenericAgent agentFor(String member) {
-    return new GenericAgent(time, link, member, describedBy);
+    return new GenericAgent(time, link, member, describedBy, Optional.of(mind), this::told);
   }
 
   /**
@@ -189,6 +243,11 @@ public final class MaestroPlatform implements AutoCloseable {
    */
   private void agentDied(String member) {
     if (closing) {
+      return;
+    }
+    desk.agentEnded(member);
+    if (member.equals(CoordinatorAgent.NAME)) {
+      hasCoordinator = false;
       return;
     }
     if (topics.endedElsewhere(member)) {
@@ -205,7 +264,8 @@ public final class MaestroPlatform implements AutoCloseable {
     JadeRuntime.start(main, name, agent);
   }
 
-  private void told(StoryEntry entry) {
+  /** The central agent tells, and others that have goals of their own. */
+  private synchronized void told(StoryEntry entry) {
     listeners.forEach(listener -> listener.tell(entry));
   }
 
@@ -265,7 +325,10 @@ public final class MaestroPlatform implements AutoCloseable {
                   new AgentRow(
                       agent,
                       container,
-                      member.map(m -> m.phase().name().toLowerCase()).orElse("absent"),
+                      member
+                          .map(m -> m.phase().name().toLowerCase())
+                          .orElse(
+                              knowledge.home().groups().containsKey(agent) ? "group" : "absent"),
                       member.flatMap(RatsLink.Member::state).map(s -> s.state()).orElse("-")));
             });
     return rows;
@@ -311,6 +374,11 @@ public final class MaestroPlatform implements AutoCloseable {
     @Override
     public List<String> topics() {
       return topics.topics();
+    }
+
+    @Override
+    public boolean reviveCoordinator() {
+      return MaestroPlatform.this.reviveCoordinator();
     }
 
     @Override

@@ -28,6 +28,7 @@ import picocli.CommandLine.Spec;
       WhyCommand.class,
       CancelCommand.class,
       StopCommand.class,
+      ReviveCommand.class,
       CheckCommand.class,
       BenchCommand.class
     },

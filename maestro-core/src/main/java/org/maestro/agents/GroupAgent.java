@@ -1,0 +1,154 @@
+package org.maestro.agents;
+
+import jade.lang.acl.ACLMessage;
+import java.time.Duration;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.maestro.coordination.Story;
+import org.maestro.ontology.home.Group;
+import org.maestro.rats.time.Clock;
+import org.maestro.sl.Content;
+import org.maestro.sl.Evaluation;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
+
+/**
+ * An agent that stands for several devices and has goals of its own, such as to keep a room lit
+ * (paper section 5.1; M15, M16, M91). All that it is comes from the home's description of the
+ * group; it knows of no kind of device. It hears of its members from their agents, watches the
+ * collective knowledge, and works also when there is no central agent.
+ */
+public final class GroupAgent extends MaestroAgent {
+  private static final long serialVersionUID = 1L;
+
+  /** Members come and go; so often their agents are asked, and the condition is looked at. */
+  private static final Duration BETWEEN_ROLL_CALLS = Duration.ofSeconds(60);
+
+  /** Wall time that members have to show up before the first plan. */
+  private static final Duration FIRST_MEMBERS = Duration.ofSeconds(10);
+
+  private final transient Mind mind;
+  private final transient Group group;
+  private final transient OwnGoals goals;
+  private final transient Set<String> present = new TreeSet<>();
+  private transient volatile Set<String> called = Set.of();
+  private transient Clock.Timer rollCall = () -> {};
+  private transient Clock.Timer start = () -> {};
+  private boolean started;
+
+  public GroupAgent(AgentTime time, Mind mind, Group group, Story story) {
+    super(time);
+    this.mind = mind;
+    this.group = group;
+    this.goals =
+        new OwnGoals(
+            this,
+            group.id(),
+            time.clock(),
+            mind,
+            story,
+            member -> called.contains(member),
+            Optional.empty());
+  }
+
+  @Override
+  protected void setup() {
+    super.setup();
+    goals.begin();
+    callRoll();
+    start = clock().schedule(patience(FIRST_MEMBERS), group.id(), () -> tell(this::startToPursue));
+  }
+
+  @Override
+  protected void takeDown() {
+    rollCall.cancel();
+    start.cancel();
+    goals.end();
+    super.takeDown();
+  }
+
+  private void startToPursue() {
+    if (!started) {
+      started = true;
+      start.cancel();
+      Substitution self = new Substitution(Map.of("self", new Term.Name(group.id())));
+      group.pursues().forEach(goal -> goals.pursue(self.apply(goal)));
+    }
+  }
+
+  private void callRoll() {
+    Set<String> members = members();
+    for (String gone : new TreeSet<>(present)) {
+      if (!members.contains(gone)) {
+        present.remove(gone);
+        goals.memberLost(gone, "it is none of this group any more");
+      }
+    }
+    called = members;
+    for (String member : members) {
+      send(
+          message(
+              ACLMessage.SUBSCRIBE,
+              getAID(member),
+              Words.content("subscribe", Words.named("member", Words.name(member)))));
+    }
+    rollCall = clock().schedule(BETWEEN_ROLL_CALLS, group.id(), () -> tell(this::callRoll));
+  }
+
+  /** Those stated by name, and all for which the condition is known to hold. */
+  private Set<String> members() {
+    Set<String> members = new TreeSet<>(group.members());
+    Evaluation evaluation = new Evaluation(mind.knowledge().snapshot());
+    for (String device : mind.knowledge().home().devices().keySet()) {
+      Map<String, Term> bindings = Map.of("member", new Term.Name(device));
+      Optional<Formula> condition = group.memberWhen();
+      if (condition.filter(c -> evaluation.truth(c, bindings) == Truth.TRUE).isPresent()) {
+        members.add(device);
+      }
+    }
+    return members;
+  }
+
+  @Override
+  protected void received(ACLMessage message) {
+    for (Content content : Words.parse(message.getContent())) {
+      Words words = Words.of(content);
+      switch (content.operator()) {
+        case "inform" -> memberNews(message, words);
+        case "cancel" -> GoalWords.cancel(this, message, words, goals);
+        case "query-ref" -> GoalWords.list(this, message, goals);
+        case "subscribe" -> goals.centreReturned();
+        default ->
+            refuse(
+                message,
+                ACLMessage.NOT_UNDERSTOOD,
+                group.id()
+                    + " does not know the operator "
+                    + Replies.shortened(content.operator())
+                    + "; it knows inform, cancel, query-ref and subscribe.");
+      }
+    }
+  }
+
+  /** An agent speaks of its own member only. */
+  private void memberNews(ACLMessage message, Words words) {
+    String member = words.string("member").orElse("");
+    if (!called.contains(member) || !member.equals(message.getSender().getLocalName())) {
+      return;
+    }
+    if (words.string("phase").filter("ready"::equals).isPresent()) {
+      if (present.add(member)) {
+        goals.memberPresent(member, message.getSender(), words.string("life"));
+      }
+      if (present.containsAll(called)) {
+        startToPursue();
+      }
+    } else if (present.remove(member)) {
+      goals.memberLost(member, words.string("reason").orElse("lost"));
+    }
+  }
+}

@@ -1,0 +1,222 @@
+package org.maestro.agents;
+
+import jade.core.AID;
+import jade.lang.acl.ACLMessage;
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Predicate;
+import org.maestro.coordination.GoalOutcome;
+import org.maestro.coordination.GoalRequest;
+import org.maestro.coordination.GoalState;
+import org.maestro.coordination.GoalStatus;
+import org.maestro.coordination.HeldNews;
+import org.maestro.coordination.InvalidGoalException;
+import org.maestro.coordination.Story;
+import org.maestro.rats.time.Clock;
+import org.maestro.sl.Formula;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The goals that an agent has of its own accord (M15, M16, M91). They are pursued with the agent's
+ * own members, without the central agent; what these cannot bring about is asked of the central
+ * agent as an effect (M5), and again while it is wanting. Agent thread only.
+ */
+final class OwnGoals {
+  private static final Logger LOG = LoggerFactory.getLogger(OwnGoals.class);
+  private static final Duration ASK_AGAIN = Duration.ofSeconds(60);
+  private static final int MOST_ATTEMPTS = 3;
+
+  private final MaestroAgent agent;
+  private final String name;
+  private final Clock clock;
+  private final Lacking lacking;
+  private final Deliberation deliberation;
+  private final Map<Formula, Own> goals = new LinkedHashMap<>();
+  private boolean ended;
+
+  /**
+   * @param scope the members with which it plans
+   * @param own the member that is the agent's own; empty: it orders other agents
+   */
+  OwnGoals(
+      MaestroAgent agent,
+      String name,
+      Clock clock,
+      Mind mind,
+      Story story,
+      Predicate<String> scope,
+      Optional<OwnMember> own) {
+    this.agent = agent;
+    this.name = name;
+    this.clock = clock;
+    this.lacking =
+        new Lacking(mind.planner(), word -> mind.knowledge().home().vocabulary().isFluent(word));
+    this.deliberation =
+        new Deliberation(
+            agent,
+            clock,
+            new Mind(new ScopedKnowledge(mind.knowledge(), scope), lacking, mind.decisionTime()),
+            story,
+            name,
+            (goal, sentence) -> LOG.warn("{}: {}", goal, sentence),
+            own);
+  }
+
+  void begin() {
+    deliberation.begin();
+  }
+
+  void end() {
+    ended = true;
+    deliberation.end();
+  }
+
+  void memberPresent(String member, AID its, Optional<String> life) {
+    deliberation.memberPresent(member, its, life);
+  }
+
+  void memberLost(String member, String reason) {
+    deliberation.memberLost(member, reason);
+  }
+
+  /** Has the goal from now on, unless it has it already. */
+  void pursue(Formula goal) {
+    if (!goals.containsKey(goal)) {
+      Own own = new Own(goal);
+      goals.put(goal, own);
+      own.submit();
+    }
+  }
+
+  /** Has only these goals from now on. */
+  void pursueOnly(List<Formula> wanted) {
+    List.copyOf(goals.values()).stream()
+        .filter(own -> !wanted.contains(own.goal))
+        .forEach(
+            own -> {
+              goals.remove(own.goal);
+              own.cancel(name);
+            });
+    wanted.forEach(this::pursue);
+  }
+
+  /** Returns whether there is such a goal, and it had not ended yet. */
+  boolean cancel(String goalId, String who) {
+    Optional<Own> own = goals.values().stream().filter(o -> o.id.equals(goalId)).findFirst();
+    return own.filter(found -> found.cancel(who)).isPresent();
+  }
+
+  List<GoalStatus> statuses() {
+    return deliberation.coordinator().goals();
+  }
+
+  /** A central agent is there, which knows nothing of what was asked of another before it. */
+  void centreReturned() {
+    tellCentre();
+    goals.values().forEach(Own::centreReturned);
+  }
+
+  /** So that the list of goals is whole. */
+  private void tellCentre() {
+    for (GoalStatus status : statuses()) {
+      agent.send(
+          agent.message(
+              ACLMessage.INFORM, agent.getAID(CoordinatorAgent.NAME), GoalWords.status(status)));
+    }
+  }
+
+  /** One of them. */
+  private final class Own {
+    private final Formula goal;
+    private String id = "";
+    private Optional<Petition> petition = Optional.empty();
+    private int attempts;
+
+    private Own(Formula goal) {
+      this.goal = goal;
+    }
+
+    private void submit() {
+      attempts++;
+      try {
+        id =
+            deliberation.coordinator().submit(new GoalRequest(goal, name), this::heard, this::over);
+        tellCentre();
+      } catch (InvalidGoalException e) {
+        LOG.warn("{} does not pursue its goal: {}", name, e.getMessage());
+      }
+    }
+
+    private void heard(HeldNews news) {
+      tellCentre();
+      if (!news.kind().isSo() && !news.reasons().isEmpty()) {
+        askOthers();
+      }
+    }
+
+    private void over(GoalOutcome outcome) {
+      tellCentre();
+      if (outcome.state() == GoalState.FAILED) {
+        askOthers();
+      }
+    }
+
+    private boolean isWanting() {
+      return statuses().stream()
+          .filter(status -> status.id().equals(id))
+          .anyMatch(
+              status ->
+                  status.state() == GoalState.FAILED
+                      || status.state() == GoalState.WAITING && goal instanceof Formula.Keep);
+    }
+
+    private void askOthers() {
+      if (petition.isEmpty() && !ended) {
+        Petition asked = new Petition(agent, effect(), this::answered);
+        petition = Optional.of(asked);
+        asked.send();
+      }
+    }
+
+    /** What is lacking; after some attempts, the goal itself. */
+    private Formula effect() {
+      if (goal instanceof Formula.Keep keep) {
+        return new Formula.Keep(lacking.of(keep.body()));
+      }
+      return attempts < MOST_ATTEMPTS ? lacking.of(goal) : goal;
+    }
+
+    private void answered(Petition asked, Optional<String> problem) {
+      petition = Optional.empty();
+      if (problem.isPresent()) {
+        LOG.info("{} asked in vain for {}: {}", name, asked.effect(), problem.get());
+        clock.schedule(ASK_AGAIN, name, () -> agent.tell(this::askAgain));
+      } else if (!asked.effect().equals(goal)) {
+        submit();
+      }
+    }
+
+    private void askAgain() {
+      if (goals.get(goal) == this && isWanting()) {
+        askOthers();
+      }
+    }
+
+    private void centreReturned() {
+      petition = Optional.empty();
+      askAgain();
+    }
+
+    private boolean cancel(String who) {
+      petition.ifPresent(Petition::withdraw);
+      petition = Optional.empty();
+      boolean cancelled = deliberation.coordinator().cancel(id, who);
+      tellCentre();
+      return cancelled;
+    }
+  }
+}

@@ -1,0 +1,126 @@
+package org.maestro.scenario;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.Test;
+import org.maestro.assembly.SiteSettings;
+import org.maestro.coordination.StoryEntry;
+import org.maestro.junit.Pursuit;
+import org.maestro.junit.Stage;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+import org.maestro.sim.SceneLoader;
+
+/** Agents with goals of their own, held goals, and the death of the central agent. */
+class OwnAccordTest {
+  private static final String CENTRE = "CCA";
+  private static final String KEEPER =
+      """
+
+      home:keeper a maestro:GroupAgent ; rdfs:label "the keeper of B's light" ;
+        maestro:memberWhen "(inside ?member zone-b)" ;
+        maestro:pursues "(keep (>= (illuminance zone-b) 72))" .
+      """;
+
+  @Test
+  void aGroupKeepsItsRoomLitWithoutTheCentralAgent() {
+    try (Stage stage = stage("keeper", KEEPER)) {
+      List<StoryEntry> story = listen(stage);
+      stage.platform().endAgent(CENTRE);
+      stage.await("the room is lit", () -> stage.world().lux("zone-b") >= 72);
+
+      stage.world().setAmbient("zone-b", 60);
+      stage.await("lamps are dimmed", () -> stage.world().lux("zone-b") < 100);
+      stage.world().setAmbient("zone-b", 5);
+      stage.await("the room is dark", () -> stage.world().lux("zone-b") < 72);
+      stage.await("the room is lit again", () -> stage.world().lux("zone-b") >= 72);
+
+      assertThat(story).extracting(StoryEntry::goalId).containsOnly("keeper-1");
+      assertThat(stage.world().lampLevel("lamp-a1")).isEqualTo(1);
+    }
+  }
+
+  @Test
+  void whatItsMembersLackADeviceAsksOfOthersAsAnEffect() {
+    String wish =
+        "maestro:pursues \"(keep (exists (?z - Zone) (and (in ?self ?z) (>= (illuminance ?z) 72))))\" ; :speed 0.8";
+    try (Stage stage = stage("asking", "", ":speed 0.8", wish)) {
+      List<StoryEntry> story = listen(stage);
+      stage.await("it is light where Rose is", () -> stage.world().lux("zone-b") >= 72);
+
+      assertThat(story)
+          .anyMatch(
+              entry -> entry.goalId().startsWith("G") && entry.text().startsWith("rose asks for"));
+      assertThat(story).noneMatch(entry -> entry.text().matches(".*lamp-a. is set to.*"));
+    }
+  }
+
+  @Test
+  void theGoalsOfACentralAgentGoOnWithTheNextOne() {
+    try (Stage stage = stage("heirs", "")) {
+      Pursuit light = stage.begin("(keep (>= (illuminance zone-b) 72))");
+      stage.await("the room is lit", () -> stage.world().lux("zone-b") >= 72);
+      Pursuit fetch = stage.begin("(nextTo Cup Bob)").awaitTelling("picks up");
+
+      stage.platform().endAgent(CENTRE);
+
+      assertThat(fetch.await().reached()).isFalse();
+      assertThat(light.await().explanation()).contains("no central coordination agent");
+      assertThat(stage.goal("(nextTo Cup Bob)").explanation()).contains("revive");
+      stage.run(Duration.ofSeconds(30));
+      assertThat(stage.platform().reviveCoordinator()).isTrue();
+      assertThat(stage.platform().reviveCoordinator()).isFalse();
+      stage.await("the cup is with Bob", () -> stage.world().isNextTo("Cup", "Bob"));
+      stage.world().setAmbient("zone-b", 0);
+      stage.await("the room is dark", () -> stage.world().lux("zone-b") < 72);
+      stage.await("the room is lit again", () -> stage.world().lux("zone-b") >= 72);
+    }
+  }
+
+  private static List<StoryEntry> listen(Stage stage) {
+    List<StoryEntry> story = new CopyOnWriteArrayList<>();
+    stage.platform().onStory(story::add);
+    return story;
+  }
+
+  private static Stage stage(String name, String more) {
+    return stage(name, more, "", "");
+  }
+
+  private static Stage stage(String name, String more, String instead, String by) {
+    Home home =
+        new HomeLoader().load(text("/homes/bob.ttl").replace(instead, by) + more, "bob.ttl");
+    String scene = text("/scenes/bob-dark.ttl");
+    return Stage.stepped(
+        new SiteSettings(
+            name,
+            home,
+            Optional.of(
+                SceneLoader.load(
+                    "the scene",
+                    new ByteArrayInputStream(scene.getBytes(StandardCharsets.UTF_8)),
+                    home)),
+            1,
+            Optional.empty(),
+            0,
+            false,
+            Optional.empty()));
+  }
+
+  private static String text(String path) {
+    try (InputStream stream = OwnAccordTest.class.getResourceAsStream(path)) {
+      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}
