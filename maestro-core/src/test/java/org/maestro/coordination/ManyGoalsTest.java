@@ -9,7 +9,7 @@ import org.maestro.ontology.home.HomeLoader;
 
 /** Fifty wishes at once over twenty robots. */
 class ManyGoalsTest {
-  private static final int ZONES = 8;
+  private static final int ZONES = 5;
   private static final int ROBOTS = 20;
   private static final int WISHES = 50;
 
