@@ -67,6 +67,56 @@ class InProcessTransportTest extends TransportContract {
     assertThat(arrivals).isEmpty();
   }
 
+  @Test
+  void aSlowClientIsHeardLaterAndInOrder() {
+    List<String> arrivals = new ArrayList<>();
+    Transport reader = bus.client("reader");
+    reader.subscribe(
+        "a",
+        Transport.RetainedMessages.SEND,
+        message -> arrivals.add(clock.now().toMillis() + " " + message.payload().length));
+    reader.open(Optional.empty(), new Silent());
+    clock.run(Duration.ofMillis(10));
+    bus.slow("reader", Duration.ofMillis(100));
+    reader.publish(Publication.stream("a", new byte[1]), failure -> {});
+    bus.slow("reader", Duration.ZERO);
+    reader.publish(Publication.stream("a", new byte[2]), failure -> {});
+    clock.run(Duration.ofMillis(200));
+    assertThat(arrivals).containsExactly("111 1", "111 2");
+  }
+
+  @Test
+  void aClientThatWasCutOffLeavesItsWillAndComesBackWhenMended() {
+    List<Integer> wills = new ArrayList<>();
+    List<Duration> connects = new ArrayList<>();
+    Transport reader = bus.client("reader");
+    reader.subscribe(
+        "will", Transport.RetainedMessages.SEND, message -> wills.add(message.payload().length));
+    reader.open(Optional.empty(), new Silent());
+    Transport client = bus.client("client");
+    client.open(
+        Optional.of(new Transport.Will("will", new byte[3])),
+        new Transport.ConnectionListener() {
+          @Override
+          public void connected() {
+            connects.add(clock.now());
+          }
+
+          @Override
+          public void lost(String reason) {
+            connects.add(Duration.ZERO);
+          }
+        });
+    clock.run(Duration.ofMillis(10));
+    bus.cut("client");
+    clock.run(Duration.ofMillis(990));
+    bus.mend("client");
+    clock.run(Duration.ofMillis(10));
+    assertThat(wills).containsExactly(3);
+    assertThat(connects)
+        .containsExactly(Duration.ofMillis(1), Duration.ZERO, Duration.ofMillis(1001));
+  }
+
   private static final class Silent implements Transport.ConnectionListener {
     @Override
     public void connected() {
