@@ -334,6 +334,18 @@ public final class CoordinatorAgent extends MaestroAgent {
     List<StoryEntry> story = stories.get(id);
     if (story == null) {
       refuse(message, ACLMessage.REFUSE, noSuchGoal(id));
+    } else if (words.find("step").isPresent()) {
+      coordinator.explainChoice(
+          id,
+          (int) words.number("step", 0),
+          sentences ->
+              reply(
+                  message,
+                  ACLMessage.INFORM,
+                  sentences.stream()
+                      .map(text -> new StoryEntry(id, clock().now(), StoryEntry.Kind.PLAN, text))
+                      .map(CoordinatorAgent::line)
+                      .toArray(Content[]::new)));
     } else {
       reply(
           message,

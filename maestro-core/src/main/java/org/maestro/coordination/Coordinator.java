@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.planning.Step;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Formula;
 
@@ -22,6 +23,9 @@ import org.maestro.sl.Formula;
 public final class Coordinator {
   static final String PREFIX = "G";
 
+  /** Of that many goals, the latest ones, choices can be explained. */
+  private static final int MOST_EXPLAINED = 50;
+
   private final Ports ports;
   private final JournaledCrew crew;
   private final Roster roster = new Roster();
@@ -32,6 +36,7 @@ public final class Coordinator {
   private final Comeback comeback = new Comeback();
   private final Map<String, Clock.Timer> deadlines = new HashMap<>();
   private final String prefix;
+  private final Map<String, Pursuit> latest = new LinkedHashMap<>();
   private int lastNumber;
 
   /** The coordinator of a whole platform; its goals are G1, G2 ... */
@@ -66,6 +71,10 @@ public final class Coordinator {
     int number = ++lastNumber;
     String id = prefix + number;
     Pursuit pursuit = pursuit(id, request, number, news, ended);
+    latest.put(id, pursuit);
+    if (latest.size() > MOST_EXPLAINED) {
+      latest.remove(latest.keySet().iterator().next());
+    }
     ports.journal().write(new JournalEntry.Submitted(id, request));
     comeback.afterwards(
         () -> ports.thinking().think(() -> id, started -> rivals.run(pursuit::start)));
@@ -211,6 +220,33 @@ public final class Coordinator {
   /** Whether a goal of that id is or was pursued. */
   public boolean hasGoal(String goalId) {
     return pursuits.containsKey(goalId) || ended.containsKey(goalId);
+  }
+
+  /**
+   * Why a step of the goal's latest plan was given to its member: planned again without it, beside
+   * this thread.
+   *
+   * @param step its number
+   * @param told the choice in sentences; one that says so when there is no such step
+   */
+  public void explainChoice(String goalId, int step, Consumer<List<String>> told) {
+    Optional<Decision> decision =
+        Optional.ofNullable(latest.get(goalId)).flatMap(Pursuit::decision);
+    Optional<Step> chosen = decision.flatMap(d -> d.step(step));
+    if (chosen.isEmpty()) {
+      told.accept(List.of("The latest plan of " + goalId + " has no step " + step + "."));
+      return;
+    }
+    ports
+        .thinking()
+        .think(
+            () ->
+                decision
+                    .get()
+                    .sentences(
+                        decision.get().choice(ports.planner(), chosen.get()),
+                        ports.knowledge().home()),
+            told);
   }
 
   public boolean isPresent(String member) {

@@ -39,6 +39,7 @@ final class GoalPursuit implements Pursuit {
   private final Turn turn;
   private final StepExecution execution;
   private Optional<String> planAgain = Optional.empty();
+  private Optional<Decision> decision = Optional.empty();
   private Concern concern;
   private long ownChange = -1;
   private Interest changedMeanwhile;
@@ -362,6 +363,7 @@ final class GoalPursuit implements Pursuit {
       makePlan(why);
     } else if (round.result() instanceof PlanningResult.Found found) {
       found.atLeast().ifPresent(atLeast -> story.notProven(atLeast, found.plan()));
+      note(found.plan(), round);
       adopt(found.plan(), round.tender());
     } else {
       round.tender().award(Map.of());
@@ -381,6 +383,18 @@ final class GoalPursuit implements Pursuit {
     return result instanceof PlanningResult.Found found
         && found.plan().steps().stream().allMatch(step -> roster.isPresent(step.member()))
         && outlook.isGood(found.plan().steps());
+  }
+
+  private void note(Plan found, PlanningRound.Ended round) {
+    if (!outlook.isConfirming() && !found.steps().isEmpty()) {
+      decision =
+          Optional.of(new Decision(round.task(), found, round.tender().bids(), round.questions()));
+    }
+  }
+
+  @Override
+  public Optional<Decision> decision() {
+    return decision;
   }
 
   private void adopt(Plan found, Market.Tender tender) {

@@ -177,6 +177,11 @@ final class HeldPursuit implements Pursuit {
   }
 
   @Override
+  public Optional<Decision> decision() {
+    return work.flatMap(Pursuit::decision);
+  }
+
+  @Override
   public void memberLost(String member) {
     watch.memberLost(member);
     patience.renewed(now());

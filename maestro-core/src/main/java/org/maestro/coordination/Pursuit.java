@@ -29,6 +29,11 @@ interface Pursuit {
 
   GoalStatus status();
 
+  /** The plan that was adopted last, with all that it was chosen from. */
+  default Optional<Decision> decision() {
+    return Optional.empty();
+  }
+
   int priority();
 
   void cancel(String who);

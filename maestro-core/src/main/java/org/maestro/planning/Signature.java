@@ -23,16 +23,23 @@ final class Signature {
 
   Signature(Vocabulary vocabulary, List<PricedFeature> features) {
     this.vocabulary = vocabulary;
-    features.forEach(feature -> collect(feature.type().effect()));
+    features.forEach(feature -> collect(feature.type().effect(), changed));
   }
 
-  private void collect(Effect effect) {
+  /** The names of what an effect may change or find out. */
+  static Set<String> changedBy(Effect effect) {
+    Set<String> names = new HashSet<>();
+    collect(effect, names);
+    return names;
+  }
+
+  private static void collect(Effect effect, Set<String> changed) {
     if (effect instanceof Effect.All all) {
-      all.effects().forEach(this::collect);
+      all.effects().forEach(part -> collect(part, changed));
     } else if (effect instanceof Effect.When when) {
-      collect(when.effect());
+      collect(when.effect(), changed);
     } else if (effect instanceof Effect.Forall forall) {
-      collect(forall.effect());
+      collect(forall.effect(), changed);
     } else if (effect instanceof Effect.Add add) {
       changed.add(add.atom().predicate());
     } else if (effect instanceof Effect.Delete delete) {

@@ -117,6 +117,19 @@ class CoordinatorTest {
   }
 
   @Test
+  void whyThisMemberAndNotAnotherCanBeAsked() {
+    house.ambientLux.put("zone-b", 40.0);
+    house.coordinator.memberLost("lamp-a2", "no power");
+    assertThat(house.achieve("(>= (illuminance zone-b) 60)").reached()).isTrue();
+    List<String> told = new ArrayList<>();
+    house.coordinator.explainChoice("G1", 1, told::addAll);
+    house.clock.run(Duration.ofSeconds(1));
+    assertThat(told.get(0)).startsWith("Step 1: ").contains("exact prices asked: 0");
+    assertThat(told).anyMatch(text -> text.matches("With lamp-b\\d instead the plan would .*"));
+    assertThat(told).anyMatch(text -> text.startsWith("lamp-a2 refused: "));
+  }
+
+  @Test
   void aLampThatDiesIsReplaced() {
     house.beforeCall =
         call -> {

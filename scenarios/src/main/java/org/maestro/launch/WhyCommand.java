@@ -7,6 +7,7 @@ import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.Words;
@@ -35,8 +36,18 @@ final class WhyCommand implements Callable<Integer> {
   @Option(names = "--json", description = "Print one JSON document.")
   private boolean json;
 
+  @Option(
+      names = "--step",
+      paramLabel = "N",
+      description = "Why this member does that step of the latest plan, and not another.")
+  private Optional<Integer> step = Optional.empty();
+
   @Override
   public Integer call() {
+    if (step.isPresent() && !platform.isThere()) {
+      throw CommandException.badInput(
+          "Why a step was given to its member can be told while the platform runs, and none does; leave --step away for the story.");
+    }
     List<StoryEntry> story = platform.isThere() ? asked() : left();
     PrintWriter out = spec.commandLine().getOut();
     if (json) {
@@ -54,7 +65,14 @@ final class WhyCommand implements Callable<Integer> {
               container.ask(
                   ACLMessage.REQUEST,
                   CoordinatorAgent.NAME,
-                  Words.content("explain", Words.named("goal", Words.name(goal)))))
+                  step.map(
+                          number ->
+                              Words.content(
+                                  "explain",
+                                  Words.named("goal", Words.name(goal)),
+                                  Words.named("step", Words.number(number))))
+                      .orElseGet(
+                          () -> Words.content("explain", Words.named("goal", Words.name(goal))))))
           .stream()
           .map(Reply::story)
           .toList();
