@@ -540,7 +540,7 @@ final class GoalPursuit implements Pursuit {
     } else if (!outlook.isConfirming()) {
       outlook.confirm(needed);
       plan.drop();
-      story.confirming(needed.get().things());
+      story.confirming(needed.get());
       makePlan(Optional.empty());
     } else if (underway.isEmpty() && plan.remaining().isEmpty()) {
       outlook.confirm(needed);

@@ -1,5 +1,6 @@
 package org.maestro.coordination;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -215,10 +216,19 @@ final class GoalStory {
     tell(StoryEntry.Kind.STEP, "No longer wanted: " + sentences().step(step) + ".");
   }
 
-  void confirming(Collection<String> things) {
-    tell(
-        StoryEntry.Kind.CONFIRM,
-        "It should be so now; it is to be seen: " + String.join(", ", things) + ".");
+  void confirming(Confirmation needed) {
+    List<String> wanted = new ArrayList<>();
+    if (!needed.things().isEmpty()) {
+      wanted.add("it is to be seen: " + String.join(", ", needed.things()));
+    }
+    if (!needed.numbers().isEmpty()) {
+      wanted.add(
+          "it is to be measured: "
+              + needed.numbers().stream()
+                  .map(sentences()::quantity)
+                  .collect(Collectors.joining(", ")));
+    }
+    tell(StoryEntry.Kind.CONFIRM, "It should be so now; " + String.join("; ", wanted) + ".");
   }
 
   /** Who saw what the goal speaks of. */

@@ -152,7 +152,8 @@ class HeldGoalTest {
     submit("(keep (<= (illuminance zone-b) 40))");
     run(Duration.ofMinutes(10));
 
-    assertThat(lampCalls()).isLessThan(80);
+    // One call takes 0.3 s: at full speed there would be some two thousand.
+    assertThat(lampCalls()).isLessThan(120);
   }
 
   @Test

@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
 import org.awaitility.Awaitility;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -29,6 +30,8 @@ import org.maestro.rats.time.PacedClock;
  */
 class CoordinatorDeathTest {
   private static final Duration LIMIT = Duration.ofSeconds(120);
+
+  private final PacedClock clock = new PacedClock(1);
 
   @TempDir Path directory;
 
@@ -107,6 +110,11 @@ class CoordinatorDeathTest {
     }
   }
 
+  @AfterEach
+  void stopTheClock() {
+    clock.close();
+  }
+
   private JavaProcess start(PostOffice office, Path home) throws IOException {
     Path runtime = Files.createDirectories(directory.resolve("runtime"));
     return JavaProcess.start(
@@ -135,7 +143,7 @@ class CoordinatorDeathTest {
         "127.0.0.1",
         runtime.running().get(0).port(),
         "desk-" + System.nanoTime(),
-        new PacedClock(1));
+        clock);
   }
 
   /** Lines of the journal with these words. */
