@@ -165,7 +165,7 @@ final class Leases {
   void stopWaiting(String goal) {
     Wait wait = waits.remove(goal);
     if (wait != null) {
-      wakeFor(wait.wanted());
+      wakeThose(edge -> edge.holder().equals(goal) || wait.wanted().contains(edge.resource()));
     }
   }
 

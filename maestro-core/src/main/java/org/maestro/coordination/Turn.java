@@ -1,5 +1,6 @@
 package org.maestro.coordination;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
@@ -23,6 +24,7 @@ final class Turn {
   private final StepsUnderway underway;
   private boolean awaited;
   private Optional<String> after = Optional.empty();
+  private Optional<String> yieldedTo = Optional.empty();
   private Optional<String> asked = Optional.empty();
   private Set<Resource> told = Set.of();
 
@@ -48,16 +50,20 @@ final class Turn {
     return awaited;
   }
 
-  /** Whether it has stepped back for one that is not over yet. */
+  /** Whether it has stepped back for one that is not over yet, or has not got its way yet. */
   boolean isAfterAnother() {
     after = after.filter(other -> rivals.find(other).isPresent());
-    return after.isPresent();
+    yieldedTo =
+        yieldedTo.filter(
+            other -> rivals.find(other).isPresent() && !rivals.leases().waitsOf(other).isEmpty());
+    return after.isPresent() || yieldedTo.isPresent();
   }
 
   /** Another plan is made, which may wait for something else. */
   void forget() {
     awaited = false;
     after = Optional.empty();
+    yieldedTo = Optional.empty();
     rivals.leases().stopWaiting(id());
   }
 
@@ -149,8 +155,10 @@ final class Turn {
     }
     asked = Optional.empty();
     awaited = true;
-    List<WaitsFor> edges =
-        contested.stream().map(edge -> new WaitsFor(id(), edge.resource(), to.get())).toList();
+    yieldedTo = to;
+    List<WaitsFor> edges = new ArrayList<>();
+    contested.forEach(edge -> edges.add(new WaitsFor(id(), edge.resource(), to.get())));
+    edges.add(new WaitsFor(id(), Resource.endOf(to.get()), to.get()));
     suspend(wanted, edges, to.get() + " goes first with " + things(contested));
     contention.letGo();
     return true;

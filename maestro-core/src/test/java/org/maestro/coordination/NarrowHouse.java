@@ -31,6 +31,8 @@ import org.maestro.sl.Term;
  * robots in one door, or two things at once done by one robot, are written down as accidents.
  */
 final class NarrowHouse implements Market, Crew {
+  private static final int MOST_SENTENCES = 4_000;
+
   final SteppedClock clock = new SteppedClock();
   final KnowledgeBase knowledge;
   final Coordinator coordinator;
@@ -67,18 +69,22 @@ final class NarrowHouse implements Market, Crew {
                   }
                 },
                 clock,
-                entry ->
-                    story.add(
-                        "%6.2f %s %s %s"
-                            .formatted(
-                                entry.at().toMillis() / 1000.0,
-                                entry.goalId(),
-                                entry.kind(),
-                                entry.text()))));
+                this::note));
     knowledge.watch(
         change ->
             clock.schedule(Duration.ZERO, "knowledge", () -> coordinator.knowledgeChanged(change)));
     home.devices().keySet().forEach(coordinator::memberPresent);
+  }
+
+  /** Nothing goes round for ever without anybody noticing. */
+  private void note(StoryEntry entry) {
+    story.add(
+        "%6.2f %s %s %s"
+            .formatted(entry.at().toMillis() / 1000.0, entry.goalId(), entry.kind(), entry.text()));
+    if (story.size() > MOST_SENTENCES) {
+      throw new IllegalStateException(
+          "It goes round and round: " + story.subList(story.size() - 60, story.size()));
+    }
   }
 
   NarrowHouse with(String thing, String zone) {
