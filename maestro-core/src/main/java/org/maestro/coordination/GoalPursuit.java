@@ -348,6 +348,13 @@ final class GoalPursuit implements Pursuit {
     return why.isPresent() ? GoalState.REPLANNING : GoalState.PLANNING;
   }
 
+  /** While it was planned how to see it, somebody told: nothing is left to be looked for. */
+  private boolean isSeenMeanwhile() {
+    return outlook.isConfirming()
+        && underway.isEmpty()
+        && outlook.holds().filter(p -> outlook.toBeSeen(p.goalBinding()).isEmpty()).isPresent();
+  }
+
   private void planned(PlanningRound.Ended round) {
     planning = false;
     if (life.isOver()) {
@@ -355,6 +362,11 @@ final class GoalPursuit implements Pursuit {
       return;
     }
     outlook.offered(round.features());
+    if (isSeenMeanwhile()) {
+      round.tender().award(Map.of());
+      settle(outlook.holds().orElseThrow().goalBinding());
+      return;
+    }
     story.bids(round.tender().bids(), round.questions(), round.unpriced());
     Optional<String> why = planAgain.or(() -> changedMeanwhile(round.result()));
     planAgain = Optional.empty();

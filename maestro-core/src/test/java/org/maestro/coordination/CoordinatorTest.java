@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.maestro.knowledge.Source;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.sl.SlParser;
@@ -69,6 +70,28 @@ class CoordinatorTest {
 
     assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
     assertThat(outcome.confirmed()).isFalse();
+  }
+
+  @Test
+  void whatARobotTellsAfterItsReportNeedsNoLook() {
+    house.ambientLux.put("zone-b", 100.0);
+    house.beforeCall =
+        call -> {
+          if (call.equals("pick rose")) {
+            house.clock.schedule(
+                Duration.ofMillis(1),
+                "rose",
+                () ->
+                    house.knowledge.state(
+                        new Source(Source.Kind.STATED, "rose"),
+                        List.of("(in rose zone-b)", "(in Cup rose)")));
+          }
+        };
+
+    GoalOutcome outcome = house.achieve("(in Cup rose)");
+
+    assertThat(outcome.confirmed()).as(String.join("\n", house.story)).isTrue();
+    assertThat(house.calls).noneMatch(call -> call.startsWith("place"));
   }
 
   @Test
