@@ -104,6 +104,9 @@ final class Judge {
     if (now.minus(lastFault).compareTo(NEWS.plus(slowest)) < 0) {
       return verdict(claim, Verdict.Kind.TOO_LATE_TO_KNOW, "");
     }
+    if (claim.reasons().stream().anyMatch(reason -> reason.startsWith("No plan and no proof"))) {
+      return verdict(claim, Verdict.Kind.GAVE_UP, "");
+    }
     return verdict(claim, Verdict.Kind.FALSELY_IMPOSSIBLE, "it can be done with " + usable);
   }
 
