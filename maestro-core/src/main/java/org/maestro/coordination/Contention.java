@@ -165,8 +165,8 @@ final class Contention {
     return used;
   }
 
-  void ended(Set<Resource> used) {
-    leases().ended(goalId, used);
+  void ended(Step step, Set<Resource> used) {
+    leases().ended(goalId, step.member(), used);
   }
 
   /** Remembers what the step brought about, and what its member holds since. */

@@ -130,12 +130,11 @@ final class Leases {
     resources.forEach(resource -> runs.put(resource, new Run(goal, member)));
   }
 
-  void ended(String goal, Set<Resource> resources) {
+  /** What the member's step had is free, unless it was lost before and another has it now. */
+  void ended(String goal, String member, Set<Resource> resources) {
     Set<Resource> free = new HashSet<>();
     for (Resource resource : resources) {
-      Run run = runs.get(resource);
-      if (run != null && run.goal().equals(goal)) {
-        runs.remove(resource);
+      if (runs.remove(resource, new Run(goal, member))) {
         free.add(resource);
       }
     }

@@ -120,7 +120,7 @@ final class StepExecution {
       Crew.Report report,
       Crew.Performance performance) {
     boolean calledOff = underway.ended(step);
-    contention.ended(used);
+    contention.ended(step, used);
     exactPrices.forget(step.member());
     String factsBefore = factsUnder.apply(step.key());
     KnowledgeBase.Change change = ports.knowledge().learn(run(step, before, report));

@@ -92,9 +92,11 @@ class NarrowDoorsTest {
         .map(outcome -> "not reached: " + outcome + "\n" + house.told());
   }
 
-  /** With all robots alive only a deadline is an excuse. */
+  /** With all robots alive only a deadline is an excuse, and what goes wrong again and again. */
   private static boolean isExcused(GoalOutcome outcome, boolean dies) {
-    return dies || outcome.reasons().get(0).contains("deadline");
+    return dies
+        || outcome.reasons().get(0).contains("deadline")
+        || outcome.reasons().get(0).contains("failed twice");
   }
 
   private static String goal(Random random) {
