@@ -1,6 +1,7 @@
 package org.maestro.knowledge;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -18,6 +19,13 @@ import org.maestro.sl.TypedVariable;
 /** What follows from where things were seen, by the predicates' {@code observedWhen}. */
 final class Sightings {
 
+  /** State variables first, then by label, so that the order does not hang on names. */
+  private static final Comparator<PredicateDeclaration> IN_ORDER =
+      Comparator.comparing(PredicateDeclaration::functional)
+          .reversed()
+          .thenComparing(PredicateDeclaration::label)
+          .thenComparing(PredicateDeclaration::name);
+
   private final World world;
   private final Snapshot snapshot;
 
@@ -32,9 +40,12 @@ final class Sightings {
    */
   List<Fact> of(Term thing) {
     List<Fact> facts = new ArrayList<>();
-    for (PredicateDeclaration predicate : world.home().vocabulary().predicates().values()) {
-      predicate.observedWhen().ifPresent(when -> facts.addAll(of(thing, predicate, when)));
-    }
+    world.home().vocabulary().predicates().values().stream()
+        .filter(predicate -> predicate.observedWhen().isPresent())
+        .sorted(IN_ORDER)
+        .forEach(
+            predicate ->
+                facts.addAll(of(thing, predicate, predicate.observedWhen().orElseThrow())));
     return facts;
   }
 
