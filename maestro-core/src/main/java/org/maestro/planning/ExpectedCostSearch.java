@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -33,6 +34,9 @@ final class ExpectedCostSearch {
   private static final int MOST_COUPLED = 8;
 
   private static final double SAME = 1e-9;
+
+  /** Estimates count twice what is of use for the look and for the rest: part of the whole cost. */
+  private static final double ESTIMATED_WITHIN = 0.05;
 
   /** Finds a cheapest plan, if there is one within bounds. */
   interface Solver {
@@ -123,9 +127,9 @@ final class ExpectedCostSearch {
       }
     }
     double[] expected = expectedCosts(sought, present, chance, look, splits);
-    int first = least(expected, present, candidates.keySet(), open);
-    while (!candidates.containsKey(first)) {
-      int next = first;
+    OptionalInt worthAPlan = worthAPlan(expected, candidates.keySet(), open);
+    while (worthAPlan.isPresent()) {
+      int next = worthAPlan.getAsInt();
       open.remove(next);
       candidate(sought, sought.values().get(next))
           .ifPresent(
@@ -140,8 +144,9 @@ final class ExpectedCostSearch {
         open.clear();
       }
       expected = expectedCosts(sought, present, chance, look, splits);
-      first = least(expected, present, candidates.keySet(), open);
+      worthAPlan = worthAPlan(expected, candidates.keySet(), open);
     }
+    int first = least(expected, present, candidates.keySet());
     Optional<Candidate> without = avoidable ? candidate(sought, Variable.NONE) : Optional.empty();
     if (without.isPresent() && without.get().plan().cost() < expected[first] - SAME) {
       choose(without.get());
@@ -158,14 +163,21 @@ final class ExpectedCostSearch {
     return Arrays.stream(chance).map(one -> sum > 0 ? one / sum : 1.0 / chance.length).toArray();
   }
 
-  /** Among equals the present choice, then what has a plan. */
-  private static int least(
-      double[] expected, int present, Set<Integer> planned, Set<Integer> open) {
+  /** The best place without a plan, if it may be better than those with one. */
+  private static OptionalInt worthAPlan(
+      double[] expected, Set<Integer> planned, Set<Integer> open) {
+    double best = planned.stream().mapToDouble(i -> expected[i]).min().orElseThrow();
+    return open.stream()
+        .mapToInt(Integer::intValue)
+        .filter(i -> expected[i] < best * (1 + ESTIMATED_WITHIN) - SAME)
+        .reduce((i, j) -> expected[j] < expected[i] ? j : i);
+  }
+
+  /** Among equals the present choice. */
+  private static int least(double[] expected, int present, Set<Integer> planned) {
     int least = present;
-    for (Set<Integer> places : List.of(planned, open)) {
-      for (int i : places) {
-        least = expected[i] < expected[least] - SAME ? i : least;
-      }
+    for (int i : planned) {
+      least = expected[i] < expected[least] - SAME ? i : least;
     }
     return least;
   }

@@ -1,6 +1,11 @@
 package org.maestro.bench;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -11,10 +16,12 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteException;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.coordination.StoryEntry;
+import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.platform.GoalReport;
 import org.maestro.sl.SlParser;
@@ -28,6 +35,8 @@ import org.maestro.sl.SlParser;
 public final class CoordinationBench {
   private static final int SPEED = 20;
   private static final int WARM_UP = 12;
+  private static final Duration WARM_UP_TIME = Duration.ofSeconds(2);
+  private static final Duration MEASURED_TIME = Duration.ofSeconds(5);
   private static final long PATIENCE_SECONDS = 120;
   private static final double BURST_LIMIT_SECONDS = 5;
 
@@ -61,6 +70,7 @@ public final class CoordinationBench {
     progress.accept(
         "A site of %d devices, %d of them robots, starts."
             .formatted(home.devices().size(), large.robots()));
+    contractNet();
     try (LocalSite site = LocalSite.paced(settings, SPEED)) {
       sequence(site);
     }
@@ -68,6 +78,34 @@ public final class CoordinationBench {
       burst(site);
     }
     return new BenchReport("coordination", BenchReport.thisMachine(), rows);
+  }
+
+  /** Ten agents, as many as a home has. */
+  private void contractNet() {
+    progress.accept("Contract-net rounds beside those of plain JADE.");
+    List<Device> devices = List.copyOf(new LargeHome(2, 0, 0).home().devices().values());
+    Path files = temporaryDirectory();
+    try {
+      rows.add(ContractNetRounds.measure(devices, files, WARM_UP_TIME, MEASURED_TIME).row());
+    } finally {
+      delete(files);
+    }
+  }
+
+  private static Path temporaryDirectory() {
+    try {
+      return Files.createTempDirectory("maestro-bench");
+    } catch (IOException e) {
+      throw new SiteException("No temporary directory can be made.", e);
+    }
+  }
+
+  private static void delete(Path directory) {
+    try (Stream<Path> files = Files.walk(directory)) {
+      files.sorted(Comparator.reverseOrder()).forEach(file -> file.toFile().delete());
+    } catch (IOException e) {
+      throw new SiteException("Cannot clean up " + directory + ".", e);
+    }
   }
 
   private void sequence(LocalSite site) {
