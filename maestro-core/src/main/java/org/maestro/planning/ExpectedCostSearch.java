@@ -8,7 +8,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -34,9 +33,6 @@ final class ExpectedCostSearch {
   private static final int MOST_COUPLED = 8;
 
   private static final double SAME = 1e-9;
-
-  /** Estimates count twice what is of use for the look and for the rest: part of the whole cost. */
-  private static final double ESTIMATED_WITHIN = 0.05;
 
   /** Finds a cheapest plan, if there is one within bounds. */
   interface Solver {
@@ -71,7 +67,9 @@ final class ExpectedCostSearch {
 
   /** The plan to begin with; the optimistic one where there is nothing to choose. */
   Plan plan() {
-    beginWhereLikeliest();
+    if (hasManyPlaces()) {
+      beginWhereLikeliest();
+    }
     for (Sought sought : List.copyOf(choice.keySet())) {
       if (choice.get(sought) >= 0) {
         weigh(sought);
@@ -80,9 +78,13 @@ final class ExpectedCostSearch {
     return best.plan().withSearches(searches);
   }
 
+  private boolean hasManyPlaces() {
+    return choice.keySet().stream().anyMatch(sought -> sought.values().size() > MOST_COUPLED);
+  }
+
   /**
-   * The optimistic plan finds all in one place, whichever; where some places are likelier, to begin
-   * with all of those is nearer to the best, so that fewer plans need to be made.
+   * The optimistic plan finds all in one place, whichever. Where there are many places, to begin
+   * with the likeliest ones is nearer to the best, so that fewer plans need to be made.
    */
   private void beginWhereLikeliest() {
     Map<Sought, Integer> likeliest = new LinkedHashMap<>();
@@ -127,9 +129,9 @@ final class ExpectedCostSearch {
       }
     }
     double[] expected = expectedCosts(sought, present, chance, look, splits);
-    OptionalInt worthAPlan = worthAPlan(expected, candidates.keySet(), open);
-    while (worthAPlan.isPresent()) {
-      int next = worthAPlan.getAsInt();
+    int first = least(expected, present, candidates.keySet(), open);
+    while (!candidates.containsKey(first)) {
+      int next = first;
       open.remove(next);
       candidate(sought, sought.values().get(next))
           .ifPresent(
@@ -144,9 +146,8 @@ final class ExpectedCostSearch {
         open.clear();
       }
       expected = expectedCosts(sought, present, chance, look, splits);
-      worthAPlan = worthAPlan(expected, candidates.keySet(), open);
+      first = least(expected, present, candidates.keySet(), open);
     }
-    int first = least(expected, present, candidates.keySet());
     Optional<Candidate> without = avoidable ? candidate(sought, Variable.NONE) : Optional.empty();
     if (without.isPresent() && without.get().plan().cost() < expected[first] - SAME) {
       choose(without.get());
@@ -163,21 +164,14 @@ final class ExpectedCostSearch {
     return Arrays.stream(chance).map(one -> sum > 0 ? one / sum : 1.0 / chance.length).toArray();
   }
 
-  /** The best place without a plan, if it may be better than those with one. */
-  private static OptionalInt worthAPlan(
-      double[] expected, Set<Integer> planned, Set<Integer> open) {
-    double best = planned.stream().mapToDouble(i -> expected[i]).min().orElseThrow();
-    return open.stream()
-        .mapToInt(Integer::intValue)
-        .filter(i -> expected[i] < best * (1 + ESTIMATED_WITHIN) - SAME)
-        .reduce((i, j) -> expected[j] < expected[i] ? j : i);
-  }
-
-  /** Among equals the present choice. */
-  private static int least(double[] expected, int present, Set<Integer> planned) {
+  /** Among equals the present choice, then what has a plan. */
+  private static int least(
+      double[] expected, int present, Set<Integer> planned, Set<Integer> open) {
     int least = present;
-    for (int i : planned) {
-      least = expected[i] < expected[least] - SAME ? i : least;
+    for (Set<Integer> places : List.of(planned, open)) {
+      for (int i : places) {
+        least = expected[i] < expected[least] - SAME ? i : least;
+      }
     }
     return least;
   }
@@ -280,30 +274,26 @@ final class ExpectedCostSearch {
         .map(found -> new Candidate(found, PlanBuilder.plan(smaller.placed(), found)));
   }
 
-  /** Other looks are of use only once the place is known, and then they find nothing new. */
+  /** Other looks are of use only once the place is known. */
   private static Operator restricted(Operator operator, Map<Sought, Integer> chosen) {
     List<Condition> conditions = new ArrayList<>();
-    List<Change> kept = new ArrayList<>();
     for (Change change : operator.changes()) {
-      if (change instanceof Change.Find find && isElsewhere(find, chosen)) {
-        conditions.add(
-            new Condition.Literal(find.variable(), find.value(), Condition.Question.NOT_UNKNOWN));
-      } else {
-        kept.add(change);
+      if (change instanceof Change.Find find) {
+        chosen.forEach(
+            (sought, value) -> {
+              if (sought.variable() == find.variable() && value != find.value()) {
+                conditions.add(
+                    new Condition.Literal(
+                        find.variable(), find.value(), Condition.Question.NOT_UNKNOWN));
+              }
+            });
       }
     }
     if (conditions.isEmpty()) {
       return operator;
     }
     conditions.add(0, operator.precondition());
-    return operator.withPrecondition(Condition.all(conditions)).withChanges(kept);
-  }
-
-  private static boolean isElsewhere(Change.Find find, Map<Sought, Integer> chosen) {
-    return chosen.entrySet().stream()
-        .anyMatch(
-            entry ->
-                entry.getKey().variable() == find.variable() && entry.getValue() != find.value());
+    return operator.withPrecondition(Condition.all(conditions));
   }
 
   /** Empty when the plan does not look there. */
