@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.eclipse.paho.mqttv5.client.IMqttToken;
 import org.eclipse.paho.mqttv5.client.MqttActionListener;
@@ -32,11 +33,18 @@ final class PahoConnection implements MqttCallback {
   private static final int PAHO_THREADS = 5;
 
   private static final int REFUSED = 0x80;
+
+  /** What MQTT 5 means when the broker does not say it. */
+  private static final int UNSAID_RECEIVE_MAXIMUM = 65_535;
+
   private static final int CONNECT_SECONDS = 5;
 
   /** What happened, told on Paho's threads. */
   interface Events {
-    void established(PahoConnection connection);
+    /**
+     * @param receiveMaximum so many publishes may be under way, as the broker says
+     */
+    void established(PahoConnection connection, int receiveMaximum);
 
     void ended(PahoConnection connection, String reason);
 
@@ -84,13 +92,19 @@ final class PahoConnection implements MqttCallback {
   }
 
   void connect() {
-    start(
-        () -> client.connect(options, null, listener(failure -> told(failure))),
-        failure -> events.ended(this, failure));
+    MqttActionListener told =
+        listener(
+            (token, failure) ->
+                failure.ifPresentOrElse(
+                    reason -> events.ended(this, reason),
+                    () -> events.established(this, receiveMaximum(token))));
+    start(() -> client.connect(options, null, told), failure -> events.ended(this, failure));
   }
 
-  private void told(Optional<String> failure) {
-    failure.ifPresentOrElse(reason -> events.ended(this, reason), () -> events.established(this));
+  private static int receiveMaximum(IMqttToken connected) {
+    return Optional.ofNullable(connected.getResponseProperties())
+        .map(MqttProperties::getReceiveMaximum)
+        .orElse(UNSAID_RECEIVE_MAXIMUM);
   }
 
   /** All in one packet; the completion is told on a Paho thread, or at once when refused. */
@@ -143,21 +157,25 @@ final class PahoConnection implements MqttCallback {
   }
 
   private static MqttActionListener listener(Consumer<Optional<String>> completion) {
+    return listener((token, failure) -> completion.accept(failure));
+  }
+
+  private static MqttActionListener listener(BiConsumer<IMqttToken, Optional<String>> completion) {
     return new MqttActionListener() {
       @Override
       public void onSuccess(IMqttToken token) {
         int[] codes = token.getReasonCodes();
         if (codes != null && Arrays.stream(codes).anyMatch(code -> code >= REFUSED)) {
-          completion.accept(
-              Optional.of("the broker refused it with reason code " + Arrays.toString(codes)));
+          String reason = "the broker refused it with reason code " + Arrays.toString(codes);
+          completion.accept(token, Optional.of(reason));
         } else {
-          completion.accept(Optional.empty());
+          completion.accept(token, Optional.empty());
         }
       }
 
       @Override
       public void onFailure(IMqttToken token, Throwable cause) {
-        completion.accept(Optional.of(reason(cause)));
+        completion.accept(token, Optional.of(reason(cause)));
       }
     };
   }

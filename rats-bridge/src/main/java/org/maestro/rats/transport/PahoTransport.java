@@ -179,7 +179,8 @@ public final class PahoTransport implements Transport {
     }
   }
 
-  private void established(PahoConnection source) {
+  private void established(PahoConnection source, int receiveMaximum) {
+    queue.bound(receiveMaximum);
     if (subscriptions.isEmpty()) {
       subscribed(source, Optional.empty());
     } else {
@@ -286,8 +287,8 @@ public final class PahoTransport implements Transport {
 
   private final class Events implements PahoConnection.Events {
     @Override
-    public void established(PahoConnection source) {
-      performFor(source, () -> PahoTransport.this.established(source));
+    public void established(PahoConnection source, int receiveMaximum) {
+      performFor(source, () -> PahoTransport.this.established(source, receiveMaximum));
     }
 
     @Override

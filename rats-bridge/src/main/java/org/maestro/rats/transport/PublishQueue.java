@@ -9,9 +9,9 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What waits to be published and what is under way: Paho throws when too many publishes are in
- * progress, so their number is bounded here, and nothing is dropped without telling. Confined to
- * the transport's thread.
+ * What waits to be published and what is under way: Paho throws when more publishes are in progress
+ * than the broker allows, so their number is bounded here, and nothing is dropped without telling.
+ * Confined to the transport's thread.
  */
 final class PublishQueue {
 
@@ -27,7 +27,18 @@ final class PublishQueue {
 
   private final Deque<Entry> waiting = new ArrayDeque<>();
   private final Set<Entry> underWay = new LinkedHashSet<>();
+  private int mostUnderWay = MOST_UNDER_WAY;
   private long count;
+
+  /**
+   * For what is sent from now on. Paho counts streams too, and one of them may still count when its
+   * completion is told.
+   *
+   * @param receiveMaximum how many publishes the broker lets be under way
+   */
+  void bound(int receiveMaximum) {
+    mostUnderWay = Math.max(1, Math.min(MOST_UNDER_WAY, receiveMaximum - 1));
+  }
 
   void add(Publication publication, Transport.Completion completion, Sender sender) {
     if (waiting.size() >= MOST_WAITING) {
@@ -63,7 +74,7 @@ final class PublishQueue {
   }
 
   private void send(Sender sender) {
-    while (underWay.size() < MOST_UNDER_WAY && !waiting.isEmpty()) {
+    while (underWay.size() < mostUnderWay && !waiting.isEmpty()) {
       Entry entry = waiting.remove();
       underWay.add(entry);
       sender.send(entry);

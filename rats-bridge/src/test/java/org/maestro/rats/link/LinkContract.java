@@ -126,9 +126,8 @@ abstract class LinkContract {
     await(() -> usable(link, "anna"));
     Listener listener = new Listener();
     RatsLink.CallHandle call =
-        link.call(
-            "anna", "watch", Map.of("object", "Cup"), seconds(20), Optional.empty(), listener);
-    await(() -> listener.observations.size() >= 25);
+        link.call("anna", "watch", Map.of("object", "Cup"), seconds(5), Optional.empty(), listener);
+    await(() -> listener.observations.size() >= 7);
     assertThat(listener.results).as("t ended when it was established").isEmpty();
     assertThat(listener.observations).extracting(Observation::id).containsOnly(call.callId());
     call.cancel();

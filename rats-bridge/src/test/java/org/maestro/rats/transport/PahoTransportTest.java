@@ -1,87 +1,11 @@
 package org.maestro.rats.transport;
 
-import static org.assertj.core.api.Assertions.assertThat;
+import org.maestro.rats.broker.TestBroker;
 
-import java.time.Duration;
-import java.util.Optional;
-import java.util.function.BooleanSupplier;
-import org.awaitility.Awaitility;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
-import org.maestro.rats.broker.EmbeddedBroker;
-
-class PahoTransportTest extends TransportContract {
-
-  private EmbeddedBroker broker;
-
-  @BeforeEach
-  void startBroker() {
-    broker = EmbeddedBroker.start();
-  }
-
-  @AfterEach
-  void closeBroker() {
-    broker.close();
-  }
-
-  @AfterAll
-  static void leavesNoThread() {
-    Awaitility.await()
-        .atMost(Duration.ofSeconds(5))
-        .untilAsserted(
-            () ->
-                assertThat(Thread.getAllStackTraces().keySet())
-                    .extracting(Thread::getName)
-                    .noneMatch(name -> name.startsWith("rats-") || name.contains("MQTT")));
-  }
+class PahoTransportTest extends PahoTransportContract {
 
   @Override
-  Transport client(String id) {
-    return new PahoTransport(broker.uri(), id);
-  }
-
-  @Override
-  void stopBroker() {
-    broker.close();
-  }
-
-  @Override
-  void restartBroker() {
-    broker = EmbeddedBroker.start(broker.uri().getPort());
-  }
-
-  @Override
-  void await(BooleanSupplier condition) {
-    Awaitility.await()
-        .pollDelay(Duration.ZERO)
-        .pollInterval(Duration.ofMillis(2))
-        .atMost(Duration.ofSeconds(10))
-        .until(condition::getAsBoolean);
-  }
-
-  @Test
-  void keepsTryingWhileThereIsNoBroker() {
-    broker.close();
-    StringBuffer reasons = new StringBuffer();
-    Transport client = client("early");
-    client.open(
-        Optional.empty(),
-        new Transport.ConnectionListener() {
-          @Override
-          public void connected() {
-            reasons.append("connected");
-          }
-
-          @Override
-          public void lost(String reason) {
-            reasons.append("lost ");
-          }
-        });
-    await(() -> reasons.toString().startsWith("lost lost"));
-    restartBroker();
-    await(() -> reasons.toString().endsWith("connected"));
-    client.close();
+  TestBroker broker() {
+    return TestBroker.embedded();
   }
 }

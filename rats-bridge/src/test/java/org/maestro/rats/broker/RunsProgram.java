@@ -1,0 +1,60 @@
+package org.maestro.rats.broker;
+
+import java.io.File;
+import java.lang.annotation.ElementType;
+import java.lang.annotation.Retention;
+import java.lang.annotation.RetentionPolicy;
+import java.lang.annotation.Target;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.extension.ConditionEvaluationResult;
+import org.junit.jupiter.api.extension.ExecutionCondition;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.extension.ExtensionContext;
+import org.junit.platform.commons.support.AnnotationSupport;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** The tests of the class start a program; where it is not installed they say so and do not run. */
+@Target(ElementType.TYPE)
+@Retention(RetentionPolicy.RUNTIME)
+@ExtendWith(RunsProgram.Presence.class)
+public @interface RunsProgram {
+
+  /** The program's name, as looked for on the path. */
+  String value();
+
+  /** Looks for programs. */
+  final class Presence implements ExecutionCondition {
+
+    private static final Logger LOG = LoggerFactory.getLogger("tests-that-need-a-program");
+
+    /** Where the program is; system administrators' programs are off the path of most users. */
+    static Optional<File> find(String program) {
+      String path = System.getenv().getOrDefault("PATH", "") + File.pathSeparator + "/usr/sbin";
+      return Pattern.compile(Pattern.quote(File.pathSeparator))
+          .splitAsStream(path)
+          .map(directory -> new File(directory, program))
+          .filter(file -> file.isFile() && file.canExecute())
+          .findFirst();
+    }
+
+    @Override
+    public ConditionEvaluationResult evaluateExecutionCondition(ExtensionContext context) {
+      String program =
+          AnnotationSupport.findAnnotation(context.getRequiredTestClass(), RunsProgram.class)
+              .map(RunsProgram::value)
+              .orElseThrow();
+      if (find(program).isPresent()) {
+        return ConditionEvaluationResult.enabled(program + " is installed");
+      }
+      String reason =
+          context.getDisplayName()
+              + " does not run: the program "
+              + program
+              + " is not installed; .ci/run installs it";
+      LOG.warn(reason);
+      return ConditionEvaluationResult.disabled(reason);
+    }
+  }
+}

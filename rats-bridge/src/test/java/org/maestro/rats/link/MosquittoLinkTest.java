@@ -1,0 +1,28 @@
+package org.maestro.rats.link;
+
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.maestro.rats.broker.RunsProgram;
+import org.maestro.rats.broker.TestBroker;
+
+@RunsProgram("mosquitto")
+class MosquittoLinkTest extends PahoLinkContract {
+
+  private static final TestBroker BROKER = TestBroker.mosquitto();
+
+  @BeforeAll
+  static void startBroker() {
+    BROKER.start();
+  }
+
+  @AfterAll
+  static void stopsWithoutTrace() {
+    BROKER.stop();
+    assertNoThreadIsLeft();
+  }
+
+  @Override
+  TestBroker broker() {
+    return BROKER;
+  }
+}
