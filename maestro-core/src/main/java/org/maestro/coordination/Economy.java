@@ -65,7 +65,7 @@ final class Economy {
             new Roster(),
             exactPrices,
             new PlanningRound.Subject(goalId, tight, Optional.empty()),
-            Set.of(),
+            Map.of(),
             Set.of(),
             () -> without,
             round -> {

@@ -35,6 +35,7 @@ final class GoalPursuit implements Pursuit {
   private final PlanUnderway plan = new PlanUnderway();
   private final StepsUnderway underway = new StepsUnderway();
   private final Outlook outlook;
+  private final LastTry lastTry;
   private final Contention contention;
   private final Turn turn;
   private final StepExecution execution;
@@ -61,6 +62,7 @@ final class GoalPursuit implements Pursuit {
     this.life = new GoalLife(id, request, ports, story, ended);
     this.changedMeanwhile = new Interest(ports.knowledge().home().vocabulary());
     this.outlook = new Outlook(id, request, ports, rivals);
+    this.lastTry = new LastTry(ports, rivals, outlook);
     this.concern = concern(List.of());
     this.contention = new Contention(id, request, ports, rivals, plan, underway);
     this.turn = new Turn(life, story, rivals, contention, underway);
@@ -433,11 +435,21 @@ final class GoalPursuit implements Pursuit {
     }
     if (outlook.isConfirming()) {
       noPlanToSeeIt();
+    } else if (lastTry.isLeft(round)) {
+      life.become(GoalState.WAITING, "what failed or was not priced is tried once more");
+      story.triesOnceMore(LastTry.PAUSE, round.result());
+      lastTry.afterPause(this::tryOnceMore);
     } else {
       List<String> reasons = new ArrayList<>(outlook.reasonsOfLeavingAlone());
       reasons.addAll(story.reasons(round.result()));
       round.notCountedOn().ifPresent(reasons::add);
       giveUp(reasons);
+    }
+  }
+
+  private void tryOnceMore() {
+    if (!life.isOver()) {
+      makePlan(Optional.of("what failed or was not priced may be possible now"));
     }
   }
 
@@ -481,9 +493,9 @@ final class GoalPursuit implements Pursuit {
       outlook.done(ended.step(), ended.report().outputs());
       story.done(ended.step(), ended.change());
     } else if (!ended.calledOff()) {
-      outlook.failed(ended.step(), ended.factsBefore());
-      story.failed(
-          ended.step(), ended.report().problem().orElse("no reason given"), ended.change());
+      String problem = ended.report().problem().orElse("no reason given");
+      outlook.failed(ended.step(), ended.factsBefore(), problem);
+      story.failed(ended.step(), problem, ended.change());
     }
     contention.letGoOfWhatIsDone();
     if (planning) {

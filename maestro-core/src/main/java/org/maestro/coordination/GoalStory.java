@@ -1,5 +1,6 @@
 package org.maestro.coordination;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
@@ -114,6 +115,14 @@ final class GoalStory {
             .limit(MOST_FACTS)
             .collect(Collectors.joining(", "));
     tell(StoryEntry.Kind.WAIT, "Waits: " + text + ".");
+  }
+
+  /** There is no plan as things are; that may be so for a moment only. */
+  void triesOnceMore(Duration pause, PlanningResult result) {
+    tell(
+        StoryEntry.Kind.WAIT,
+        "No plan as things are. %s It is waited %d s and tried once more."
+            .formatted(String.join(" ", reasons(result)), pause.toSeconds()));
   }
 
   void suspended(String why) {

@@ -1,7 +1,6 @@
 package org.maestro.coordination;
 
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -36,6 +35,10 @@ final class Outlook {
     this.ports = ports;
     this.rivals = rivals;
     this.check = new PlanCheck(ports.planner());
+  }
+
+  String goalId() {
+    return goalId;
   }
 
   /** Features at the prices of the latest round. */
@@ -91,8 +94,13 @@ final class Outlook {
         ports.knowledge().snapshot(), ports.knowledge().home().vocabulary());
   }
 
-  void failed(Step step, String factsBefore) {
-    failures.note(step.key(), factsBefore);
+  void failed(Step step, String factsBefore, String problem) {
+    failures.note(step.key(), factsBefore, problem);
+  }
+
+  /** Returns whether any barred step had no last chance before. */
+  boolean giveLastChances() {
+    return failures.giveLastChances(this::factsUnder);
   }
 
   /** The step would end what another goal keeps for good; as long as it does, nobody does it. */
@@ -113,13 +121,16 @@ final class Outlook {
   }
 
   /**
-   * Steps that failed too often with facts as they are, and those that would end what others keep.
+   * Steps that failed too often with facts as they are, and those that would end what others keep,
+   * each with its reason.
    */
-  Set<StepKey> barred() {
+  Map<StepKey, String> barred() {
     leftAlone.values().removeIf(keeper -> rivals.find(keeper).filter(Pursuit::isHolding).isEmpty());
-    Set<StepKey> barred = new HashSet<>(failures.barred(this::factsUnder));
-    barred.addAll(leftAlone.keySet());
-    barred.addAll(searches.spent());
+    Map<StepKey, String> barred = new LinkedHashMap<>(failures.barred(this::factsUnder));
+    leftAlone.forEach((step, keeper) -> barred.put(step, "it would end what " + keeper + " keeps"));
+    searches
+        .spent()
+        .forEach(step -> barred.put(step, "it was in vain " + SearchLog.ROUNDS + " times"));
     return barred;
   }
 
@@ -149,7 +160,7 @@ final class Outlook {
         ports.knowledge().snapshot(),
         ports.planner(),
         features,
-        barred(),
+        barred().keySet(),
         unavailable,
         searches,
         ports.clock());
@@ -176,6 +187,6 @@ final class Outlook {
         presentFacts(),
         features,
         subject().planned(),
-        barred());
+        barred().keySet());
   }
 }

@@ -99,7 +99,7 @@ final class PlanningRound {
   private final Roster roster;
   private final ExactPrices exactPrices;
   private final Subject subject;
-  private final Set<StepKey> barred;
+  private final Map<StepKey, String> barred;
   private final Set<String> without;
   private final Supplier<? extends Facts> facts;
   private final Consumer<Ended> then;
@@ -115,7 +115,7 @@ final class PlanningRound {
       Roster roster,
       ExactPrices exactPrices,
       Subject subject,
-      Set<StepKey> barred,
+      Map<StepKey, String> barred,
       Set<String> without,
       Supplier<? extends Facts> facts,
       Consumer<Ended> then) {
@@ -124,6 +124,7 @@ final class PlanningRound {
     this.exactPrices = exactPrices;
     this.subject = subject;
     this.barred = barred;
+    this.reasons.putAll(barred);
     this.without = without;
     this.facts = facts;
     this.then = then;
@@ -142,7 +143,7 @@ final class PlanningRound {
     Home home = ports.knowledge().home();
     Snapshot snapshot = ports.knowledge().snapshot();
     List<PricedFeature> features = features(tender.bids(), home);
-    Set<StepKey> unusable = new HashSet<>(barred);
+    Set<StepKey> unusable = new HashSet<>(barred.keySet());
     unusable.addAll(declined);
     unusable.addAll(exactPrices.unusable(ports.clock().now()));
     PlanningTask task =

@@ -12,28 +12,47 @@ class FailureMemoryTest {
   private final StepKey look =
       new StepKey("cam-b", "observeObject", Map.of("object", new Term.Name("Cup")));
 
+  private void failsWith(String facts) {
+    memory.note(look, facts, "It cannot see.");
+  }
+
   @Test
   void aStepHasTwoChancesWithTheSameFacts() {
-    memory.note(look, "dark");
+    failsWith("dark");
     assertThat(memory.barred(step -> "dark")).isEmpty();
 
-    memory.note(look, "dark");
-    assertThat(memory.barred(step -> "dark")).containsExactly(look);
+    failsWith("dark");
+    assertThat(memory.barred(step -> "dark"))
+        .containsExactly(Map.entry(look, "it failed 2 times with the same facts: It cannot see"));
   }
 
   @Test
   void changedFactsGiveANewChance() {
-    memory.note(look, "dark");
-    memory.note(look, "dark");
+    failsWith("dark");
+    failsWith("dark");
 
     assertThat(memory.barred(step -> "bright")).isEmpty();
   }
 
   @Test
   void failuresWithOtherFactsDoNotAddUp() {
-    memory.note(look, "dark");
-    memory.note(look, "dim");
+    failsWith("dark");
+    failsWith("dim");
 
     assertThat(memory.barred(step -> "dim")).isEmpty();
+  }
+
+  @Test
+  void thereIsOneLastChance() {
+    failsWith("dark");
+    assertThat(memory.giveLastChances(step -> "dark")).isFalse();
+    failsWith("dark");
+
+    assertThat(memory.giveLastChances(step -> "dark")).isTrue();
+    assertThat(memory.barred(step -> "dark")).isEmpty();
+
+    failsWith("dark");
+    assertThat(memory.barred(step -> "dark")).containsKey(look);
+    assertThat(memory.giveLastChances(step -> "dark")).isFalse();
   }
 }
