@@ -1,9 +1,7 @@
 package org.maestro.assembly;
 
 import java.time.Duration;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -47,7 +45,7 @@ public final class AgentlessSite implements AutoCloseable {
 
   private static final Duration OPENING = Duration.ofSeconds(60);
 
-  private final Deque<AutoCloseable> parts = new ArrayDeque<>();
+  private final OpenParts parts = new OpenParts();
   private final List<StoryEntry> story = new ArrayList<>();
   private final SteppedClock clock = new SteppedClock();
   private final InProcessBus bus = new InProcessBus(clock);
@@ -56,15 +54,19 @@ public final class AgentlessSite implements AutoCloseable {
   private final Coordinator coordinator;
 
   private AgentlessSite(Home home, Scene scene, long seed) {
-    knowledge = new CollectiveKnowledge(home, clock);
-    parts.addFirst(knowledge);
+    knowledge = parts.opened(new CollectiveKnowledge(home, clock));
     simulated =
-        SimulatedHome.start(
-            new SimulatedHome.Setup(
-                home, scene, clock, seed, bus::client, SITE, new DescriptionWriter(home)::write));
-    parts.addFirst(simulated);
-    BusLink link = BusLink.connect(CONTROLLER, SITE, bus.client(CONTROLLER), clock);
-    parts.addFirst(link);
+        parts.opened(
+            SimulatedHome.start(
+                new SimulatedHome.Setup(
+                    home,
+                    scene,
+                    clock,
+                    seed,
+                    bus::client,
+                    SITE,
+                    new DescriptionWriter(home)::write)));
+    BusLink link = parts.opened(BusLink.connect(CONTROLLER, SITE, bus.client(CONTROLLER), clock));
     Deputies deputies =
         new Deputies(link, clock, knowledge, new DescriptionReader(home.vocabulary())::read);
     coordinator =
@@ -161,16 +163,9 @@ public final class AgentlessSite implements AutoCloseable {
     return clock.runUntil(condition, limit);
   }
 
-  /** Latest part first. */
   @Override
   public void close() {
-    while (!parts.isEmpty()) {
-      try {
-        parts.removeFirst().close();
-      } catch (Exception e) {
-        throw new SiteException("The site could not be closed: " + e.getMessage(), e);
-      }
-    }
+    parts.close();
   }
 
   /** Thinks on the clock's thread; a decision takes its simulated time all the same. */

@@ -5,8 +5,6 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.URI;
 import java.time.Duration;
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
@@ -55,7 +53,7 @@ public final class LocalSite implements AutoCloseable {
     boolean runUntil(BooleanSupplier condition, Duration limit);
   }
 
-  private final Deque<AutoCloseable> parts = new ArrayDeque<>();
+  private final OpenParts parts = new OpenParts();
   private final SiteSettings settings;
   private final Clock clock;
   private final Driver driver;
@@ -106,8 +104,8 @@ public final class LocalSite implements AutoCloseable {
             (condition, limit) -> poll(clock, condition, limit),
             Optional.of(uri),
             id -> new PahoTransport(uri, settings.name() + "-" + id));
-    own.ifPresent(site.parts::addFirst);
-    site.parts.addFirst(clock);
+    own.ifPresent(site.parts::opened);
+    site.parts.opened(clock);
     return site.opened(Duration.ZERO, Duration.ofMillis((long) (PACED_OPENING.toMillis() * speed)));
   }
 
@@ -147,10 +145,10 @@ public final class LocalSite implements AutoCloseable {
                             transports,
                             settings.name(),
                             new DescriptionWriter(settings.home())::write)));
-    simulated.ifPresent(parts::addFirst);
+    simulated.ifPresent(parts::opened);
     BusLink link =
         BusLink.connect(CONTROLLER, settings.name(), transports.apply(CONTROLLER), clock);
-    parts.addFirst(link);
+    parts.opened(link);
     platform =
         MaestroPlatform.start(
             new PlatformSettings(
@@ -167,7 +165,7 @@ public final class LocalSite implements AutoCloseable {
             link,
             clock,
             new DescriptionReader(settings.home().vocabulary())::read);
-    parts.addFirst(platform);
+    parts.opened(platform);
     awaitMembers(opening);
   }
 
@@ -203,7 +201,7 @@ public final class LocalSite implements AutoCloseable {
   public RatsMember join(MemberProfile profile, MemberProfile.Values values) {
     RatsMember member =
         RatsMember.start(profile, values, transports.apply(profile.id()), settings.name(), clock);
-    parts.addFirst(member);
+    parts.opened(member);
     return member;
   }
 
@@ -246,20 +244,9 @@ public final class LocalSite implements AutoCloseable {
     return driver.runUntil(condition, limit);
   }
 
-  /** Latest part first; one that cannot be closed does not keep the others open. */
   @Override
   public void close() {
-    SiteException failure = null;
-    while (!parts.isEmpty()) {
-      try {
-        parts.removeFirst().close();
-      } catch (Exception e) {
-        failure = new SiteException("The site could not be closed: " + e.getMessage(), e);
-      }
-    }
-    if (failure != null) {
-      throw failure;
-    }
+    parts.close();
   }
 
   private static boolean poll(Clock clock, BooleanSupplier condition, Duration limit) {
