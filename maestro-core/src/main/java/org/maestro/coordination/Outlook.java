@@ -85,6 +85,12 @@ final class Outlook {
     return check.blocked(task(), steps);
   }
 
+  /** What must not change for these steps to remain the right ones. */
+  Concern concern(List<Step> steps) {
+    return new Concern(
+        request.goal(), steps, ports.knowledge().home().vocabulary(), presentFacts());
+  }
+
   PlanningRound.Subject subject() {
     return new PlanningRound.Subject(goalId, request.goal(), confirmation);
   }

@@ -27,6 +27,10 @@ public record Ports(
     this(knowledge, planner, market, crew, thinking, clock, story, Journal.none());
   }
 
+  Ports with(Planner other) {
+    return new Ports(knowledge, other, market, crew, thinking, clock, story, journal);
+  }
+
   Ports with(Crew other) {
     return new Ports(knowledge, planner, market, other, thinking, clock, story, journal);
   }

@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.KnowledgeBase;
@@ -26,7 +25,7 @@ final class StepExecution {
   private final ExactPrices exactPrices;
   private final GoalStory story;
   private final StepsUnderway underway;
-  private final Function<StepKey, String> factsUnder;
+  private final Outlook outlook;
   private final Consumer<Ended> ended;
   private final List<Crew.Performance> established = new ArrayList<>();
   private boolean goalOver;
@@ -45,24 +44,15 @@ final class StepExecution {
       String factsBefore,
       KnowledgeBase.Change change) {}
 
-  StepExecution(
-      String goalId,
-      Ports ports,
-      Rivals rivals,
-      Contention contention,
-      ExactPrices exactPrices,
-      GoalStory story,
-      StepsUnderway underway,
-      Function<StepKey, String> factsUnder,
-      Consumer<Ended> ended) {
-    this.goalId = goalId;
-    this.ports = ports;
-    this.rivals = rivals;
-    this.contention = contention;
-    this.exactPrices = exactPrices;
-    this.story = story;
-    this.underway = underway;
-    this.factsUnder = factsUnder;
+  StepExecution(PursuitParts parts, Consumer<Ended> ended) {
+    this.goalId = parts.id();
+    this.ports = parts.ports();
+    this.rivals = parts.rivals();
+    this.contention = parts.contention();
+    this.exactPrices = parts.exactPrices();
+    this.story = parts.story();
+    this.underway = parts.underway();
+    this.outlook = parts.outlook();
     this.ended = ended;
   }
 
@@ -122,7 +112,7 @@ final class StepExecution {
     boolean calledOff = underway.ended(step);
     contention.ended(step, used);
     exactPrices.forget(step.member());
-    String factsBefore = factsUnder.apply(step.key());
+    String factsBefore = outlook.factsUnder(step.key());
     KnowledgeBase.Change change = ports.knowledge().learn(run(step, before, report));
     if (goalOver) {
       return;

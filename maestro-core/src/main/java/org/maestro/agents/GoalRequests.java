@@ -1,0 +1,207 @@
+package org.maestro.agents;
+
+import jade.core.AID;
+import jade.lang.acl.ACLMessage;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.GoalOutcome;
+import org.maestro.coordination.HeldNews;
+import org.maestro.coordination.InvalidGoalException;
+import org.maestro.coordination.Journal;
+import org.maestro.coordination.Recovery;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.sl.Content;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.Term;
+
+/**
+ * What others want of the central agent about goals: to take one on, to tell its end, to cancel
+ * one, to explain one, to list them. Agent thread only.
+ */
+final class GoalRequests {
+  private final MaestroAgent agent;
+  private final KnowledgeBase knowledge;
+  private final Coordinator coordinator;
+  private final Journal journal;
+  private final ToldStories stories;
+  private final Endings endings;
+  private final Map<String, GoalOfAnother> goalsOfOthers = new LinkedHashMap<>();
+  private final Map<String, Formula> takenUp = new HashMap<>();
+
+  /** A goal that an agent pursues of its own accord, as it last told of it. */
+  private record GoalOfAnother(AID owner, Content status) {}
+
+  GoalRequests(
+      MaestroAgent agent,
+      KnowledgeBase knowledge,
+      Coordinator coordinator,
+      Journal journal,
+      ToldStories stories) {
+    this.agent = agent;
+    this.knowledge = knowledge;
+    this.coordinator = coordinator;
+    this.journal = journal;
+    this.stories = stories;
+    this.endings = new Endings(agent::reply);
+  }
+
+  /** Goals of who was the central agent before are asked for here from now on. */
+  void takeUp(Recovery recovery) {
+    recovery.goals().forEach(goal -> takenUp.put(goal.id(), goal.request().goal()));
+    recovery.ended().forEach(goal -> endings.ended(goal.request().goal(), goal.outcome()));
+  }
+
+  /** One of them has come to its end. */
+  void ended(GoalOutcome outcome) {
+    endings.ended(takenUp.get(outcome.id()), outcome);
+  }
+
+  void goal(ACLMessage message, Words words) {
+    if (message.getPerformative() != ACLMessage.REQUEST) {
+      agent.refuse(
+          message,
+          ACLMessage.NOT_UNDERSTOOD,
+          "initCNP is understood in a request only, and this message is another: "
+              + ACLMessage.getPerformative(message.getPerformative())
+              + ".");
+      return;
+    }
+    Formula goal = words.find("goal").map(this::formula).orElse(null);
+    if (goal == null) {
+      agent.refuse(
+          message,
+          ACLMessage.NOT_UNDERSTOOD,
+          "initCNP needs a goal, such as (initCNP (:goal (nextTo Cup Bob))).");
+      return;
+    }
+    String requester = message.getSender().getLocalName();
+    try {
+      String id =
+          coordinator.submit(
+              GoalWords.request(goal, requester, words, agent.clock().now()),
+              news -> answer(message, news),
+              outcome -> endings.ended(goal, outcome));
+      journal.afterwards(
+          () -> {
+            agent.reply(message, ACLMessage.AGREE, named("initCNP", id));
+            endings.await(id, message);
+          });
+    } catch (InvalidGoalException e) {
+      agent.refuse(message, ACLMessage.REFUSE, e.getMessage());
+    }
+  }
+
+  private static Content named(String operator, String goalId) {
+    return Words.content(operator, Words.named("goal", Words.name(goalId)));
+  }
+
+  /** A goal is a formula, or its text; a class atom may have been read as a term. */
+  private Formula formula(Words words) {
+    return words
+        .formula()
+        .or(() -> words.terms().stream().findFirst().map(t -> parse(Words.plain(t))))
+        .orElse(null);
+  }
+
+  private Formula parse(String text) {
+    return SlParser.formula(
+        text,
+        name ->
+            knowledge
+                .home()
+                .vocabulary()
+                .predicate(name)
+                .filter(PredicateDeclaration::fluent)
+                .isPresent());
+  }
+
+  /**
+   * Of a held goal, each time that it begins or ceases to be so: it is confirmed or disconfirmed.
+   */
+  private void answer(ACLMessage message, HeldNews news) {
+    agent.reply(
+        message,
+        news.kind().isSo() ? ACLMessage.CONFIRM : ACLMessage.DISCONFIRM,
+        GoalWords.news(news));
+  }
+
+  /** The end of a goal, for who did not state it, or whose conversation ended with a process. */
+  void await(ACLMessage message, Words words) {
+    String id = words.string("goal").orElse("");
+    if (!endings.isOver(id)) {
+      if (!coordinator.hasGoal(id)) {
+        agent.refuse(message, ACLMessage.REFUSE, noSuchGoal(id));
+        return;
+      }
+      agent.reply(message, ACLMessage.AGREE, named("await", id));
+    }
+    endings.await(id, message);
+  }
+
+  /** An agent tells how a goal of its own fares. */
+  void goalOfAnother(ACLMessage message, String goalId, Content whole) {
+    goalsOfOthers.put(goalId, new GoalOfAnother(message.getSender(), whole));
+  }
+
+  void cancel(ACLMessage message, Words words) {
+    String id = words.string("goal").orElse("");
+    if (goalsOfOthers.containsKey(id)) {
+      agent.ask(
+          agent.message(ACLMessage.REQUEST, goalsOfOthers.get(id).owner(), named("cancel", id)),
+          agent.patience(agent.patience().agreement()),
+          answer ->
+              agent.reply(
+                  message,
+                  answer.getPerformative(),
+                  Words.parse(answer.getContent()).toArray(Content[]::new)));
+      return;
+    }
+    if (coordinator.cancel(id, message.getSender().getLocalName())) {
+      agent.reply(
+          message,
+          ACLMessage.INFORM,
+          Words.content("inform", Words.named("cancelled", Words.name(id))));
+    } else {
+      agent.refuse(
+          message,
+          ACLMessage.REFUSE,
+          stories.goals().contains(id) ? "The goal " + id + " has ended already." : noSuchGoal(id));
+    }
+  }
+
+  void explain(ACLMessage message, Words words) {
+    String id = words.string("goal").orElse("");
+    if (!stories.goals().contains(id)) {
+      agent.refuse(message, ACLMessage.REFUSE, noSuchGoal(id));
+    } else if (words.find("step").isPresent()) {
+      coordinator.explainChoice(
+          id, (int) words.number("step", 0), sentences -> stories.tell(message, id, sentences));
+    } else {
+      stories.tellAll(message, id);
+    }
+  }
+
+  /** The goals, or with {@code (query-ref waits)} the wait-for graph. */
+  void list(ACLMessage message, Words words) {
+    List<Content> lines = new ArrayList<>();
+    if (words.terms().contains(new Term.Name("waits"))) {
+      coordinator.waits().forEach(wait -> lines.add(GoalWords.wait(wait)));
+    } else {
+      coordinator.goals().forEach(goal -> lines.add(GoalWords.status(goal)));
+      goalsOfOthers.values().forEach(other -> lines.add(other.status()));
+    }
+    agent.reply(message, ACLMessage.INFORM, lines.toArray(Content[]::new));
+  }
+
+  private String noSuchGoal(String id) {
+    return stories.goals().isEmpty()
+        ? "There is no goal " + id + "; none was stated yet."
+        : "There is no goal " + id + "; there are " + String.join(", ", stories.goals()) + ".";
+  }
+}

@@ -1,0 +1,121 @@
+package org.maestro.coordination;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.maestro.planning.Plan;
+import org.maestro.sl.Term;
+
+/**
+ * How one goal comes to its end: reached and seen, reached as far as is known, or given up with the
+ * reasons. The coordinator's thread only.
+ */
+final class GoalEnding {
+  private final PursuitParts parts;
+  private final Outlook outlook;
+  private final GoalLife life;
+  private final GoalStory story;
+  private final LastTry lastTry;
+  private final Runnable release;
+  private final Course course;
+
+  /**
+   * @param release of all that runs for the goal
+   */
+  GoalEnding(PursuitParts parts, Runnable release, Course course) {
+    this.parts = parts;
+    this.outlook = parts.outlook();
+    this.life = parts.life();
+    this.story = parts.story();
+    this.lastTry = new LastTry(parts.ports(), parts.rivals(), outlook);
+    this.release = release;
+    this.course = course;
+  }
+
+  void end(GoalState how, List<String> reasons) {
+    end(how, false, Map.of(), reasons);
+  }
+
+  private void end(
+      GoalState how, boolean confirmed, Map<String, Term> binding, List<String> reasons) {
+    release.run();
+    life.end(how, confirmed, binding, reasons);
+    parts.rivals().leave(life.id());
+  }
+
+  void settle(Map<String, Term> binding) {
+    Optional<Confirmation> needed = outlook.toBeSeen(binding);
+    if (needed.isEmpty()) {
+      story.confirmed(life.request().goal(), binding);
+      end(GoalState.ACHIEVED, true, binding, List.of());
+    } else if (!outlook.isConfirming()) {
+      outlook.confirm(needed);
+      parts.plan().drop();
+      story.confirming(needed.get());
+      course.makePlan(Optional.empty());
+    } else if (parts.underway().isEmpty() && parts.plan().remaining().isEmpty()) {
+      outlook.confirm(needed);
+      course.makePlan(Optional.of("it was not seen"));
+    } else {
+      course.advance();
+    }
+  }
+
+  void noPlan(PlanningRound.Ended round) {
+    parts.plan().drop();
+    parts.contention().letGo();
+    if (!parts.underway().isEmpty()) {
+      life.become(GoalState.WAITING, "what is under way has to end first");
+    } else if (outlook.isConfirming()) {
+      noPlanToSeeIt();
+    } else if (lastTry.isLeft(round)) {
+      life.become(GoalState.WAITING, "what failed or was not priced is tried once more");
+      story.triesOnceMore(LastTry.PAUSE, round.result());
+      lastTry.afterPause(this::tryOnceMore);
+    } else {
+      List<String> reasons = new ArrayList<>(outlook.reasonsOfLeavingAlone());
+      reasons.addAll(story.reasons(round.result()));
+      round.notCountedOn().ifPresent(reasons::add);
+      giveUp(reasons);
+    }
+  }
+
+  private void tryOnceMore() {
+    if (!life.isOver()) {
+      course.makePlan(Optional.of("what failed or was not priced may be possible now"));
+    }
+  }
+
+  void noPlanToSeeIt() {
+    Optional<Plan> reached = outlook.holds();
+    if (reached.isPresent()) {
+      story.unconfirmed();
+      end(GoalState.ACHIEVED, false, reached.get().goalBinding(), List.of());
+    } else {
+      outlook.confirm(Optional.empty());
+      course.makePlan(Optional.of("it cannot be seen any more that the goal is reached"));
+    }
+  }
+
+  /** Ends it, with what was looked at in vain and what could not be looked at. */
+  void giveUp(List<String> reasons) {
+    SearchReview review = outlook.searchReview(parts.roster());
+    parts
+        .ports()
+        .thinking()
+        .think(
+            () -> review.reports(life.request().goal()),
+            reports -> parts.rivals().run(() -> gaveUp(reasons, reports)));
+  }
+
+  private void gaveUp(List<String> reasons, List<SearchReport> reports) {
+    if (!life.isOver()) {
+      List<String> all = new ArrayList<>(reasons);
+      reports.forEach(report -> all.addAll(story.searched(report)));
+      release.run();
+      life.end(GoalState.FAILED, false, Map.of(), all, reports);
+      parts.rivals().leave(life.id());
+    }
+  }
+}

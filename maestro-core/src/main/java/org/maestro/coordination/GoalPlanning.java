@@ -1,0 +1,154 @@
+package org.maestro.coordination;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.maestro.planning.Plan;
+import org.maestro.planning.PlanningResult;
+
+/**
+ * Has plans made for one goal, one after the other, and takes none that things have outrun. The
+ * coordinator's thread only.
+ */
+final class GoalPlanning {
+  private static final int MOST_PLANS = 60;
+
+  /** Looks that do not show it, again and again, show nothing either. */
+  private static final int MOST_CONFIRMATIONS = 10;
+
+  private final PursuitParts parts;
+  private final Course course;
+  private Optional<String> planAgain = Optional.empty();
+  private Optional<Decision> decision = Optional.empty();
+  private Interest changedMeanwhile;
+  private boolean planning;
+
+  GoalPlanning(PursuitParts parts, Course course) {
+    this.parts = parts;
+    this.course = course;
+    this.changedMeanwhile = nothing();
+  }
+
+  private Interest nothing() {
+    return new Interest(parts.ports().knowledge().home().vocabulary());
+  }
+
+  boolean isPlanning() {
+    return planning;
+  }
+
+  /** The plan that was adopted last to bring the goal about. */
+  Optional<Decision> decision() {
+    return decision;
+  }
+
+  void knowledgeChanged(Interest changed) {
+    if (planning) {
+      changedMeanwhile.addAll(changed);
+    }
+  }
+
+  void makePlanAgain(String why) {
+    planAgain = Optional.of(why);
+  }
+
+  void makePlan(Optional<String> why) {
+    if (planning) {
+      planAgain = why;
+      return;
+    }
+    GoalLife life = parts.life();
+    boolean confirming = parts.outlook().isConfirming();
+    if (confirming && life.confirmingPlans() >= MOST_CONFIRMATIONS) {
+      parts.plan().drop();
+      course.noPlanToSeeIt();
+      return;
+    }
+    if (life.plans() >= MOST_PLANS) {
+      course.giveUp(
+          List.of("It was planned " + life.plans() + " times without getting there; given up."));
+      return;
+    }
+    planning = true;
+    changedMeanwhile = nothing();
+    parts.turn().forget();
+    life.countPlan(confirming);
+    life.become(stateWhilePlanning(why), why.orElse(""));
+    parts.story().planning(life.plans(), why);
+    new PlanMaking(
+            parts.id(),
+            parts.ports(),
+            parts.roster(),
+            parts.exactPrices(),
+            parts.outlook(),
+            parts.rivals(),
+            parts.contention(),
+            parts.story(),
+            round -> parts.rivals().run(() -> planned(round)))
+        .start();
+  }
+
+  private GoalState stateWhilePlanning(Optional<String> why) {
+    if (parts.outlook().isConfirming()) {
+      return GoalState.CONFIRMING;
+    }
+    return why.isPresent() ? GoalState.REPLANNING : GoalState.PLANNING;
+  }
+
+  private void planned(PlanningRound.Ended round) {
+    planning = false;
+    if (parts.life().isOver()) {
+      round.tender().award(Map.of());
+      return;
+    }
+    parts.outlook().offered(round.features());
+    if (isSeenMeanwhile()) {
+      round.tender().award(Map.of());
+      course.settle(parts.outlook().holds().orElseThrow().goalBinding());
+      return;
+    }
+    parts.story().bids(round.tender().bids(), round.questions(), round.unpriced());
+    Optional<String> why = planAgain.or(() -> changedMeanwhile(round.result()));
+    planAgain = Optional.empty();
+    if (why.isPresent() && !isStillGood(round.result())) {
+      round.tender().award(Map.of());
+      makePlan(why);
+    } else if (round.result() instanceof PlanningResult.Found found) {
+      found.atLeast().ifPresent(atLeast -> parts.story().notProven(atLeast, found.plan()));
+      note(found.plan(), round);
+      course.adopt(found.plan(), round.tender());
+    } else {
+      round.tender().award(Map.of());
+      course.noPlan(round);
+    }
+  }
+
+  /** While it was planned how to see it, somebody told: nothing is left to be looked for. */
+  private boolean isSeenMeanwhile() {
+    Outlook outlook = parts.outlook();
+    return outlook.isConfirming()
+        && parts.underway().isEmpty()
+        && outlook.holds().filter(p -> outlook.toBeSeen(p.goalBinding()).isEmpty()).isPresent();
+  }
+
+  private Optional<String> changedMeanwhile(PlanningResult result) {
+    return result instanceof PlanningResult.Found found
+            && parts.outlook().concern(found.plan().steps()).perhaps(changedMeanwhile)
+        ? Optional.of("things have changed while it was planned")
+        : Optional.empty();
+  }
+
+  /** Something happened while it was planned: is the plan the right one all the same? */
+  private boolean isStillGood(PlanningResult result) {
+    return result instanceof PlanningResult.Found found
+        && found.plan().steps().stream().allMatch(step -> parts.roster().isPresent(step.member()))
+        && parts.outlook().isGood(found.plan().steps());
+  }
+
+  private void note(Plan found, PlanningRound.Ended round) {
+    if (!parts.outlook().isConfirming() && !found.steps().isEmpty()) {
+      decision =
+          Optional.of(new Decision(round.task(), found, round.tender().bids(), round.questions()));
+    }
+  }
+}

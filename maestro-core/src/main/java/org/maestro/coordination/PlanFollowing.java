@@ -1,0 +1,223 @@
+package org.maestro.coordination;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.planning.Plan;
+import org.maestro.planning.Step;
+
+/**
+ * Has the steps of a goal's plan done, and compares what is known with what the rest of the plan
+ * needs. The coordinator's thread only.
+ */
+final class PlanFollowing {
+  private final PursuitParts parts;
+  private final PlanUnderway plan;
+  private final StepsUnderway underway;
+  private final Outlook outlook;
+  private final GoalLife life;
+  private final GoalStory story;
+  private final Course course;
+  private final StepExecution execution;
+  private Concern concern;
+  private long ownChange = -1;
+
+  PlanFollowing(PursuitParts parts, Course course) {
+    this.parts = parts;
+    this.plan = parts.plan();
+    this.underway = parts.underway();
+    this.outlook = parts.outlook();
+    this.life = parts.life();
+    this.story = parts.story();
+    this.course = course;
+    this.concern = outlook.concern(List.of());
+    this.execution = new StepExecution(parts, this::stepEnded);
+  }
+
+  void takeUp(Crew.Order order) {
+    execution.takeUp(order);
+  }
+
+  /** The goal is over. */
+  void release() {
+    execution.release();
+  }
+
+  private boolean isActive() {
+    return !life.isOver() && !course.isPlanning() && plan.exists();
+  }
+
+  void adopt(Plan found, Market.Tender tender) {
+    plan.adopt(found);
+    concern = outlook.concern(found.steps());
+    story.plan(life.plans(), found, outlook.isConfirming());
+    Map<String, List<Step>> awards = new TreeMap<>();
+    found.steps().forEach(s -> awards.computeIfAbsent(s.member(), m -> new ArrayList<>()).add(s));
+    tender.award(awards);
+    execution.callOffAllBut(found.steps());
+    parts.contention().letGoOfWhatIsDone();
+    if (!outlook.isConfirming()) {
+      life.become(GoalState.RUNNING, "");
+    }
+    continueOrSettle();
+  }
+
+  void knowledgeChanged(KnowledgeBase.Change change, Interest changed) {
+    if (!isActive() || change.version() == ownChange) {
+      return;
+    }
+    if (parts.turn().isAwaited()) {
+      if (concern.ofGoal(changed)) {
+        settleIfReached();
+      }
+    } else if (concern.indeed(changed, outlook.presentFacts())) {
+      reconsider(() -> story.becauseOf(change));
+    }
+  }
+
+  void memberLost(String member) {
+    if (isActive() && plan.remaining().stream().anyMatch(step -> step.member().equals(member))) {
+      course.makePlan(Optional.of(member + " is lost (" + parts.roster().absence(member) + ")"));
+    }
+  }
+
+  void advance() {
+    Turn turn = parts.turn();
+    if (!isActive() || turn.isAfterAnother()) {
+      return;
+    }
+    List<WaitsFor> obstacles = parts.contention().keepWhatIsWanted();
+    if (!obstacles.isEmpty()) {
+      turn.await(parts.contention().wanted(), obstacles);
+    } else if (turn.isAwaited()) {
+      turn.came(outlook.isConfirming());
+      reconsider(() -> "things have changed while it waited");
+    } else if (!turn.givesWay(parts.contention().wanted())) {
+      beginSteps();
+    }
+  }
+
+  private void beginSteps() {
+    List<WaitsFor> waits = new ArrayList<>();
+    for (Step step : plan.startable()) {
+      if (underway.contains(step) || underway.clashesWith(step)) {
+        continue;
+      }
+      List<WaitsFor> obstacles = parts.contention().obstacles(step);
+      Optional<Pursuit> spoiled = heldBy(obstacles);
+      if (spoiled.isPresent()) {
+        leaveAlone(step, spoiled.get());
+        return;
+      }
+      if (obstacles.isEmpty()) {
+        begin(step);
+      } else {
+        waits.addAll(obstacles);
+      }
+    }
+    if (waits.isEmpty()) {
+      parts.rivals().leases().stopWaiting(life.id());
+    } else {
+      parts.turn().awaitForStep(waits);
+    }
+  }
+
+  /** A wish that is kept has no end to wait for. */
+  private Optional<Pursuit> heldBy(List<WaitsFor> obstacles) {
+    return obstacles.stream()
+        .flatMap(obstacle -> parts.rivals().find(obstacle.holder()).stream())
+        .filter(Pursuit::isHolding)
+        .findFirst();
+  }
+
+  private void leaveAlone(Step step, Pursuit holding) {
+    if (life.request().priority() > holding.priority()) {
+      holding.standBackFor(life.id());
+      advance();
+    } else {
+      outlook.leaveAlone(step, holding.id());
+      course.makePlan(
+          Optional.of(
+              "%s would end what %s keeps (%s)"
+                  .formatted(story.sentence(step), holding.id(), holding.status().goal())));
+    }
+  }
+
+  private void begin(Step step) {
+    life.countCall();
+    if (life.state() == GoalState.WAITING) {
+      life.become(outlook.isConfirming() ? GoalState.CONFIRMING : GoalState.RUNNING, "");
+    }
+    story.begun(step, plan.size());
+    execution.begin(step);
+  }
+
+  private void stepEnded(StepExecution.Ended ended) {
+    if (!ended.change().facts().isEmpty()) {
+      ownChange = ended.change().version();
+    }
+    if (ended.report().succeeded()) {
+      plan.done(ended.step());
+      outlook.done(ended.step(), ended.report().outputs());
+      story.done(ended.step(), ended.change());
+    } else if (!ended.calledOff()) {
+      String problem = ended.report().problem().orElse("no reason given");
+      outlook.failed(ended.step(), ended.factsBefore(), problem);
+      story.failed(ended.step(), problem, ended.change());
+    }
+    parts.contention().letGoOfWhatIsDone();
+    if (course.isPlanning()) {
+      course.makePlanAgain("meanwhile " + story.becauseOf(ended.change()));
+    } else if (plan.exists()) {
+      reconsider(() -> ended.report().problem().orElseGet(() -> story.becauseOf(ended.change())));
+    } else if (underway.isEmpty()) {
+      course.makePlan(Optional.of("what was under way has ended"));
+    }
+  }
+
+  /** Is the rest of the plan still good, from what is known now? */
+  private void reconsider(Supplier<String> why) {
+    Optional<Plan> reached = outlook.holds();
+    if (reached.isPresent()) {
+      if (underway.isEmpty()) {
+        course.settle(reached.get().goalBinding());
+      }
+      return;
+    }
+    List<Step> remaining = plan.remaining();
+    Optional<Step> unable =
+        remaining.stream().filter(step -> !parts.roster().isPresent(step.member())).findFirst();
+    if (unable.isPresent()) {
+      course.makePlan(Optional.of(parts.roster().absence(unable.get().member())));
+    } else if (remaining.isEmpty() || !outlook.isGood(remaining)) {
+      course.makePlan(Optional.of(why.get() + blockedStep(remaining)));
+    } else {
+      continueOrSettle();
+    }
+  }
+
+  private String blockedStep(List<Step> remaining) {
+    return outlook
+        .blocked(remaining)
+        .map(
+            step ->
+                "; step %d (%s) is not possible so".formatted(step.number(), story.sentence(step)))
+        .orElse("");
+  }
+
+  private void continueOrSettle() {
+    if (!plan.remaining().isEmpty() || !settleIfReached()) {
+      advance();
+    }
+  }
+
+  private boolean settleIfReached() {
+    Optional<Plan> reached = outlook.holds().filter(plan -> underway.isEmpty());
+    reached.ifPresent(plan -> course.settle(plan.goalBinding()));
+    return reached.isPresent();
+  }
+}
