@@ -185,6 +185,7 @@ public final class BusLink implements RatsLink {
     subscribe(topics.descriptions(), RetainedMessages.SEND, roster::descriptionHeard);
     subscribe(topics.states(), RetainedMessages.SEND, roster::stateHeard);
     subscribe(topics.results(controller), RetainedMessages.IGNORE, this::resultHeard);
+    subscribe(topics.bareResult(), RetainedMessages.IGNORE, this::resultHeard);
     subscribe(topics.progresses(controller), RetainedMessages.IGNORE, this::progressHeard);
     subscribe(topics.observations(), RetainedMessages.IGNORE, this::observationHeard);
     transport.open(
@@ -247,8 +248,8 @@ public final class BusLink implements RatsLink {
   }
 
   private void resultHeard(Message message) {
-    sender(message)
-        .ifPresent(sender -> calls.resultHeard(sender, wire.decodeResult(message.payload())));
+    Result result = wire.decodeResult(message.payload());
+    calls.resultHeard(sender(message).orElse(result.from()), result);
   }
 
   private void progressHeard(Message message) {

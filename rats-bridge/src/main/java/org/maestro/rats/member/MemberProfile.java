@@ -22,16 +22,29 @@ public record MemberProfile(
     Set<String> safeStates,
     Map<String, Feature> features) {
 
+  private static final Pattern FEATURE =
+      Pattern.compile("[^$/+#\\s\\p{Cntrl}][^/+#\\s\\p{Cntrl}]{0,127}");
   private static final Pattern ID = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,62}");
 
   /**
-   * @throws IllegalArgumentException when the id cannot be a level of a topic, there is no safe
-   *     state, or a state is none of Z
+   * @throws IllegalArgumentException when the id or a feature's cannot be a level of a topic, a
+   *     feature has a reserved name, there is no safe state, or a state is none of Z
    */
   public MemberProfile {
     if (!ID.matcher(id).matches()) {
       throw new IllegalArgumentException(
           "'" + id + "' is no member id: letters, digits, '.', '_' and '-', at most 63");
+    }
+    for (String feature : features.keySet()) {
+      if (!FEATURE.matcher(feature).matches()) {
+        throw new IllegalArgumentException(
+            "'"
+                + feature
+                + "' of the member "
+                + id
+                + " is no feature name: 1 to 128 characters without space, '/', '+' and '#', and no"
+                + " '$' first, which is reserved");
+      }
     }
     if (safeStates.isEmpty()) {
       throw new IllegalArgumentException(

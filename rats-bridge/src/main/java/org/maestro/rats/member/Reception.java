@@ -176,7 +176,7 @@ final class Reception {
 
   private void cancel(Call call) {
     if (call.parameters().get("id") instanceof String id) {
-      answers.succeeded(call, Map.of("found", tasks.cancel(id)));
+      answers.succeeded(call, Map.of("found", tasks.cancel(call.from(), id)));
     } else {
       answers.rejected(
           call, ErrorCode.INVALID_PARAMETERS, "$cancel needs the parameter id, a call's id");

@@ -71,10 +71,18 @@ final class TaskQueue implements Task.Keeper {
     all().stream().filter(task -> task.call().equals(call)).findFirst().ifPresent(Task::tellAgain);
   }
 
-  /** Cancels a call; false when none of that id waits or runs. */
-  boolean cancel(String callId) {
+  /**
+   * Cancels a call; false when none of that id waits or runs. Ids are unique for each caller only:
+   * who cancels means a call of its own, if it has one of that id.
+   */
+  boolean cancel(String caller, String callId) {
+    List<Task> named =
+        all().stream().filter(candidate -> candidate.call().id().equals(callId)).toList();
     Optional<Task> task =
-        all().stream().filter(candidate -> candidate.call().id().equals(callId)).findFirst();
+        named.stream()
+            .filter(candidate -> candidate.call().from().equals(caller))
+            .findFirst()
+            .or(() -> named.stream().findFirst());
     task.ifPresent(found -> found.stop(Outcome.CANCELED, canceled("The call was cancelled")));
     return task.isPresent();
   }

@@ -2,6 +2,7 @@ package org.maestro.rats.protocol;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -68,6 +69,15 @@ final class Fields {
       byName.put(constant.name(), constant);
     }
     return choice(field, byName);
+  }
+
+  /** A constant that this version does not know, as later minor versions may add some. */
+  <E extends Enum<E>> E constantOr(E unknown, String field, Rule laterWord) {
+    String word = text(field, laterWord);
+    return Arrays.stream(unknown.getDeclaringClass().getEnumConstants())
+        .filter(constant -> constant.name().equals(word))
+        .findFirst()
+        .orElse(unknown);
   }
 
   <E extends Enum<E>> E lowerCaseConstant(String field, Class<E> type) {

@@ -11,6 +11,7 @@ enum Rule {
   NAME(
       "[A-Za-z0-9][A-Za-z0-9._-]{0,62}", "a name of letters, digits, '.', '_' and '-', at most 63"),
   FEATURE("[^/+#\\s\\p{Cntrl}]{1,128}", "1 to 128 characters without space, '/', '+' and '#'"),
+  WORD("[A-Z][A-Z0-9_]{0,62}", "a word of capital letters, digits and '_', at most 63"),
   ID("[^\\s\\p{Cntrl}]{1,128}", "1 to 128 characters without space"),
   TEXT("(?s).{0,8192}", "a text of at most 8192 characters");
 

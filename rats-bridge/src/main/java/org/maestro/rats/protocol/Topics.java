@@ -38,6 +38,11 @@ public record Topics(String site) {
     return root() + "result/" + to + "/#";
   }
 
+  /** Every result for any caller, on an open site: the message says who answers. */
+  public String bareResult() {
+    return root() + "result";
+  }
+
   public String progress(String to, String member) {
     return root() + "progress/" + to + "/" + member;
   }
@@ -98,11 +103,14 @@ public record Topics(String site) {
   }
 
   /**
-   * Which member sent to a topic {@code result/{to}/{member}} or {@code progress/{to}/{member}}.
+   * Which member sent to a topic {@code result/{to}/{member}} or {@code progress/{to}/{member}};
+   * empty on the bare {@code result}.
    */
   public Optional<String> senderOf(String topic) {
     int last = topic.lastIndexOf('/');
-    return topic.startsWith(root()) ? Optional.of(topic.substring(last + 1)) : Optional.empty();
+    return topic.startsWith(root()) && !topic.equals(bareResult())
+        ? Optional.of(topic.substring(last + 1))
+        : Optional.empty();
   }
 
   private String member(String id) {

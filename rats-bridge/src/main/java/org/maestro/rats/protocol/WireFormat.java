@@ -18,8 +18,9 @@ import java.util.Optional;
 
 /**
  * The JSON of version 1, as the JSON Schemas beside it describe it. Unknown fields are ignored, an
- * unknown major version is refused. Equal messages have equal bytes, whatever maps they hold. Safe
- * for use by several threads.
+ * unknown error code counts as INTERNAL and an unknown kind of progress as RUNNING, since later
+ * minor versions may add some; an unknown major version is refused. Equal messages have equal
+ * bytes, whatever maps they hold. Safe for use by several threads.
  *
  * <p>Decoding throws {@link MalformedMessageException}, encoding IllegalArgumentException for
  * values that JSON cannot hold.
@@ -129,7 +130,7 @@ public final class WireFormat {
     return new Progress(
         fields.text("id", Rule.ID),
         fields.text("from", Rule.NAME),
-        fields.constant("kind", Progress.Kind.class),
+        fields.constantOr(Progress.Kind.RUNNING, "kind", Rule.WORD),
         fields.fraction("fraction"),
         fields.values("values"));
   }
@@ -212,7 +213,7 @@ public final class WireFormat {
 
   private static RatsError error(Fields fields) {
     return new RatsError(
-        fields.constant("code", ErrorCode.class),
+        fields.constantOr(ErrorCode.INTERNAL, "code", Rule.WORD),
         fields.constant("level", RatsError.Level.class),
         fields.text("message", Rule.TEXT),
         fields.optionalText("hint", Rule.TEXT),

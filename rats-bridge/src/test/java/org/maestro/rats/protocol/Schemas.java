@@ -14,7 +14,7 @@ import java.io.InputStream;
 import java.util.Set;
 
 /** The shipped JSON Schemas, from the class path only. */
-final class Schemas {
+public final class Schemas {
 
   private static final String ADDRESS = "https://w3id.org/maestro/rats/1/";
   private static final ObjectMapper MAPPER = new ObjectMapper();
@@ -31,11 +31,18 @@ final class Schemas {
   }
 
   Set<ValidationMessage> faults(String schema, byte[] message) throws IOException {
-    JsonSchema loaded = factory.getSchema(SchemaLocation.of(ADDRESS + schema + ".json"));
-    return loaded.validate(MAPPER.readTree(message));
+    return faults(schema + ".json", MAPPER.readTree(message));
   }
 
-  static JsonNode document(String name) throws IOException {
+  /**
+   * @param schema a file, or a part of one
+   */
+  public Set<ValidationMessage> faults(String schema, JsonNode instance) {
+    JsonSchema loaded = factory.getSchema(SchemaLocation.of(ADDRESS + schema));
+    return loaded.validate(instance);
+  }
+
+  public static JsonNode document(String name) throws IOException {
     try (InputStream stream = WireFormat.class.getResourceAsStream(name)) {
       return MAPPER.readTree(stream);
     }

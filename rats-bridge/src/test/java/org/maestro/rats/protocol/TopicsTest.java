@@ -27,7 +27,9 @@ class TopicsTest {
     assertThat(documented)
         .containsExactlyInAnyOrder(
             topics.call("from"),
+            "rats/1/bob/call",
             topics.result("to", "member"),
+            topics.bareResult(),
             topics.progress("to", "member"),
             topics.status("member"),
             topics.description("member"),
@@ -53,6 +55,7 @@ class TopicsTest {
     assertThat(topics.memberOf(topics.observation("cam-a", "look"))).contains("cam-a");
     assertThat(topics.memberOf("rats/1/other/member/x/status")).isEmpty();
     assertThat(topics.senderOf(topics.result("cca", "rose"))).contains("rose");
+    assertThat(topics.senderOf(topics.bareResult())).isEmpty();
   }
 
   @Test

@@ -92,7 +92,7 @@ class WireFormatTest {
           wire.encode(
               new Result("c1", "rose", Outcome.FAILED, "busy", Map.of(), Optional.of(error))));
     }
-    assertThat(Schemas.document("common.json").at("/$defs/error/properties/code/enum"))
+    assertThat(Schemas.document("common.json").at("/$defs/error/properties/code/anyOf/0/enum"))
         .hasSize(ErrorCode.values().length);
   }
 
@@ -161,6 +161,29 @@ class WireFormatTest {
     String later =
         CALL.replace("\"1.0\"", "\"1.7\"").replace("\"p\":{}", "\"p\":{},\"new\":[null]");
     assertThat(wire.decodeCall(later.getBytes(UTF_8)).feature()).isEqualTo("pick");
+  }
+
+  @Test
+  void readsWordsThatALaterMinorVersionMayAdd() throws IOException {
+    byte[] result =
+        """
+        {"v":"1.4","id":"c","from":"rose","outcome":"FAILED","z":"x",
+         "error":{"code":"TOO_TIRED","level":"ERROR","message":"why","retriable":false}}"""
+            .getBytes(UTF_8);
+    schemas.assertValid("result", result);
+    assertThat(wire.decodeResult(result).error().orElseThrow().code())
+        .isEqualTo(ErrorCode.INTERNAL);
+    byte[] progress =
+        """
+        {"v":"1.4","id":"c","from":"rose","kind":"HALF_WAY","fraction":0.5}"""
+            .getBytes(UTF_8);
+    schemas.assertValid("progress", progress);
+    assertThat(wire.decodeProgress(progress).kind()).isEqualTo(Progress.Kind.RUNNING);
+    byte[] lowerCase = new String(progress, UTF_8).replace("HALF_WAY", "half way").getBytes(UTF_8);
+    assertThatThrownBy(() -> wire.decodeProgress(lowerCase))
+        .isInstanceOf(MalformedMessageException.class)
+        .hasMessageContaining("kind");
+    assertThat(schemas.faults("progress", lowerCase)).isNotEmpty();
   }
 
   @Test
