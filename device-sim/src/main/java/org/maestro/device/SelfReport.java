@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.maestro.hal.Area;
+import org.maestro.hal.DaylightSensor;
 import org.maestro.hal.DimmableLamp;
 import org.maestro.hal.DoorDrive;
 import org.maestro.hal.Drivers;
@@ -51,6 +52,9 @@ final class SelfReport implements MemberProfile.Values {
     drivers
         .find(ShutterDrive.class)
         .ifPresent(shutter -> words.put("opening", new Term.Number(shutter.opening())));
+    drivers
+        .find(DaylightSensor.class)
+        .ifPresent(sensor -> words.put("daylight", new Term.Number(sensor.lux())));
     drivers
         .find(DoorDrive.class)
         .ifPresent(door -> words.put("open", new Term.Truth(door.isOpen())));

@@ -78,6 +78,18 @@ final class Actuator {
     }
   }
 
+  /** Runs it later, whether the device has power then or not, unless the world has ended. */
+  void afterInAnyCase(double seconds, Runnable effect) {
+    clock.schedule(
+        Duration.ofNanos(Math.round(seconds * NANOS)),
+        device,
+        () -> {
+          if (!world.hasEnded()) {
+            effect.run();
+          }
+        });
+  }
+
   void tell(WorldEvent.Kind kind) {
     world.tell(kind, device, Optional.empty());
   }

@@ -1,8 +1,10 @@
 package org.maestro.sim;
 
+import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Random;
 import org.maestro.hal.Camera;
+import org.maestro.hal.DaylightSensor;
 import org.maestro.hal.DimmableLamp;
 import org.maestro.hal.DoorDrive;
 import org.maestro.hal.Drivers;
@@ -13,7 +15,9 @@ import org.maestro.hal.Position;
 import org.maestro.hal.ShutterDrive;
 import org.maestro.hal.Surroundings;
 import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.Glass;
 import org.maestro.ontology.home.Pose;
+import org.maestro.ontology.home.Windows;
 import org.maestro.rats.time.Clock;
 
 /**
@@ -29,12 +33,15 @@ final class DriverFactory {
   private final Scene scene;
   private final Clock clock;
   private final PhysicalParameters parameters;
+  private final Windows windows;
 
-  DriverFactory(World world, Scene scene, Clock clock, PhysicalParameters parameters) {
+  DriverFactory(
+      World world, Scene scene, Clock clock, PhysicalParameters parameters, Windows windows) {
     this.world = world;
     this.scene = scene;
     this.clock = clock;
     this.parameters = parameters;
+    this.windows = windows;
   }
 
   /**
@@ -61,9 +68,7 @@ final class DriverFactory {
       }
       case "door" ->
           Drivers.none().with(DoorDrive.class, new SimulatedDoor(actuator, parameters.drives()));
-      case "shutter" ->
-          Drivers.none()
-              .with(ShutterDrive.class, new SimulatedShutter(actuator, parameters.drives()));
+      case "shutter" -> shutter(device, actuator);
       case "mobile-robot" -> robot(device, actuator);
       case "mobile-robot-with-camera" ->
           robot(device, actuator)
@@ -97,6 +102,18 @@ final class DriverFactory {
             entry.strength().orElse(FULL_STRENGTH),
             entry.level().orElse(0)));
     return Drivers.none().with(DimmableLamp.class, new SimulatedLamp(actuator, parameters.lamp()));
+  }
+
+  private Drivers shutter(Device device, Actuator actuator) {
+    Drivers drivers =
+        Drivers.none()
+            .with(ShutterDrive.class, new SimulatedShutter(actuator, parameters.drives()));
+    List<Glass> shaded = windows.shadedBy(device.id()).stream().map(Windows.Window::glass).toList();
+    return shaded.isEmpty() || scene.sky().isEmpty()
+        ? drivers
+        : drivers.with(
+            DaylightSensor.class,
+            SimulatedDaylightSensor.start(actuator, parameters.facade(), shaded));
   }
 
   private Drivers robot(Device device, Actuator actuator) {

@@ -23,12 +23,13 @@ import org.maestro.sl.Term;
 final class FloorMap {
 
   private final List<Polygon> walled;
+  private final List<Area> rooms;
   private final List<Area> areas;
   private final Map<String, Segment> doors;
 
   FloorMap(Home home) {
     List<Polygon> outlines = new ArrayList<>();
-    List<Area> rooms = new ArrayList<>();
+    List<Area> inRooms = new ArrayList<>();
     List<Area> zones = new ArrayList<>();
     Map<String, Segment> openings = new TreeMap<>();
     for (Individual individual : home.individuals().values()) {
@@ -37,7 +38,7 @@ final class FloorMap {
         outlines.add(outline(individual));
       }
       if (room) {
-        rooms.add(area(individual));
+        inRooms.add(area(individual));
       }
       if (individual.classes().contains("Zone")) {
         zones.add(area(individual));
@@ -49,7 +50,8 @@ final class FloorMap {
       }
     }
     this.walled = List.copyOf(outlines);
-    this.areas = List.copyOf(zones.isEmpty() ? rooms : zones);
+    this.rooms = List.copyOf(inRooms);
+    this.areas = List.copyOf(zones.isEmpty() ? inRooms : zones);
     this.doors = Collections.unmodifiableMap(openings);
   }
 
@@ -69,6 +71,11 @@ final class FloorMap {
 
   Map<String, Segment> doors() {
     return doors;
+  }
+
+  /** Whether a point lies in a room. */
+  boolean isIndoors(Point2 point) {
+    return rooms.stream().anyMatch(room -> room.outline().contains(point));
   }
 
   Optional<Area> areaAt(Point2 point) {

@@ -10,8 +10,8 @@ import org.maestro.hal.Position;
 import org.maestro.ontology.home.FloorPlan;
 
 /**
- * All light of the world: lamps in the order in which they came, and the rest light of areas.
- * Guarded by the world's lock.
+ * The light of lamps, in the order in which they came, and the rest light of areas. Guarded by the
+ * world's lock.
  */
 final class LightField {
 

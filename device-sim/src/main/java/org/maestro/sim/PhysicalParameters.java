@@ -13,6 +13,7 @@ public record PhysicalParameters(
     CameraData camera,
     TurnData turn,
     SensorData sensor,
+    FacadeData facade,
     LampData lamp,
     BaseData base,
     ArmData arm,
@@ -23,6 +24,7 @@ public record PhysicalParameters(
         CameraData.LIFECAM,
         TurnData.YOUBOT,
         SensorData.TSL2561,
+        FacadeData.USUAL,
         LampData.HUE,
         BaseData.YOUBOT,
         ArmData.YOUBOT,
@@ -96,6 +98,17 @@ public record PhysicalParameters(
   public record SensorData(
       double leastLux, double greatestLux, double integrationSeconds, double noise) {
     static final SensorData TSL2561 = new SensorData(0.1, 40_000, 0.402, 0.01);
+  }
+
+  /**
+   * The light sensor on the outside of a shutter's window.
+   *
+   * @param everySeconds how often it measures; assumed
+   * @param noise standard deviation, relative; assumed
+   * @param worthTelling relative change from what was told last that is told; assumed
+   */
+  public record FacadeData(double everySeconds, double noise, double worthTelling) {
+    static final FacadeData USUAL = new FacadeData(30, 0.02, 0.1);
   }
 
   /**

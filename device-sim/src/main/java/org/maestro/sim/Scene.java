@@ -5,15 +5,28 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.TreeMap;
 import org.maestro.hal.Position;
 
 /**
  * The ground truth with which a simulation begins, by local names of the home. The knowledge base
  * never reads it. Immutable.
  */
-public record Scene(String name, Map<String, Entry> entries) {
+public record Scene(
+    String name, Map<String, Entry> entries, Optional<SceneSky> sky, Map<String, Double> openings) {
+
+  /**
+   * @param sky without it no light comes in by windows
+   * @param openings how far shutters are open, 0 to 1; others are closed
+   */
   public Scene {
     entries = Collections.unmodifiableMap(new LinkedHashMap<>(entries));
+    openings = Collections.unmodifiableMap(new TreeMap<>(openings));
+  }
+
+  /** A scene without daylight. */
+  public Scene(String name, Map<String, Entry> entries) {
+    this(name, entries, Optional.empty(), Map.of());
   }
 
   /** What the scene says of it; nothing when it is not mentioned. */
@@ -25,7 +38,12 @@ public record Scene(String name, Map<String, Entry> entries) {
   public Scene with(String thing, Entry entry) {
     Map<String, Entry> changed = new LinkedHashMap<>(entries);
     changed.put(thing, entry);
-    return new Scene(name, changed);
+    return new Scene(name, changed, sky, openings);
+  }
+
+  /** The same scene under another sky. */
+  public Scene with(SceneSky other) {
+    return new Scene(name, entries, Optional.of(other), openings);
   }
 
   /**

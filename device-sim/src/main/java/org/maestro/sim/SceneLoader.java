@@ -30,6 +30,9 @@ public final class SceneLoader {
 
   static final String NAMESPACE = "https://w3id.org/maestro/scene#";
 
+  /** Of what is said of the home itself; no thing has this name. */
+  private static final String HOME = "";
+
   private final String name;
   private final Home home;
   private final Map<String, Map<String, String>> words = new TreeMap<>();
@@ -47,9 +50,19 @@ public final class SceneLoader {
   public static Scene load(String name, InputStream turtle, Home home) {
     SceneLoader loader = new SceneLoader(name, home);
     loader.read(turtle);
+    Optional<SceneSky> sky =
+        Optional.ofNullable(loader.words.remove(HOME))
+            .map(said -> SkyReader.read(said, loader::fault));
     Map<String, Scene.Entry> entries = new LinkedHashMap<>();
-    loader.words.forEach((thing, said) -> entries.put(thing, loader.entry(thing, said)));
-    return new Scene(name, entries);
+    Map<String, Double> openings = new TreeMap<>();
+    loader.words.forEach(
+        (thing, said) -> {
+          loader
+              .number(thing, "opening", said.remove("opening"), 1)
+              .ifPresent(opening -> openings.put(thing, opening));
+          entries.put(thing, loader.entry(thing, said));
+        });
+    return new Scene(name, entries, sky, openings);
   }
 
   private void read(InputStream turtle) {
@@ -85,6 +98,9 @@ public final class SceneLoader {
   }
 
   private String thing(String iri) {
+    if (iri.equals(home.iri())) {
+      return HOME;
+    }
     String local = iri.substring(Math.max(iri.lastIndexOf('#'), iri.lastIndexOf('/')) + 1);
     if (!home.individuals().containsKey(local)) {
       throw fault(
@@ -118,7 +134,7 @@ public final class SceneLoader {
               + new TreeSet<>(left.keySet()).first()
               + " of "
               + thing
-              + "; known are position, hidden, radius, mass, level, strength, ambientLux, open, dead, speed, payload, diesWhen");
+              + "; known are position, hidden, radius, mass, level, strength, ambientLux, open, opening, dead, speed, payload, diesWhen");
     }
     return entry;
   }

@@ -15,6 +15,7 @@ import org.maestro.device.DeviceMember;
 import org.maestro.hal.Drivers;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Windows;
 import org.maestro.rats.member.RatsMember;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.Transport;
@@ -87,7 +88,7 @@ public final class SimulatedHome implements AutoCloseable {
 
   private SimulatedHome(Setup setup) {
     this.setup = setup;
-    this.world = new World(setup.home(), setup.scene(), setup.clock());
+    this.world = new World(setup.home(), setup.scene(), setup.clock(), setup.seed());
   }
 
   /**
@@ -135,11 +136,13 @@ public final class SimulatedHome implements AutoCloseable {
       running.clear();
     }
     leaving.forEach(RatsMember::close);
+    world.end();
   }
 
   private void furnish() {
     DriverFactory factory =
-        new DriverFactory(world, setup.scene(), setup.clock(), setup.parameters());
+        new DriverFactory(
+            world, setup.scene(), setup.clock(), setup.parameters(), new Windows(setup.home()));
     List<Device> inOrder = inDeclaredOrder(setup.home());
     Random seeds = new Random(setup.seed());
     for (Device device : inOrder) {

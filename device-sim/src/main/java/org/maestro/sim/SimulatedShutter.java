@@ -8,7 +8,6 @@ final class SimulatedShutter implements ShutterDrive {
 
   private final Actuator actuator;
   private final PhysicalParameters.DriveData data;
-  private double opening;
 
   SimulatedShutter(Actuator actuator, PhysicalParameters.DriveData data) {
     this.actuator = actuator;
@@ -19,16 +18,16 @@ final class SimulatedShutter implements ShutterDrive {
   public void setOpening(double newOpening, Completion completion) {
     actuator.command(
         WorldEvent.Kind.ADJUST,
-        Math.abs(newOpening - opening) * data.shutterSeconds(),
+        Math.abs(newOpening - opening()) * data.shutterSeconds(),
         completion::failed,
         () -> {
-          opening = newOpening;
+          actuator.world().setOpening(actuator.device(), newOpening);
           completion.done();
         });
   }
 
   @Override
   public double opening() {
-    return opening;
+    return actuator.world().opening(actuator.device());
   }
 }

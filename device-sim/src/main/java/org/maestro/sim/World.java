@@ -9,10 +9,12 @@ import org.maestro.hal.Area;
 import org.maestro.hal.Position;
 import org.maestro.hal.Surroundings.Obstacle;
 import org.maestro.ontology.home.FloorPlan;
+import org.maestro.ontology.home.Glass;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Segment;
 import org.maestro.rats.time.Clock;
+import org.maestro.sim.sky.Clouds;
 
 /**
  * The ground truth: floor, light, bodies, and which device has power. Drivers act on it on the
@@ -31,14 +33,18 @@ public final class World {
   private final FloorMap map;
   private final Whereabouts whereabouts;
   private final LightField light = new LightField();
+  private final Daylight daylight;
   private final Faults faults = new Faults();
   private final Set<String> openDoors = new TreeSet<>();
   private final List<WorldEvent.Listener> listeners = new CopyOnWriteArrayList<>();
   private FloorPlan plan;
+  private boolean ended;
 
-  World(Home home, Scene scene, Clock clock) {
+  World(Home home, Scene scene, Clock clock, long seed) {
     this.clock = clock;
     this.map = new FloorMap(home);
+    this.daylight = new Daylight(home, scene, seed);
+    scene.openings().forEach(daylight::setOpening);
     this.whereabouts = new Whereabouts(clock);
     home.individuals().keySet().forEach(name -> begin(name, scene.of(name)));
     for (String door : map.doors().keySet()) {
@@ -126,7 +132,14 @@ public final class World {
 
   /** Light on a horizontal surface; lux. */
   public synchronized double lux(Position point) {
-    return light.lux(point, map.areaAt(point.floor()), plan, faults::isAlive);
+    double lux = light.lux(point, map.areaAt(point.floor()), plan, faults::isAlive);
+    if (daylight.isAny()) {
+      lux +=
+          map.isIndoors(point.floor())
+              ? daylight.lux(point, plan, clock.now())
+              : daylight.outdoorLux(clock.now());
+    }
+    return lux;
   }
 
   /**
@@ -148,6 +161,17 @@ public final class World {
    */
   public synchronized void setAmbient(String zone, double lux) {
     light.setAmbient(map.area(zone).name(), lux);
+  }
+
+  /** The share of its windows that a shutter leaves free, 0 to 1. */
+  public synchronized double opening(String shutter) {
+    return daylight.opening(shutter);
+  }
+
+  /** From now on clouds hide so much of the sky, all the time; 0 to 1. */
+  public synchronized void setClouds(double cover) {
+    daylight.cloud(Clouds.steady(cover));
+    light.changed();
   }
 
   /**
@@ -261,6 +285,15 @@ public final class World {
 
   // What drivers need
 
+  /** Nothing goes on by itself from now on. */
+  synchronized void end() {
+    ended = true;
+  }
+
+  synchronized boolean hasEnded() {
+    return ended;
+  }
+
   void tell(WorldEvent.Kind kind, String subject, Optional<String> thing) {
     List<Runnable> due;
     synchronized (this) {
@@ -283,8 +316,19 @@ public final class World {
     light.put(lamp, light.lamp(lamp).at(level));
   }
 
+  synchronized void setOpening(String shutter, double opening) {
+    daylight.setOpening(shutter, opening);
+    light.changed();
+  }
+
+  /** Upon the outside of a window; lux. */
+  synchronized double luxUpon(Glass glass) {
+    return daylight.luxUpon(glass, clock.now());
+  }
+
+  /** Never the same when the light anywhere may have changed, by somebody or by itself. */
   synchronized long lightVersion() {
-    return light.version();
+    return light.version() + daylight.version(clock.now());
   }
 
   synchronized FloorPlan plan() {

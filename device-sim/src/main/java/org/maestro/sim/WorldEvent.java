@@ -22,6 +22,7 @@ public record WorldEvent(Duration at, Kind kind, String subject, Optional<String
     RELEASE,
     LIT,
     DRIVEN,
+    MEASURED,
     BLOCKED,
     PICKED,
     PLACED,

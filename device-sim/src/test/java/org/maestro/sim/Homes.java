@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.ontology.home.Home;
@@ -34,12 +35,20 @@ public final class Homes implements AutoCloseable {
   public final RatsLink link;
 
   public Homes(String homeName, String sceneName, long seed, UnaryOperator<Scene> changed) {
-    home = home(homeName);
+    this(home(homeName), home -> changed.apply(scene(sceneName, home)), seed);
+  }
+
+  public Homes(Home home, Scene scene, long seed) {
+    this(home, same -> scene, seed);
+  }
+
+  private Homes(Home home, Function<Home, Scene> scene, long seed) {
+    this.home = home;
     simulated =
         SimulatedHome.start(
             new SimulatedHome.Setup(
                 home,
-                changed.apply(scene(sceneName, home)),
+                scene.apply(home),
                 clock,
                 seed,
                 bus::client,

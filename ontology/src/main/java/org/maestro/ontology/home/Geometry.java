@@ -12,10 +12,10 @@ import org.maestro.sl.Truth;
 
 /**
  * The closed list of geometry functions over a home: {@code distance}, {@code inside}, {@code
- * viewShare}, {@code luxAt}, {@code shortestPath} and {@code floorArea}. They ask for properties
- * such as pose and view angle, never for a kind of device. Fixed devices stand where the home says,
- * movable things where {@link Positions} says. Doors let robots through; light and sight through
- * them are not counted on. Safe for threads.
+ * viewShare}, {@code luxAt}, {@code daylightShare}, {@code shortestPath} and {@code floorArea}.
+ * They ask for properties such as pose and view angle, never for a kind of device. Fixed devices
+ * stand where the home says, movable things where {@link Positions} says. Doors let robots through;
+ * light and sight through them are not counted on. Safe for threads.
  */
 public final class Geometry {
 
@@ -30,6 +30,7 @@ public final class Geometry {
   private final Map<String, Polygon> outlines = new TreeMap<>();
   private final Map<String, Pose> fixed = new TreeMap<>();
   private final FloorPlan closed;
+  private final Windows windows;
   private final WayFinder ways;
   private final Map<Sight, Double> viewShares = new ConcurrentHashMap<>();
   private final Map<Segment, OptionalDouble> fixedWays = new ConcurrentHashMap<>();
@@ -57,12 +58,14 @@ public final class Geometry {
       opening(individual).ifPresent(openings::add);
     }
     this.closed = new FloorPlan(solid, List.of());
+    this.windows = new Windows(home);
     this.ways = new WayFinder(new FloorPlan(solid, openings), solid, openings);
   }
 
   /** Whether a function of this name gives a number. */
   public static boolean isNumber(String function) {
-    return List.of("distance", "viewShare", "luxAt", "shortestPath", FLOOR_AREA).contains(function);
+    return List.of("distance", "viewShare", "luxAt", "daylightShare", "shortestPath", FLOOR_AREA)
+        .contains(function);
   }
 
   /** Whether a function of this name gives a truth value. */
@@ -101,6 +104,7 @@ public final class Geometry {
       case "distance" -> distance(first.text(), second.text(), positions);
       case "viewShare" -> viewShare(first.text(), second.text(), positions);
       case "luxAt" -> luxAt(first.text(), second.text(), positions);
+      case "daylightShare" -> daylightShare(first.text(), second.text());
       case "shortestPath" -> shortestPath(first.text(), second.text(), positions);
       default -> OptionalDouble.empty();
     };
@@ -200,6 +204,17 @@ public final class Geometry {
     double cosine = height / Math.hypot(height, lamp.floor().distance(lit.floor()));
     return OptionalDouble.of(
         intensity.getAsDouble() * cosine * cosine * cosine / (height * height));
+  }
+
+  /**
+   * What a device that shades windows, opened wholly, lets in to a location's reference point: lux
+   * for each lux upon the outside of the glass; 0 for one that shades none.
+   */
+  public OptionalDouble daylightShare(String device, String location) {
+    return OptionalDouble.of(
+        referencePoint(location)
+            .map(point -> windows.share(device, point.x(), point.y(), point.z(), closed))
+            .orElse(0.0));
   }
 
   /** Length in metres of the shortest way between two places; empty when there is none. */

@@ -32,7 +32,9 @@ final class HomeCheck {
           "referencePoint", Pose::parse,
           "outline", Polygon::parse,
           "openingFrom", HomeCheck::corner,
-          "openingTo", HomeCheck::corner);
+          "openingTo", HomeCheck::corner,
+          "glassFrom", Glass::corner,
+          "glassTo", Glass::corner);
 
   private final SourceGraph graph;
   private final Vocabulary vocabulary;
@@ -203,6 +205,19 @@ final class HomeCheck {
           .getOrDefault("watched", List.of())
           .contains(new Term.Truth(true))) {
         checkWatched(home, geometry, zones.get(i).name(), nodes);
+      }
+    }
+    for (Individual individual : home.individuals().values()) {
+      if (individual.classes().contains("Window")) {
+        Windows.misplacement(individual, home)
+            .ifPresent(
+                wrong ->
+                    graph.fault(
+                        nodes.get(individual.name()),
+                        Maestro.term("glassFrom"),
+                        Optional.empty(),
+                        wrong,
+                        "put its lower corner and the opposite upper one on an outer wall of one room"));
       }
     }
   }

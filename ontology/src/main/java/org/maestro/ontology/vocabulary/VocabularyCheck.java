@@ -76,9 +76,10 @@ public final class VocabularyCheck {
                             "inside",
                             "viewShare",
                             "luxAt",
+                            "daylightShare",
                             "shortestPath",
                             "floorArea"),
-                        "write one of distance, inside, viewShare, luxAt, shortestPath, floorArea")));
+                        "write one of distance, inside, viewShare, luxAt, daylightShare, shortestPath, floorArea")));
     for (TypedVariable parameter : predicate.parameters()) {
       parameter
           .className()
