@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.GoalOutcome;
 import org.maestro.coordination.HeldNews;
@@ -181,7 +182,12 @@ final class GoalRequests {
       agent.refuse(message, ACLMessage.REFUSE, noSuchGoal(id));
     } else if (words.find("step").isPresent()) {
       coordinator.explainChoice(
-          id, (int) words.number("step", 0), sentences -> stories.tell(message, id, sentences));
+          id,
+          words.find("plan").isPresent()
+              ? OptionalInt.of((int) words.number("plan", 0))
+              : OptionalInt.empty(),
+          (int) words.number("step", 0),
+          sentences -> stories.tell(message, id, sentences));
     } else {
       stories.tellAll(message, id);
     }

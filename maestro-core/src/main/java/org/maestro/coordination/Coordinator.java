@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.Consumer;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.planning.Step;
@@ -223,18 +224,21 @@ public final class Coordinator {
   }
 
   /**
-   * Why a step of the goal's latest plan was given to its member: planned again without it, beside
-   * this thread.
+   * Why a step of one of the goal's latest plans was given to its member: planned again without it,
+   * beside this thread.
    *
+   * @param plan its number in the story; empty: the latest that was made to bring the goal about
    * @param step its number
    * @param told the choice in sentences; one that says so when there is no such step
    */
-  public void explainChoice(String goalId, int step, Consumer<List<String>> told) {
-    Optional<Decision> decision =
-        Optional.ofNullable(latest.get(goalId)).flatMap(Pursuit::decision);
+  public void explainChoice(
+      String goalId, OptionalInt plan, int step, Consumer<List<String>> told) {
+    Decisions decisions =
+        Optional.ofNullable(latest.get(goalId)).map(Pursuit::decisions).orElseGet(Decisions::new);
+    Optional<Decision> decision = decisions.find(plan);
     Optional<Step> chosen = decision.flatMap(d -> d.step(step));
     if (chosen.isEmpty()) {
-      told.accept(List.of("The latest plan of " + goalId + " has no step " + step + "."));
+      told.accept(List.of(decisions.whyNot(goalId, plan, step)));
       return;
     }
     ports

@@ -19,7 +19,7 @@ final class GoalPlanning {
   private final PursuitParts parts;
   private final Course course;
   private Optional<String> planAgain = Optional.empty();
-  private Optional<Decision> decision = Optional.empty();
+  private final Decisions decisions = new Decisions();
   private Interest changedMeanwhile;
   private boolean planning;
 
@@ -37,9 +37,8 @@ final class GoalPlanning {
     return planning;
   }
 
-  /** The plan that was adopted last to bring the goal about. */
-  Optional<Decision> decision() {
-    return decision;
+  Decisions decisions() {
+    return decisions;
   }
 
   void knowledgeChanged(Interest changed) {
@@ -147,8 +146,9 @@ final class GoalPlanning {
 
   private void note(Plan found, PlanningRound.Ended round) {
     if (!parts.outlook().isConfirming() && !found.steps().isEmpty()) {
-      decision =
-          Optional.of(new Decision(round.task(), found, round.tender().bids(), round.questions()));
+      decisions.add(
+          parts.life().plans(),
+          new Decision(round.task(), found, round.tender().bids(), round.questions()));
     }
   }
 }

@@ -167,8 +167,8 @@ final class GoalPursuit implements Pursuit, Course {
   }
 
   @Override
-  public Optional<Decision> decision() {
-    return planning.decision();
+  public Decisions decisions() {
+    return planning.decisions();
   }
 
   @Override

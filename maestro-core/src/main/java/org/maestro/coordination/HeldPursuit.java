@@ -171,8 +171,8 @@ final class HeldPursuit implements Pursuit {
   }
 
   @Override
-  public Optional<Decision> decision() {
-    return work.asked(Pursuit::decision);
+  public Decisions decisions() {
+    return work.decisions();
   }
 
   @Override

@@ -17,6 +17,7 @@ final class HeldWork {
   private final HeldPursuit.Reaching reaching;
   private final Pursuit held;
   private Optional<Pursuit> current = Optional.empty();
+  private Decisions decisions = new Decisions();
   private boolean setting;
 
   /**
@@ -48,6 +49,11 @@ final class HeldWork {
 
   <T> Optional<T> asked(Function<Pursuit, Optional<T>> question) {
     return current.flatMap(question);
+  }
+
+  /** Of what is done now, or was done last. */
+  Decisions decisions() {
+    return decisions;
   }
 
   double seconds(ToDoubleFunction<Pursuit> question) {
@@ -83,6 +89,7 @@ final class HeldWork {
     begun[0] =
         reaching.pursuit(once, with, outcome -> rivals.run(() -> ended(begun[0], outcome, then)));
     current = Optional.of(begun[0]);
+    decisions = begun[0].decisions();
     return begun[0];
   }
 

@@ -29,10 +29,8 @@ interface Pursuit {
 
   GoalStatus status();
 
-  /** The plan that was adopted last, with all that it was chosen from. */
-  default Optional<Decision> decision() {
-    return Optional.empty();
-  }
+  /** The plans that were adopted lately to bring it about, with all that they were chosen from. */
+  Decisions decisions();
 
   int priority();
 

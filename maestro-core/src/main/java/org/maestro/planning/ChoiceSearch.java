@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.planning.Choice.Other;
 
 /**
@@ -27,10 +28,10 @@ public final class ChoiceSearch {
    * @param task for which the plan was made
    */
   public Choice of(PlanningTask task, Plan plan, Step step) {
-    Set<String> wanted = Signature.changedBy(step.feature().effect());
+    Set<Deed> wanted = Deed.of(step.feature().effect());
     Set<String> open = new LinkedHashSet<>();
     for (PricedFeature feature : task.features()) {
-      if (isOfKind(feature, wanted)) {
+      if (bringsAbout(feature.type(), wanted)) {
         open.add(feature.member());
       }
     }
@@ -47,7 +48,7 @@ public final class ChoiceSearch {
           planner.plan(
               task.withFeatures(
                   task.features().stream()
-                      .filter(f -> !barred.contains(f.member()) || !isOfKind(f, wanted))
+                      .filter(f -> !barred.contains(f.member()) || !bringsAbout(f.type(), wanted))
                       .toList()));
       if (!(result instanceof PlanningResult.Found found)) {
         open.forEach(member -> others.add(impossible(member, result)));
@@ -80,20 +81,19 @@ public final class ChoiceSearch {
 
   /** Who does a step of the kind in the new plan that it did not do in the old one. */
   private static Optional<String> newcomer(
-      Plan now, Plan before, Set<String> open, Set<String> wanted) {
+      Plan now, Plan before, Set<String> open, Set<Deed> wanted) {
     Set<StepKey> old = new LinkedHashSet<>();
     before.steps().forEach(step -> old.add(step.key()));
     return now.steps().stream()
         .filter(step -> open.contains(step.member()))
         .filter(step -> !old.contains(step.key()))
-        .filter(
-            step ->
-                Signature.changedBy(step.feature().effect()).stream().anyMatch(wanted::contains))
+        .filter(step -> bringsAbout(step.feature(), wanted))
         .map(Step::member)
         .findFirst();
   }
 
-  private static boolean isOfKind(PricedFeature feature, Set<String> wanted) {
-    return Signature.changedBy(feature.type().effect()).stream().anyMatch(wanted::contains);
+  /** Any of it: a lamp and a shutter are in each other's place for the light, not for a level. */
+  private static boolean bringsAbout(FeatureType feature, Set<Deed> wanted) {
+    return Deed.of(feature.effect()).stream().anyMatch(wanted::contains);
   }
 }

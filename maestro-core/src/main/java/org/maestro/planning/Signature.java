@@ -26,13 +26,6 @@ final class Signature {
     features.forEach(feature -> collect(feature.type().effect(), changed));
   }
 
-  /** The names of what an effect may change or find out. */
-  static Set<String> changedBy(Effect effect) {
-    Set<String> names = new HashSet<>();
-    collect(effect, names);
-    return names;
-  }
-
   private static void collect(Effect effect, Set<String> changed) {
     if (effect instanceof Effect.All all) {
       all.effects().forEach(part -> collect(part, changed));

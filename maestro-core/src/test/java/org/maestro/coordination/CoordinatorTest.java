@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalInt;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.maestro.knowledge.Source;
@@ -144,12 +145,64 @@ class CoordinatorTest {
     house.ambientLux.put("zone-b", 40.0);
     house.coordinator.memberLost("lamp-a2", "no power");
     assertThat(house.achieve("(>= (illuminance zone-b) 60)").reached()).isTrue();
-    List<String> told = new ArrayList<>();
-    house.coordinator.explainChoice("G1", 1, told::addAll);
-    house.clock.run(Duration.ofSeconds(1));
-    assertThat(told.get(0)).startsWith("Step 1: ").contains("exact prices asked: 0");
+
+    List<String> told = whyStep(OptionalInt.empty(), stepOf("lamp-b"));
+
+    assertThat(told.get(0)).contains("lamp-b").contains("exact prices asked: 0");
     assertThat(told).anyMatch(text -> text.matches("With lamp-b\\d instead the plan would .*"));
     assertThat(told).anyMatch(text -> text.startsWith("lamp-a2 refused: "));
+    assertThat(told).noneMatch(text -> text.startsWith("With lux-"));
+  }
+
+  @Test
+  void whoMeasuresIsNoneWhoseLightCouldBeTakenInstead() {
+    house.ambientLux.put("zone-b", 40.0);
+    assertThat(house.achieve("(>= (illuminance zone-b) 60)").reached()).isTrue();
+
+    List<String> told = whyStep(OptionalInt.of(1), 1);
+
+    assertThat(told.get(0)).contains("lux-b");
+    assertThat(told).noneMatch(text -> text.startsWith("With lamp-"));
+  }
+
+  @Test
+  void whoSeesAThingIsNoneWhoCouldPickItUpInstead() {
+    house.ambientLux.put("zone-b", 100.0);
+    assertThat(house.achieve("(nextTo Cup Bob)").reached()).isTrue();
+
+    List<String> told = whyStep(OptionalInt.empty(), stepOf("rose picks up"));
+
+    assertThat(told.get(0)).contains("rose picks up");
+    assertThat(told).contains("Nobody else that was asked could take part in it.");
+  }
+
+  @Test
+  void anEarlierPlanIsExplainedToo() {
+    house.weak.addAll(List.of("lamp-b1", "lamp-b2", "lamp-b3"));
+    assertThat(house.achieve("(nextTo Cup Bob)").reached()).isTrue();
+    assertThat(house.story).anyMatch(text -> text.contains(" Plan 2 "));
+
+    assertThat(whyStep(OptionalInt.of(1), 1).get(0)).startsWith("Step 1: ");
+    assertThat(whyStep(OptionalInt.of(99), 1).get(0))
+        .contains("these plans are kept: 1, 2")
+        .contains("plan 99 is not");
+  }
+
+  private List<String> whyStep(OptionalInt plan, int step) {
+    List<String> told = new ArrayList<>();
+    house.coordinator.explainChoice("G1", plan, step, told::addAll);
+    house.clock.run(Duration.ofSeconds(1));
+    return told;
+  }
+
+  /** The number of a step of the latest plan, by what is told of it. */
+  private int stepOf(String words) {
+    for (int step = 1; step < 20; step++) {
+      if (whyStep(OptionalInt.empty(), step).get(0).contains(words)) {
+        return step;
+      }
+    }
+    throw new AssertionError("No step has " + words + " in it: " + String.join("\n", house.story));
   }
 
   @Test

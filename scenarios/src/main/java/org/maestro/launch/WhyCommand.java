@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -14,6 +15,7 @@ import org.maestro.agents.Words;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.platform.StoryFile;
+import org.maestro.sl.Content;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -42,11 +44,21 @@ final class WhyCommand implements Callable<Integer> {
       description = "Why this member does that step of the latest plan, and not another.")
   private Optional<Integer> step = Optional.empty();
 
+  @Option(
+      names = "--plan",
+      paramLabel = "N",
+      description =
+          "With --step: of the plan with that number, as in the story; the latest few are kept.")
+  private Optional<Integer> plan = Optional.empty();
+
   @Override
   public Integer call() {
+    if (plan.isPresent() && step.isEmpty()) {
+      throw CommandException.badInput("--plan says of which plan the step is; add --step N.");
+    }
     if (step.isPresent() && !platform.isThere()) {
       throw CommandException.badInput(
-          "Why a step was given to its member can be told while the platform runs, and none does; leave --step away for the story.");
+          "No platform runs, and what its plans were chosen from ended with it: only stories are kept; leave --step away for the story.");
     }
     List<StoryEntry> story = platform.isThere() ? asked() : left();
     PrintWriter out = spec.commandLine().getOut();
@@ -61,22 +73,19 @@ final class WhyCommand implements Callable<Integer> {
 
   private List<StoryEntry> asked() {
     try (JoinedContainer container = platform.join()) {
-      return Reply.lines(
-              container.ask(
-                  ACLMessage.REQUEST,
-                  CoordinatorAgent.NAME,
-                  step.map(
-                          number ->
-                              Words.content(
-                                  "explain",
-                                  Words.named("goal", Words.name(goal)),
-                                  Words.named("step", Words.number(number))))
-                      .orElseGet(
-                          () -> Words.content("explain", Words.named("goal", Words.name(goal))))))
+      return Reply.lines(container.ask(ACLMessage.REQUEST, CoordinatorAgent.NAME, question()))
           .stream()
           .map(Reply::story)
           .toList();
     }
+  }
+
+  private Content question() {
+    List<Content.Argument> arguments = new ArrayList<>();
+    arguments.add(Words.named("goal", Words.name(goal)));
+    plan.ifPresent(number -> arguments.add(Words.named("plan", Words.number(number))));
+    step.ifPresent(number -> arguments.add(Words.named("step", Words.number(number))));
+    return Words.content("explain", arguments.toArray(Content.Argument[]::new));
   }
 
   private List<StoryEntry> left() {
