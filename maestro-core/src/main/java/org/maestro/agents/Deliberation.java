@@ -49,8 +49,9 @@ final class Deliberation {
   }
 
   /**
-   * Of an agent with goals of its own, which have its name before their number.
+   * Of an agent with goals of its own.
    *
+   * @param prefix before its goals' numbers
    * @param own the member that is the agent's own; empty: it orders other agents
    */
   Deliberation(
@@ -58,7 +59,8 @@ final class Deliberation {
       Clock clock,
       Mind mind,
       Story story,
-      String name,
+      Journal journal,
+      String prefix,
       Misconduct misconduct,
       Optional<OwnMember> own) {
     this.agent = agent;
@@ -72,8 +74,8 @@ final class Deliberation {
                 own.map(Market.class::cast).orElse(market),
                 own.map(Crew.class::cast).orElse(crew),
                 story,
-                Journal.none()),
-            name + "-");
+                journal),
+            prefix);
   }
 
   private Ports ports(Clock clock, Market market, Crew orders, Story story, Journal journal) {

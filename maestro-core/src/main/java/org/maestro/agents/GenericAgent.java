@@ -54,13 +54,14 @@ public final class GenericAgent extends MaestroAgent {
       RatsLink link,
       String member,
       BiFunction<String, String, Device> describedBy) {
-    this(time, link, member, describedBy, Optional.empty(), entry -> {});
+    this(time, link, member, describedBy, Optional.empty(), entry -> {}, Past.none());
   }
 
   /**
    * @param mind with which it pursues the goals that its member's description states; empty where
    *     the collective knowledge is out of reach
    * @param story where it tells of them
+   * @param past of the platform, with which they go on
    */
   public GenericAgent(
       AgentTime time,
@@ -68,7 +69,8 @@ public final class GenericAgent extends MaestroAgent {
       String member,
       BiFunction<String, String, Device> describedBy,
       Optional<Mind> mind,
-      Story story) {
+      Story story,
+      Past past) {
     super(time);
     this.member = member;
     this.link = link;
@@ -79,7 +81,7 @@ public final class GenericAgent extends MaestroAgent {
         mind.map(
             m ->
                 new OwnGoals(
-                    this, member, time.clock(), m, story, member::equals, Optional.of(own)));
+                    this, member, time.clock(), m, story, past, member::equals, Optional.of(own)));
   }
 
   @Override

@@ -40,7 +40,10 @@ public final class GroupAgent extends MaestroAgent {
   private transient Clock.Timer start = () -> {};
   private boolean started;
 
-  public GroupAgent(AgentTime time, Mind mind, Group group, Story story) {
+  /**
+   * @param past of the platform, with which its goals go on
+   */
+  public GroupAgent(AgentTime time, Mind mind, Group group, Story story, Past past) {
     super(time);
     this.mind = mind;
     this.group = group;
@@ -51,6 +54,7 @@ public final class GroupAgent extends MaestroAgent {
             time.clock(),
             mind,
             story,
+            past,
             member -> called.contains(member),
             Optional.empty());
   }
@@ -76,7 +80,7 @@ public final class GroupAgent extends MaestroAgent {
       started = true;
       start.cancel();
       Substitution self = new Substitution(Map.of("self", new Term.Name(group.id())));
-      group.pursues().forEach(goal -> goals.pursue(self.apply(goal)));
+      goals.pursueOnly(group.pursues().stream().map(self::apply).toList());
     }
   }
 

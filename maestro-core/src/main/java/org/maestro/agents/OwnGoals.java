@@ -14,6 +14,9 @@ import org.maestro.coordination.GoalState;
 import org.maestro.coordination.GoalStatus;
 import org.maestro.coordination.HeldNews;
 import org.maestro.coordination.InvalidGoalException;
+import org.maestro.coordination.Journal;
+import org.maestro.coordination.JournalEntry;
+import org.maestro.coordination.Recovery;
 import org.maestro.coordination.Story;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Formula;
@@ -36,11 +39,15 @@ final class OwnGoals {
   private final Lacking lacking;
   private final Deliberation deliberation;
   private final Map<Formula, Own> goals = new LinkedHashMap<>();
+  private final Journal journal;
+  private final Recovery recovery;
+  private boolean takenUp;
   private boolean ended;
 
   /**
+   * @param past of the platform, with which its own goals go on
    * @param scope the members with which it plans
-   * @param own the member that is the agent's own; empty: it orders other agents
+   * @param member the member that is the agent's own; empty: it orders other agents
    */
   OwnGoals(
       MaestroAgent agent,
@@ -48,11 +55,16 @@ final class OwnGoals {
       Clock clock,
       Mind mind,
       Story story,
+      Past past,
       Predicate<String> scope,
-      Optional<OwnMember> own) {
+      Optional<OwnMember> member) {
     this.agent = agent;
     this.name = name;
     this.clock = clock;
+    String prefix = name + "-";
+    Past own = past.of(prefix);
+    this.journal = new AgentJournal(agent, clock, own.journal());
+    this.recovery = own.recovery();
     this.lacking =
         new Lacking(mind.planner(), word -> mind.knowledge().home().vocabulary().isFluent(word));
     this.deliberation =
@@ -61,9 +73,10 @@ final class OwnGoals {
             clock,
             new Mind(new ScopedKnowledge(mind.knowledge(), scope), lacking, mind.decisionTime()),
             story,
-            name,
+            journal,
+            prefix,
             (goal, sentence) -> LOG.warn("{}: {}", goal, sentence),
-            own);
+            member);
   }
 
   void begin() {
@@ -83,8 +96,7 @@ final class OwnGoals {
     deliberation.memberLost(member, reason);
   }
 
-  /** Has the goal from now on, unless it has it already. */
-  void pursue(Formula goal) {
+  private void pursue(Formula goal) {
     if (!goals.containsKey(goal)) {
       Own own = new Own(goal);
       goals.put(goal, own);
@@ -94,6 +106,7 @@ final class OwnGoals {
 
   /** Has only these goals from now on. */
   void pursueOnly(List<Formula> wanted) {
+    takeUp();
     List.copyOf(goals.values()).stream()
         .filter(own -> !wanted.contains(own.goal))
         .forEach(
@@ -104,10 +117,30 @@ final class OwnGoals {
     wanted.forEach(this::pursue);
   }
 
+  /** Goals that had no end when the platform did go on, once. */
+  private void takeUp() {
+    if (takenUp) {
+      return;
+    }
+    takenUp = true;
+    recovery.goals().forEach(goal -> goals.put(goal.request().goal(), new Own(goal)));
+    deliberation
+        .coordinator()
+        .resume(
+            recovery,
+            Duration.ZERO,
+            news -> find(news.goalId()).ifPresent(own -> own.heard(news)),
+            outcome -> find(outcome.id()).ifPresent(own -> own.over(outcome)));
+    tellCentre();
+  }
+
+  private Optional<Own> find(String goalId) {
+    return goals.values().stream().filter(own -> own.id.equals(goalId)).findFirst();
+  }
+
   /** Returns whether there is such a goal, and it had not ended yet. */
   boolean cancel(String goalId, String who) {
-    Optional<Own> own = goals.values().stream().filter(o -> o.id.equals(goalId)).findFirst();
-    return own.filter(found -> found.cancel(who)).isPresent();
+    return find(goalId).filter(found -> found.cancel(who)).isPresent();
   }
 
   List<GoalStatus> statuses() {
@@ -138,6 +171,13 @@ final class OwnGoals {
 
     private Own(Formula goal) {
       this.goal = goal;
+    }
+
+    /** One that was there before a restart; what was asked for it then is heard of again. */
+    private Own(Recovery.UnfinishedGoal former) {
+      this.goal = former.request().goal();
+      this.id = former.id();
+      former.memory().asked().ifPresent(asked -> open(asked.effect()).await(asked.petition()));
     }
 
     private void submit() {
@@ -176,10 +216,19 @@ final class OwnGoals {
 
     private void askOthers() {
       if (petition.isEmpty() && !ended) {
-        Petition asked = new Petition(agent, effect(), this::answered);
-        petition = Optional.of(asked);
-        asked.send();
+        open(effect()).send();
       }
+    }
+
+    private Petition open(Formula effect) {
+      Petition opened =
+          new Petition(
+              agent,
+              effect,
+              petitionId -> journal.write(new JournalEntry.Asked(id, petitionId, effect)),
+              this::answered);
+      petition = Optional.of(opened);
+      return opened;
     }
 
     /** What is lacking; after some attempts, the goal itself. */

@@ -2,7 +2,9 @@ package org.maestro.agents;
 
 import java.util.List;
 import java.util.Map;
+import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.Journal;
+import org.maestro.coordination.JournalEntry;
 import org.maestro.coordination.Recovery;
 import org.maestro.coordination.StoryEntry;
 
@@ -26,5 +28,34 @@ public record Past(
   /** Nothing was before, and nothing is kept. */
   public static Past none() {
     return new Past(Journal.none(), Recovery.NOTHING, Map.of());
+  }
+
+  /**
+   * The past of an agent with goals of its own, which shares the journal with the central one.
+   * Which members are there is written down by the central agent alone.
+   *
+   * @param prefix of its goals' ids
+   */
+  public Past of(String prefix) {
+    return new Past(new GoalsOnly(journal), recovery.of(prefix).withoutMembers(), Map.of());
+  }
+
+  /** Of the central agent, whose goals have {@code G} before their number. */
+  public Past ofCentre() {
+    return new Past(journal, recovery.of(Coordinator.PREFIX), stories, returns);
+  }
+
+  private record GoalsOnly(Journal journal) implements Journal {
+    @Override
+    public void write(JournalEntry entry) {
+      if (entry instanceof JournalEntry.OfGoal) {
+        journal.write(entry);
+      }
+    }
+
+    @Override
+    public void afterwards(Runnable action) {
+      journal.afterwards(action);
+    }
   }
 }

@@ -4,6 +4,8 @@ import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 
 /**
@@ -15,27 +17,39 @@ final class Petition {
 
   private final MaestroAgent agent;
   private final Formula effect;
+  private final Consumer<String> accepted;
   private final BiConsumer<Petition, Optional<String>> ended;
   private Optional<String> goalId = Optional.empty();
   private boolean open = true;
 
   /**
-   * Asks at once.
-   *
+   * @param accepted told the id under which the central agent pursues it
    * @param ended told once: empty when the effect was reached, otherwise why not
    */
-  Petition(MaestroAgent agent, Formula effect, BiConsumer<Petition, Optional<String>> ended) {
+  Petition(
+      MaestroAgent agent,
+      Formula effect,
+      Consumer<String> accepted,
+      BiConsumer<Petition, Optional<String>> ended) {
     this.agent = agent;
     this.effect = effect;
+    this.accepted = accepted;
     this.ended = ended;
   }
 
   void send() {
+    ask(Words.content("initCNP", Words.named("goal", Words.formula(effect))));
+  }
+
+  /** It was asked before a restart, and is pursued under that id. */
+  void await(String petitionId) {
+    goalId = Optional.of(petitionId);
+    ask(Words.content("await", Words.named("goal", Words.name(petitionId))));
+  }
+
+  private void ask(Content request) {
     agent.ask(
-        agent.message(
-            ACLMessage.REQUEST,
-            agent.getAID(CoordinatorAgent.NAME),
-            Words.content("initCNP", Words.named("goal", Words.formula(effect)))),
+        agent.message(ACLMessage.REQUEST, agent.getAID(CoordinatorAgent.NAME), request),
         NO_END,
         this::answered);
   }
@@ -46,11 +60,13 @@ final class Petition {
 
   private void answered(ACLMessage reply) {
     switch (reply.getPerformative()) {
-      case ACLMessage.AGREE ->
-          goalId =
-              Words.parse(reply.getContent()).stream()
-                  .flatMap(content -> Words.of(content).string("goal").stream())
-                  .findFirst();
+      case ACLMessage.AGREE -> {
+        goalId =
+            Words.parse(reply.getContent()).stream()
+                .flatMap(content -> Words.of(content).string("goal").stream())
+                .findFirst();
+        goalId.ifPresent(accepted);
+      }
       case ACLMessage.CONFIRM, ACLMessage.DISCONFIRM -> {
         // A held effect that begins or ceases to be so shows in the collective knowledge.
       }

@@ -58,11 +58,18 @@ final class Contention {
     written = former;
     leases().keep(goalId, former.components());
     carried.addAll(former.carried());
+    if (!former.broughtAbout().isEmpty()) {
+      broughtAbout = Optional.of(Interest.of(former.broughtAbout(), vocabulary()));
+    }
   }
 
   private void writeDown() {
     JournalEntry.Keeps now =
-        new JournalEntry.Keeps(goalId, leases().kept(goalId), Set.copyOf(carried));
+        new JournalEntry.Keeps(
+            goalId,
+            leases().kept(goalId),
+            Set.copyOf(carried),
+            broughtAbout.map(Interest::subjects).orElse(Map.of()));
     if (!now.equals(written)) {
       written = now;
       ports.journal().write(now);

@@ -22,7 +22,8 @@ import org.maestro.sl.Formula;
  * <p>Source: paper section 3.3, checklist M4, M17, M21, M55, M76.
  */
 public final class Coordinator {
-  static final String PREFIX = "G";
+  /** Before the number of a goal of the whole platform. */
+  public static final String PREFIX = "G";
 
   /** Of that many goals, the latest ones, choices can be explained. */
   private static final int MOST_EXPLAINED = 50;
@@ -113,14 +114,21 @@ public final class Coordinator {
     return pursuit;
   }
 
+  /** The same, and of held goals only the end is wanted to be known. */
+  public void resume(Recovery recovery, Duration patience, Consumer<GoalOutcome> told) {
+    resume(recovery, patience, news -> {}, told);
+  }
+
   /**
    * Goes on with what coordinators before this one have left. To be called before anything else.
    * Nothing begins before the members are back that were there then, or that time has passed.
    *
    * @param patience simulated time for members to show up again
+   * @param news told of each held goal among them each time that it begins or ceases to be so
    * @param told once of each goal that had no end yet, how it ended
    */
-  public void resume(Recovery recovery, Duration patience, Consumer<GoalOutcome> told) {
+  public void resume(
+      Recovery recovery, Duration patience, Consumer<HeldNews> news, Consumer<GoalOutcome> told) {
     lastNumber = Math.max(lastNumber, recovery.lastGoalNumber());
     recovery.ended().forEach(goal -> ended.put(goal.outcome().id(), goal));
     if (recovery.goals().isEmpty() && recovery.unwanted().isEmpty()) {
@@ -128,7 +136,7 @@ public final class Coordinator {
     }
     recovery.members().stream().filter(m -> !roster.isPresent(m)).forEach(comeback::await);
     for (Recovery.UnfinishedGoal goal : recovery.goals()) {
-      pursuit(goal.id(), goal.request(), number(goal.id()), news -> {}, told)
+      pursuit(goal.id(), goal.request(), number(prefix, goal.id()), news, told)
           .prepareToTakeUp(goal, "for its devices to come back after the restart");
     }
     FormerCalls former = new FormerCalls(ports, roster);
@@ -148,9 +156,9 @@ public final class Coordinator {
         .forEach(goal -> pursuits.get(goal.id()).takeUp(goal, former));
   }
 
-  /** Of a goal's id; 0 when it is none of ours. */
-  static int number(String goalId) {
-    String digits = goalId.startsWith(PREFIX) ? goalId.substring(PREFIX.length()) : "";
+  /** Of a goal's id; 0 when it does not begin so. */
+  static int number(String prefix, String goalId) {
+    String digits = goalId.startsWith(prefix) ? goalId.substring(prefix.length()) : "";
     return digits.matches("[0-9]{1,9}") ? Integer.parseInt(digits) : 0;
   }
 

@@ -1,6 +1,7 @@
 package org.maestro.coordination;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import org.maestro.planning.StepKey;
@@ -13,25 +14,39 @@ import org.maestro.planning.StepKey;
 final class FailureMemory {
   private static final int CHANCES = 2;
 
-  private record Failures(String facts, int count, int chances, String problem) {
-    String inWords() {
-      return "it failed %d times with the same facts: %s".formatted(count, problem);
-    }
+  private final String goalId;
+  private final Journal journal;
+  private final Map<StepKey, JournalEntry.Failed> failures = new LinkedHashMap<>();
+
+  /**
+   * @param journal where it is written down, to be remembered beyond a restart
+   */
+  FailureMemory(String goalId, Journal journal) {
+    this.goalId = goalId;
+    this.journal = journal;
   }
 
-  private final Map<StepKey, Failures> failures = new LinkedHashMap<>();
+  /** What was remembered before a restart. */
+  void takeUp(List<JournalEntry.Failed> former) {
+    former.forEach(failed -> failures.put(failed.step(), failed));
+  }
 
   /**
    * @param problem what its member says
    */
   void note(StepKey step, String facts, String problem) {
     String said = problem.endsWith(".") ? problem.substring(0, problem.length() - 1) : problem;
-    Failures before = failures.get(step);
-    failures.put(
-        step,
+    JournalEntry.Failed before = failures.get(step);
+    remember(
         before != null && before.facts().equals(facts)
-            ? new Failures(facts, before.count() + 1, before.chances(), said)
-            : new Failures(facts, 1, CHANCES, said));
+            ? new JournalEntry.Failed(
+                goalId, step, facts, before.count() + 1, before.chances(), said)
+            : new JournalEntry.Failed(goalId, step, facts, 1, CHANCES, said));
+  }
+
+  private void remember(JournalEntry.Failed failed) {
+    failures.put(failed.step(), failed);
+    journal.write(failed);
   }
 
   /**
@@ -43,28 +58,37 @@ final class FailureMemory {
     failures.forEach(
         (step, failed) -> {
           if (isBarred(step, failed, factsUnder)) {
-            barred.put(step, failed.inWords());
+            barred.put(
+                step,
+                "it failed %d times with the same facts: %s"
+                    .formatted(failed.count(), failed.problem()));
           }
         });
     return barred;
   }
 
   private static boolean isBarred(
-      StepKey step, Failures failed, Function<StepKey, String> factsUnder) {
+      StepKey step, JournalEntry.Failed failed, Function<StepKey, String> factsUnder) {
     return failed.count() >= failed.chances() && failed.facts().equals(factsUnder.apply(step));
   }
 
   /** Gives each barred step that had none its last chance; returns whether there was any. */
   boolean giveLastChances(Function<StepKey, String> factsUnder) {
-    boolean[] any = new boolean[1];
-    failures.replaceAll(
-        (step, failed) -> {
-          if (failed.chances() > CHANCES || !isBarred(step, failed, factsUnder)) {
-            return failed;
-          }
-          any[0] = true;
-          return new Failures(failed.facts(), failed.count(), CHANCES + 1, failed.problem());
-        });
-    return any[0];
+    List<JournalEntry.Failed> given =
+        failures.values().stream()
+            .filter(failed -> failed.chances() <= CHANCES)
+            .filter(failed -> isBarred(failed.step(), failed, factsUnder))
+            .toList();
+    for (JournalEntry.Failed failed : given) {
+      remember(
+          new JournalEntry.Failed(
+              goalId,
+              failed.step(),
+              failed.facts(),
+              failed.count(),
+              CHANCES + 1,
+              failed.problem()));
+    }
+    return !given.isEmpty();
   }
 }

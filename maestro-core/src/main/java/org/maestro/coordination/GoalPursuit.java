@@ -51,13 +51,14 @@ final class GoalPursuit implements Pursuit, Course {
   public void prepareToTakeUp(Recovery.UnfinishedGoal goal, String awaited) {
     life.takeUp(goal);
     parts.contention().takeUp(goal.keeps());
+    parts.outlook().takeUp(goal.memory());
     life.become(GoalState.WAITING, awaited);
   }
 
   @Override
   public void takeUp(Recovery.UnfinishedGoal goal, FormerCalls former) {
     if (life.isOver()) {
-      goal.calls().forEach(call -> former.giveUp(call, "its goal was cancelled"));
+      goal.calls().forEach(call -> former.giveUp(call, "its goal is over"));
       return;
     }
     parts.story().takenUp(goal);

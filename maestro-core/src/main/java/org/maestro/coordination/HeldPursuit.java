@@ -35,7 +35,8 @@ final class HeldPursuit implements Pursuit {
   private final GoalLife life;
   private final HeldStory story;
   private final Watch watch;
-  private final OwnSettings settings = new OwnSettings();
+  private final OwnSettings settings;
+  private final AttemptJournal attempts;
   private final HeldWork work;
   private final Holding holding;
   private final Standback standback;
@@ -60,8 +61,10 @@ final class HeldPursuit implements Pursuit {
     this.watch = new Watch(condition.body());
     this.story = new HeldStory(wish.id(), ports);
     this.life = new GoalLife(wish.id(), wish.request(), ports, story.goal(), ended);
+    this.settings = new OwnSettings(wish.id(), ports.journal());
+    this.attempts = new AttemptJournal(wish.id(), ports.journal());
     this.working = working();
-    this.work = new HeldWork(wish, rivals, reaching, this);
+    this.work = new HeldWork(wish, rivals, reaching, this, attempts::over);
     this.holding = new Holding(condition.closed(), life, story, ports.clock(), news);
     this.standback = new Standback(wish.id(), rivals, holding, story.goal());
     this.saving =
@@ -89,7 +92,8 @@ final class HeldPursuit implements Pursuit {
         new HeldCrew(ports.crew(), ports.knowledge(), watch, settings),
         ports.thinking(),
         ports.clock(),
-        story::tellOfWork);
+        story::tellOfWork,
+        attempts);
   }
 
   @Override
@@ -104,13 +108,18 @@ final class HeldPursuit implements Pursuit {
   public void prepareToTakeUp(Recovery.UnfinishedGoal goal, String awaited) {
     life.takeUp(goal);
     life.become(GoalState.WAITING, awaited);
-    holding.takeUp(goal.state());
+    holding.takeUp(goal.memory().everHeld());
     work.bringAbout(condition.body(), working, this::broughtAbout).prepareToTakeUp(goal, awaited);
   }
 
   @Override
   public void takeUp(Recovery.UnfinishedGoal goal, FormerCalls former) {
+    if (life.isOver()) {
+      goal.calls().forEach(call -> former.giveUp(call, "its goal is over"));
+      return;
+    }
     started = true;
+    settings.takeUp(goal.memory().settings(), ports.knowledge().home());
     nextLook.in(BETWEEN_LOOKS);
     work.told(pursuit -> pursuit.takeUp(goal, former));
   }

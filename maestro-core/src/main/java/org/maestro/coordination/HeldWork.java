@@ -16,18 +16,26 @@ final class HeldWork {
   private final Rivals rivals;
   private final HeldPursuit.Reaching reaching;
   private final Pursuit held;
+  private final Runnable over;
   private Optional<Pursuit> current = Optional.empty();
   private Decisions decisions = new Decisions();
   private boolean setting;
 
   /**
    * @param held whose work it is; it stands for the goal again when the work is over
+   * @param over told each time that work is over, whatever comes after it
    */
-  HeldWork(HeldPursuit.Wish wish, Rivals rivals, HeldPursuit.Reaching reaching, Pursuit held) {
+  HeldWork(
+      HeldPursuit.Wish wish,
+      Rivals rivals,
+      HeldPursuit.Reaching reaching,
+      Pursuit held,
+      Runnable over) {
     this.wish = wish;
     this.rivals = rivals;
     this.reaching = reaching;
     this.held = held;
+    this.over = over;
   }
 
   Optional<Pursuit> current() {
@@ -96,6 +104,7 @@ final class HeldWork {
   private void ended(Pursuit ended, GoalOutcome outcome, Consumer<GoalOutcome> then) {
     if (current.filter(now -> now == ended).isPresent()) {
       current = Optional.empty();
+      over.run();
       rivals.enter(held, wish.standing());
       then.accept(outcome);
     }
@@ -107,6 +116,7 @@ final class HeldWork {
     setting = false;
     if (stopped.isPresent()) {
       stopped.get().cancel(wish.id());
+      over.run();
       rivals.enter(held, wish.standing());
     }
   }

@@ -26,8 +26,11 @@ final class Holding {
     this.news = news;
   }
 
-  void takeUp(GoalState former) {
-    everHeld = former == GoalState.HOLDING;
+  /**
+   * @param before whether it was so before a restart
+   */
+  void takeUp(boolean before) {
+    everHeld = before;
   }
 
   boolean isSo() {

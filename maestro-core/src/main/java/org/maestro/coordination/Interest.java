@@ -35,6 +35,20 @@ final class Interest {
     this.unfolding = new Unfolding(vocabulary);
   }
 
+  /** Names of individuals by the predicate or fluent that speaks of them; empty: of any. */
+  Map<String, Set<String>> subjects() {
+    Map<String, Set<String>> copy = new TreeMap<>();
+    subjects.forEach((name, names) -> copy.put(name, new TreeSet<>(names)));
+    return copy;
+  }
+
+  /** What {@link #subjects} told. */
+  static Interest of(Map<String, Set<String>> subjects, Vocabulary vocabulary) {
+    Interest interest = new Interest(vocabulary);
+    subjects.forEach((name, names) -> interest.subjects.put(name, new TreeSet<>(names)));
+    return interest;
+  }
+
   /** The subjects of facts as a change tells them. */
   static Interest of(List<String> facts, Vocabulary vocabulary) {
     Interest changed = new Interest(vocabulary);

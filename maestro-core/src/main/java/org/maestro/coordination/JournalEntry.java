@@ -1,17 +1,24 @@
 package org.maestro.coordination;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.maestro.planning.StepKey;
+import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 
 /** What a {@link Journal} is told. */
 public sealed interface JournalEntry {
 
+  /** An entry about one goal. */
+  sealed interface OfGoal extends JournalEntry {
+    String goalId();
+  }
+
   /** A goal was taken on. Its deadline is on the coordinator's clock. */
-  record Submitted(String goalId, GoalRequest request) implements JournalEntry {}
+  record Submitted(String goalId, GoalRequest request) implements OfGoal {}
 
   /**
    * A goal is in another state.
@@ -19,18 +26,24 @@ public sealed interface JournalEntry {
    * @param reason what it waits for, why it is planned again; empty when there is nothing to say
    */
   record Became(String goalId, GoalState state, String reason, GoalEffort effort)
-      implements JournalEntry {}
+      implements OfGoal {}
 
   /**
    * A goal has these for itself from now on.
    *
    * @param components of members
    * @param carried facts that it has brought about, and that tie a member to it
+   * @param broughtAbout of what its steps have changed facts until now: names of individuals, by
+   *     the predicate or fluent that says something of them
    */
-  record Keeps(String goalId, Set<Resource> components, Set<Formula.Atom> carried)
-      implements JournalEntry {
+  record Keeps(
+      String goalId,
+      Set<Resource> components,
+      Set<Formula.Atom> carried,
+      Map<String, Set<String>> broughtAbout)
+      implements OfGoal {
     static Keeps nothing(String goalId) {
-      return new Keeps(goalId, Set.of(), Set.of());
+      return new Keeps(goalId, Set.of(), Set.of(), Map.of());
     }
   }
 
@@ -48,23 +61,70 @@ public sealed interface JournalEntry {
       double seconds,
       Map<String, Argument> parameters,
       Duration timeout)
-      implements JournalEntry {}
+      implements OfGoal {}
 
   /** The step of a continuous feature is done, its call goes on. */
-  record Established(String goalId, String callId) implements JournalEntry {}
+  record Established(String goalId, String callId) implements OfGoal {}
 
   /** Nobody wants the call any more; it is being cancelled. */
-  record CalledOff(String goalId, String callId) implements JournalEntry {}
+  record CalledOff(String goalId, String callId) implements OfGoal {}
 
   /**
    * The call is over.
    *
    * @param problem one sentence; empty when it succeeded
    */
-  record Ended(String goalId, String callId, Optional<String> problem) implements JournalEntry {}
+  record Ended(String goalId, String callId, Optional<String> problem) implements OfGoal {}
+
+  /**
+   * A step of a goal failed; this is all that the goal remembers of that step's failures.
+   *
+   * @param facts under its precondition, as they were
+   * @param count how often it failed with these facts
+   * @param chances how often it may
+   * @param problem what its member said last
+   */
+  record Failed(String goalId, StepKey step, String facts, int count, int chances, String problem)
+      implements OfGoal {}
+
+  /**
+   * A look of a goal did not show what it was to show.
+   *
+   * @param atom what was sought there
+   */
+  record LookedInVain(String goalId, StepKey step, Formula.Atom atom, SearchReport.Look look)
+      implements OfGoal {}
+
+  /** The numbers that the steps of a held goal have set, all of them as they are now. */
+  record Settings(String goalId, List<Setting> settings) implements OfGoal {}
+
+  /**
+   * A number set by a step of a held goal.
+   *
+   * @param before it was set
+   */
+  record Setting(Expression.Fluent fluent, double before, double value, StepKey step) {}
+
+  /**
+   * An attempt to bring a held goal about has ended: what it had for itself, and its failures and
+   * looks, are of no use to the next.
+   */
+  record AttemptOver(String goalId) implements OfGoal {}
+
+  /**
+   * An agent has asked the central one for what a goal of its own lacks.
+   *
+   * @param petition the id of the goal that the central agent pursues for it since
+   */
+  record Asked(String goalId, String petition, Formula effect) implements OfGoal {}
 
   /** A goal has come to its end. */
-  record Over(GoalOutcome outcome) implements JournalEntry {}
+  record Over(GoalOutcome outcome) implements OfGoal {
+    @Override
+    public String goalId() {
+      return outcome.id();
+    }
+  }
 
   /**
    * A member can be used.

@@ -23,8 +23,8 @@ final class Outlook {
   private final Ports ports;
   private final Rivals rivals;
   private final PlanCheck check;
-  private final FailureMemory failures = new FailureMemory();
-  private final SearchLog searches = new SearchLog();
+  private final FailureMemory failures;
+  private final SearchLog searches;
   private final Map<StepKey, String> leftAlone = new LinkedHashMap<>();
   private List<PricedFeature> features = List.of();
   private Optional<Confirmation> confirmation = Optional.empty();
@@ -34,11 +34,19 @@ final class Outlook {
     this.request = request;
     this.ports = ports;
     this.rivals = rivals;
+    this.failures = new FailureMemory(goalId, ports.journal());
+    this.searches = new SearchLog(goalId, ports.journal());
     this.check = new PlanCheck(ports.planner());
   }
 
   String goalId() {
     return goalId;
+  }
+
+  /** What was learnt before a restart. */
+  void takeUp(Recovery.GoalMemory former) {
+    failures.takeUp(former.failures());
+    searches.takeUp(former.looks());
   }
 
   /** Features at the prices of the latest round. */

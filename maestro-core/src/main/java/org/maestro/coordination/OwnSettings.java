@@ -5,11 +5,15 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.Step;
+import org.maestro.planning.StepKey;
 import org.maestro.sl.Change;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
@@ -25,7 +29,57 @@ import org.maestro.sl.Term;
 final class OwnSettings {
   private static final double SAME = 1e-6;
 
+  private final String goalId;
+  private final Journal journal;
   private final Map<Expression.Fluent, Setting> settings = new LinkedHashMap<>();
+  private List<JournalEntry.Setting> written = List.of();
+
+  /**
+   * @param journal where they are written down, to be remembered beyond a restart
+   */
+  OwnSettings(String goalId, Journal journal) {
+    this.goalId = goalId;
+    this.journal = journal;
+  }
+
+  /** What was set before a restart, as far as the devices that did it are there. */
+  void takeUp(List<JournalEntry.Setting> former, Home home) {
+    for (JournalEntry.Setting setting : former) {
+      feature(setting.step(), home)
+          .ifPresent(
+              feature ->
+                  settings.put(
+                      setting.fluent(),
+                      new Setting(
+                          setting.before(), setting.value(), step(setting.step(), feature))));
+    }
+    written = former;
+  }
+
+  private static Optional<FeatureType> feature(StepKey key, Home home) {
+    return Optional.ofNullable(home.devices().get(key.member())).stream()
+        .flatMap(device -> device.features().stream())
+        .filter(feature -> feature.name().equals(key.feature()))
+        .findFirst();
+  }
+
+  /** What it cost then does not matter: what it would cost is looked at. */
+  private static Step step(StepKey key, FeatureType feature) {
+    return new Step(1, key.member(), feature, key.bindings(), 0, 0, true, Set.of());
+  }
+
+  private void writeDown() {
+    List<JournalEntry.Setting> now = new ArrayList<>();
+    settings.forEach(
+        (fluent, setting) ->
+            now.add(
+                new JournalEntry.Setting(
+                    fluent, setting.before(), setting.value(), setting.step().key())));
+    if (!now.equals(written)) {
+      written = now;
+      journal.write(new JournalEntry.Settings(goalId, now));
+    }
+  }
 
   private record Setting(double before, double value, Step step) {}
 
@@ -54,6 +108,7 @@ final class OwnSettings {
         note(number.fluent(), number.value().getAsDouble(), before, step);
       }
     }
+    writeDown();
   }
 
   private void note(Expression.Fluent fluent, double value, Facts before, Step step) {
@@ -77,6 +132,7 @@ final class OwnSettings {
               return present.isEmpty()
                   || Math.abs(present.getAsDouble() - setting.getValue().value()) > SAME;
             });
+    writeDown();
   }
 
   /** The facts as they would be, had each been set back to what it was before. */

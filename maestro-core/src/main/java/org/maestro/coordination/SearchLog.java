@@ -32,10 +32,22 @@ final class SearchLog {
   /** Times that the same look may be in vain. */
   static final int ROUNDS = 3;
 
-  private record Vain(Formula.Atom atom, SearchReport.Look look) {}
+  private final String goalId;
+  private final Journal journal;
+  private final List<JournalEntry.LookedInVain> looks = new ArrayList<>();
 
-  private final List<Vain> looks = new ArrayList<>();
-  private final Map<StepKey, Integer> vainByStep = new LinkedHashMap<>();
+  /**
+   * @param journal where it is written down, to be remembered beyond a restart
+   */
+  SearchLog(String goalId, Journal journal) {
+    this.goalId = goalId;
+    this.journal = journal;
+  }
+
+  /** What was remembered before a restart. */
+  void takeUp(List<JournalEntry.LookedInVain> former) {
+    looks.addAll(former);
+  }
 
   /** A step has succeeded, and its result is known. */
   void done(
@@ -45,12 +57,15 @@ final class SearchLog {
     for (Formula.Atom atom : sensed(step.feature().effect(), vocabulary)) {
       Formula.Atom ground = new Substitution(bindings).apply(atom);
       if (ground.isGround() && now.truth(ground) != Truth.TRUE) {
-        vainByStep.merge(step.key(), 1, Integer::sum);
-        looks.add(
-            new Vain(
+        JournalEntry.LookedInVain vain =
+            new JournalEntry.LookedInVain(
+                goalId,
+                step.key(),
                 ground,
                 new SearchReport.Look(
-                    place(ground), step.member(), at, covered(step, outputs, ground, now))));
+                    place(ground), step.member(), at, covered(step, outputs, ground, now)));
+        looks.add(vain);
+        journal.write(vain);
       }
     }
   }
@@ -93,6 +108,8 @@ final class SearchLog {
 
   /** Looks that are not repeated. */
   Set<StepKey> spent() {
+    Map<StepKey, Integer> vainByStep = new LinkedHashMap<>();
+    looks.forEach(vain -> vainByStep.merge(vain.step(), 1, Integer::sum));
     Set<StepKey> spent = new HashSet<>();
     vainByStep.forEach(
         (step, times) -> {
@@ -108,7 +125,7 @@ final class SearchLog {
     return looks.stream()
         .filter(vain -> vain.atom().equals(atom))
         .reduce((earlier, later) -> later)
-        .map(Vain::look);
+        .map(JournalEntry.LookedInVain::look);
   }
 
   static String place(Formula.Atom atom) {

@@ -22,8 +22,7 @@ final class Chronicle implements Journal {
   Chronicle(Journal journal, Clock clock, Recovery past) {
     this.journal = journal;
     this.clock = clock;
-    this.image = new JournalImage(past.lastGoalNumber());
-    past.goals().forEach(goal -> note(new JournalEntry.Submitted(goal.id(), goal.request())));
+    this.image = JournalImage.of(past, clock.now());
   }
 
   @Override

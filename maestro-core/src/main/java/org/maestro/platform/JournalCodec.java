@@ -40,12 +40,14 @@ final class JournalCodec {
   private static final ObjectMapper JSON = new ObjectMapper();
 
   private final Predicate<String> fluents;
+  private final MemoryCodec memories;
 
   /**
    * @param fluents which predicates have numbers as values
    */
   JournalCodec(Predicate<String> fluents) {
     this.fluents = fluents;
+    this.memories = new MemoryCodec(fluents);
   }
 
   ObjectNode write(Dated dated) {
@@ -72,6 +74,8 @@ final class JournalCodec {
           .forEach(c -> components.addArray().add(c.owner()).add(c.part()));
       ArrayNode carried = line.putArray("carried");
       keeps.carried().stream().map(SlPrinter::print).sorted().forEach(carried::add);
+      ObjectNode changed = line.putObject("changed");
+      keeps.broughtAbout().forEach((name, of) -> of.forEach(changed.withArray(name)::add));
     } else if (entry instanceof JournalEntry.Begun begun) {
       begun(line, begun);
     } else if (entry instanceof JournalEntry.Established established) {
@@ -83,6 +87,8 @@ final class JournalCodec {
       ended.problem().ifPresent(problem -> line.put("problem", problem));
     } else if (entry instanceof JournalEntry.Over over) {
       over(line, over.outcome());
+    } else if (entry instanceof JournalEntry.OfGoal learnt) {
+      memories.write(line, learnt);
     } else if (entry instanceof JournalEntry.MemberCame came) {
       line.put("event", "came").put("member", came.member());
       came.life().ifPresent(life -> line.put("life", life));
@@ -92,7 +98,7 @@ final class JournalCodec {
     return line;
   }
 
-  private static ObjectNode event(ObjectNode line, String event, String goalId) {
+  static ObjectNode event(ObjectNode line, String event, String goalId) {
     return line.put("event", event).put("goal", goalId);
   }
 
@@ -101,13 +107,24 @@ final class JournalCodec {
     line.put("call", begun.call().id());
     begun.call().life().ifPresent(life -> line.put("life", life));
     line.put("step", begun.number());
-    line.put("member", begun.step().member());
-    line.put("feature", begun.step().feature());
-    terms(line.putObject("bindings"), begun.step().bindings());
+    step(line, begun.step());
     ObjectNode parameters = line.putObject("parameters");
     begun.parameters().forEach((name, argument) -> argument(parameters.putObject(name), argument));
     line.put("seconds", begun.seconds());
     line.put("timeout_ms", begun.timeout().toMillis());
+  }
+
+  static void step(ObjectNode node, StepKey step) {
+    node.put("member", step.member());
+    node.put("feature", step.feature());
+    terms(node.putObject("bindings"), step.bindings());
+  }
+
+  static StepKey readStep(JsonNode node) {
+    return new StepKey(
+        node.path("member").asText(),
+        node.path("feature").asText(),
+        readTerms(node.path("bindings")));
   }
 
   private static void argument(ObjectNode node, Argument argument) {
@@ -190,7 +207,7 @@ final class JournalCodec {
       case "came" -> new JournalEntry.MemberCame(line.path("member").asText(), text(line, "life"));
       case "went" ->
           new JournalEntry.MemberWent(line.path("member").asText(), line.path("reason").asText());
-      default -> throw new IllegalArgumentException("nobody knows the event '" + event + "'");
+      default -> memories.read(event, line, goal, from, to);
     };
   }
 
@@ -204,7 +221,16 @@ final class JournalCodec {
         carried.add(atom);
       }
     }
-    return new JournalEntry.Keeps(goal, components, carried);
+    Map<String, Set<String>> changed = new TreeMap<>();
+    line.path("changed")
+        .properties()
+        .forEach(
+            of -> {
+              Set<String> names = new TreeSet<>();
+              of.getValue().forEach(name -> names.add(name.asText()));
+              changed.put(of.getKey(), names);
+            });
+    return new JournalEntry.Keeps(goal, components, carried, changed);
   }
 
   private static JournalEntry.Begun readBegun(JsonNode line, String goal, String call) {
@@ -215,10 +241,7 @@ final class JournalCodec {
     return new JournalEntry.Begun(
         goal,
         new Crew.Call(call, text(line, "life")),
-        new StepKey(
-            line.path("member").asText(),
-            line.path("feature").asText(),
-            readTerms(line.path("bindings"))),
+        readStep(line),
         line.path("step").asInt(),
         line.path("seconds").asDouble(),
         parameters,
@@ -275,11 +298,11 @@ final class JournalCodec {
     return state.name().toLowerCase(Locale.ROOT);
   }
 
-  private static BigDecimal seconds(Duration duration) {
+  static BigDecimal seconds(Duration duration) {
     return BigDecimal.valueOf(duration.toMillis(), 3);
   }
 
-  private static Duration time(JsonNode line, String field, Timeline from, Timeline to) {
+  static Duration time(JsonNode line, String field, Timeline from, Timeline to) {
     double seconds = line.path(field).asDouble();
     return from.translate(Duration.ofMillis(Math.round(seconds * 1000)), to);
   }

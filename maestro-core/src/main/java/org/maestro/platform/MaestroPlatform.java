@@ -63,6 +63,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private final AgentContainer main;
   private final TopicContainers topics;
   private final Mind mind;
+  private final Past past;
   private final Chronicle chronicle;
   private volatile CoordinatorAgent coordinator;
   private volatile boolean hasCoordinator = true;
@@ -96,9 +97,10 @@ public final class MaestroPlatform implements AutoCloseable {
                 JadeRuntime.join(
                     Optional.of(settings.name()), "127.0.0.1", port, topic, fileDirectory));
     this.mind = new Mind(knowledge, planner, settings.decisionTime());
-    Past past = memory.past();
-    this.chronicle = new Chronicle(past.journal(), clock, past.recovery());
-    this.coordinator = coordinator(new Past(chronicle, past.recovery(), past.stories()));
+    this.past = memory.past();
+    Past ofCentre = past.ofCentre();
+    this.chronicle = new Chronicle(ofCentre.journal(), clock, ofCentre.recovery());
+    this.coordinator = coordinator(new Past(chronicle, ofCentre.recovery(), ofCentre.stories()));
     this.desk = new DeskAgent(time);
   }
 
@@ -149,7 +151,7 @@ public final class MaestroPlatform implements AutoCloseable {
                 topics.place(
                     group.id(),
                     group.container().orElse(GROUPS),
-                    name -> new GroupAgent(time, mind, group, this::told)));
+                    name -> new GroupAgent(time, mind, group, this::told, past)));
     link.watch(this::memberChanged);
     AgentDeaths.watch(main, this::agentDied);
     if (settings.gui()) {
@@ -234,7 +236,7 @@ public final class MaestroPlatform implements AutoCloseable {
   }
 
   private GenericAgent agentFor(String member) {
-    return new GenericAgent(time, link, member, describedBy, Optional.of(mind), this::told);
+    return new GenericAgent(time, link, member, describedBy, Optional.of(mind), this::told, past);
   }
 
   /**

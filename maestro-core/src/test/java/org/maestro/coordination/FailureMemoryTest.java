@@ -8,7 +8,7 @@ import org.maestro.planning.StepKey;
 import org.maestro.sl.Term;
 
 class FailureMemoryTest {
-  private final FailureMemory memory = new FailureMemory();
+  private final FailureMemory memory = new FailureMemory("G1", Journal.none());
   private final StepKey look =
       new StepKey("cam-b", "observeObject", Map.of("object", new Term.Name("Cup")));
 

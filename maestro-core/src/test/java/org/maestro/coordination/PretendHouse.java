@@ -33,7 +33,7 @@ import org.maestro.sl.Term;
 final class PretendHouse implements Market, Crew {
   final SteppedClock clock = new SteppedClock();
   final KnowledgeBase knowledge;
-  final Coordinator coordinator;
+  Coordinator coordinator;
   final List<String> story = new ArrayList<>();
   final Map<String, String> place = new TreeMap<>();
   final Map<String, Double> ambientLux = new TreeMap<>();
@@ -45,25 +45,12 @@ final class PretendHouse implements Market, Crew {
   Consumer<String> beforeCall = call -> {};
   Duration stepTakes = Duration.ofMillis(500);
   DoubleSupplier noise = () -> 1;
+  private final JournalImage journal = new JournalImage(0);
+  private int lives;
 
   PretendHouse(Home home) {
     knowledge = new CollectiveKnowledge(home, clock);
-    coordinator =
-        new Coordinator(
-            new Ports(
-                knowledge,
-                new OptimalPlanner(),
-                this,
-                this,
-                new Thinking() {
-                  @Override
-                  public <T> void think(java.util.function.Supplier<T> work, Consumer<T> then) {
-                    clock.schedule(
-                        Duration.ofMillis(20), "planning", () -> then.accept(work.get()));
-                  }
-                },
-                clock,
-                entry -> story.add(entry.at() + " " + entry.text())));
+    coordinator = coordinator();
     knowledge.watch(
         change ->
             clock.schedule(Duration.ZERO, "knowledge", () -> coordinator.knowledgeChanged(change)));
@@ -84,6 +71,53 @@ final class PretendHouse implements Market, Crew {
                 "(in %s %s)".formatted(device.id(), place.getOrDefault(device.id(), "zone-a"))));
       }
     }
+  }
+
+  /** One that does nothing any more when another has taken its place. */
+  private Coordinator coordinator() {
+    int life = ++lives;
+    return new Coordinator(
+        new Ports(
+            knowledge,
+            new OptimalPlanner(),
+            this,
+            this,
+            new Thinking() {
+              @Override
+              public <T> void think(java.util.function.Supplier<T> work, Consumer<T> then) {
+                clock.schedule(
+                    Duration.ofMillis(20),
+                    "planning",
+                    () -> {
+                      if (life == lives) {
+                        then.accept(work.get());
+                      }
+                    });
+              }
+            },
+            clock,
+            entry -> story.add(entry.at() + " " + entry.text()),
+            new Journal() {
+              @Override
+              public void write(JournalEntry entry) {
+                if (life == lives) {
+                  journal.add(new JournalImage.Dated(clock.now(), entry));
+                }
+              }
+
+              @Override
+              public void afterwards(Runnable action) {
+                action.run();
+              }
+            }));
+  }
+
+  /** The coordinator ends, and another goes on; to be called while no step is under way. */
+  void restart(Consumer<GoalOutcome> ended) {
+    Recovery recovery = journal.recovery();
+    coordinator = coordinator();
+    coordinator.resume(recovery, Duration.ofSeconds(10), ended);
+    recovery.members().forEach(coordinator::memberPresent);
   }
 
   private static boolean has(Device device, String procedure) {

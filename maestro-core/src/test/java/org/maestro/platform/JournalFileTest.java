@@ -13,6 +13,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -25,12 +26,15 @@ import org.maestro.coordination.GoalOutcome;
 import org.maestro.coordination.GoalRequest;
 import org.maestro.coordination.GoalState;
 import org.maestro.coordination.JournalEntry;
+import org.maestro.coordination.JournalImage;
 import org.maestro.coordination.Recovery;
 import org.maestro.coordination.Resource;
+import org.maestro.coordination.SearchReport;
 import org.maestro.planning.StepKey;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.rats.time.SteppedClock;
+import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
@@ -102,7 +106,8 @@ class JournalFileTest {
         new JournalEntry.Keeps(
             "G1",
             Set.of(Resource.component("rose", "arm"), Resource.component("rose", "base")),
-            Set.of((Formula.Atom) SlParser.formula("(in Cup rose)"))),
+            Set.of((Formula.Atom) SlParser.formula("(in Cup rose)")),
+            Map.of("in", Set.of("Cup", "rose"), "open", Set.of(""))),
         begun("G1", 1),
         begun("G1", 2),
         begun("G1", 3),
@@ -147,6 +152,72 @@ class JournalFileTest {
         .usingRecursiveComparison()
         .ignoringFields("endedAt")
         .isEqualTo(ended);
+  }
+
+  private static List<JournalEntry> lessons() {
+    StepKey look =
+        new StepKey(
+            "cam-b", "observe", Map.of("object", new Term.Name("Cup"), "n", new Term.Number(0.25)));
+    return List.of(
+        new JournalEntry.Submitted("rose-1", request("(keep (>= (level lamp) 0.5))")),
+        new JournalEntry.Became("rose-1", GoalState.HOLDING, "", new GoalEffort(0, 0, 0)),
+        new JournalEntry.Became("rose-1", GoalState.WAITING, "", new GoalEffort(0, 0, 0)),
+        new JournalEntry.Failed("rose-1", look, "(in Cup b)=UNKNOWN", 1, 2, "too \"dark\""),
+        new JournalEntry.Failed("rose-1", look, "(in Cup b)=UNKNOWN", 2, 3, "still too dark"),
+        new JournalEntry.LookedInVain(
+            "rose-1",
+            look,
+            (Formula.Atom) SlParser.formula("(in Cup zone-b)"),
+            new SearchReport.Look(
+                "zone-b", "cam-b", Duration.ofMillis(1_250), OptionalDouble.of(0.97))),
+        new JournalEntry.Settings(
+            "rose-1",
+            List.of(
+                new JournalEntry.Setting(
+                    (Expression.Fluent) SlParser.expression("(level lamp)"), 0.25, 1, look))),
+        new JournalEntry.Asked("rose-1", "G7", SlParser.formula("(in Cup rose)")));
+  }
+
+  @Test
+  void tellsWhatAGoalHasLearnt() {
+    List<JournalEntry> lessons = lessons();
+
+    Recovery.GoalMemory memory = written(lessons).goals().get(0).memory();
+
+    assertThat(memory.everHeld()).isTrue();
+    assertThat(memory.failures()).isEqualTo(List.of(lessons.get(4)));
+    assertThat(memory.looks()).isEqualTo(List.of(lessons.get(5)));
+    assertThat(memory.settings()).isEqualTo(((JournalEntry.Settings) lessons.get(6)).settings());
+    assertThat(memory.asked()).contains((JournalEntry.Asked) lessons.get(7));
+    assertThat(written(List.of()).goals().get(0).memory()).isEqualTo(memory);
+    Recovery later = written(List.of(new JournalEntry.AttemptOver("rose-1")));
+    assertThat(later.goals().get(0).memory().failures()).isEmpty();
+    assertThat(later.goals().get(0).memory().everHeld()).isTrue();
+  }
+
+  @Test
+  void tellsEachCoordinatorOfItsOwnGoals() {
+    List<JournalEntry> all = new ArrayList<>(entries());
+    all.addAll(lessons());
+    Recovery recovery = written(all);
+
+    assertThat(recovery.of("G").goals())
+        .extracting(Recovery.UnfinishedGoal::id)
+        .containsExactly("G1", "G2");
+    assertThat(recovery.of("rose-").goals())
+        .extracting(Recovery.UnfinishedGoal::id)
+        .containsExactly("rose-1");
+    assertThat(recovery.of("rose-").lastGoalNumber()).isEqualTo(1);
+    assertThat(recovery.of("G").lastGoalNumber()).isEqualTo(3);
+  }
+
+  @Test
+  void canBeMadeAgainFromWhatItTells() {
+    List<JournalEntry> all = new ArrayList<>(entries());
+    all.addAll(lessons());
+    Recovery recovery = written(all);
+
+    assertThat(JournalImage.of(recovery, clock.now()).recovery()).isEqualTo(recovery);
   }
 
   @Test

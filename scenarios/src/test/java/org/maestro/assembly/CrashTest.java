@@ -110,4 +110,62 @@ class CrashTest {
       assertThat(site.witness.doneTwice(DEEDS)).as(context).isEmpty();
     }
   }
+
+  @Test
+  void someEntriesOfAHeldGoal() throws IOException {
+    int entries = entriesUntilHeld();
+    assertThat(entries).isGreaterThan(20);
+    hold(entries / 2, 30);
+    hold(entries, 0);
+  }
+
+  @Test
+  @Tag("full")
+  void everyEntryOfAHeldGoal() throws IOException {
+    int entries = entriesUntilHeld();
+    for (int at = 1; at <= entries; at++) {
+      hold(at, 0);
+      hold(at, 1 + at % 60);
+    }
+  }
+
+  private int entriesUntilHeld() throws IOException {
+    try (MortalSite site = new MortalSite(home, scene, directory.resolve("held"))) {
+      site.begin(Integer.MAX_VALUE);
+      untilHeld(site);
+      assertThat(site.isHolding()).isTrue();
+      return site.written();
+    }
+  }
+
+  private static void untilHeld(MortalSite site) {
+    site.clock.runUntil(() -> site.isDead() || site.allPresent(), Duration.ofMinutes(1));
+    site.submit("(keep (>= (illuminance zone-b) 72))");
+    site.clock.runUntil(() -> site.isDead() || site.isHolding(), Duration.ofMinutes(5));
+  }
+
+  /** The next one holds it, and dims lamps that the one before has lit. */
+  private void hold(int at, int torn) throws IOException {
+    Path data = directory.resolve("hold-" + at + "-" + torn);
+    try (MortalSite site = new MortalSite(home, scene, data)) {
+      site.begin(at);
+      untilHeld(site);
+      boolean accepted = !site.accepted.isEmpty();
+      if (torn > 0) {
+        site.tear(torn);
+      }
+      site.begin(Integer.MAX_VALUE);
+      site.clock.runUntil(site::isHolding, Duration.ofMinutes(5));
+      String context = "died at %d, torn by %d: %s".formatted(at, torn, site.story);
+      if (accepted) {
+        assertThat(site.isHolding()).as(context).isTrue();
+        assertThat(site.world().lux("zone-b")).as(context).isGreaterThanOrEqualTo(72);
+        site.world().setAmbient("zone-b", 100);
+        boolean dimmed =
+            site.clock.runUntil(() -> site.world().lux("zone-b") < 101, Duration.ofMinutes(5));
+        assertThat(dimmed).as(context).isTrue();
+      }
+      assertThat(site.witness.executedTwice()).as(context).isEmpty();
+    }
+  }
 }

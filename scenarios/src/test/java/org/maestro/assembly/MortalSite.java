@@ -13,6 +13,7 @@ import java.util.function.Supplier;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.GoalOutcome;
 import org.maestro.coordination.GoalRequest;
+import org.maestro.coordination.GoalState;
 import org.maestro.coordination.Journal;
 import org.maestro.coordination.JournalEntry;
 import org.maestro.coordination.Ports;
@@ -31,6 +32,7 @@ import org.maestro.rats.transport.InProcessBus;
 import org.maestro.rats.transport.Transport;
 import org.maestro.sim.Scene;
 import org.maestro.sim.SimulatedHome;
+import org.maestro.sim.World;
 import org.maestro.sl.SlParser;
 
 /**
@@ -109,6 +111,15 @@ final class MortalSite implements AutoCloseable {
         new RandomAccessFile(data.resolve("journal.jsonl").toFile(), "rw")) {
       file.setLength(file.length() - bytes);
     }
+  }
+
+  boolean isHolding() {
+    return !life.dead
+        && life.coordinator.goals().stream().anyMatch(g -> g.state() == GoalState.HOLDING);
+  }
+
+  World world() {
+    return simulated.world();
   }
 
   List<String> goals() {

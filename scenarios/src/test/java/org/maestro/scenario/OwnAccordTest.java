@@ -7,11 +7,13 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.junit.Pursuit;
@@ -46,6 +48,25 @@ class OwnAccordTest {
 
       assertThat(story).extracting(StoryEntry::goalId).containsOnly("keeper-1");
       assertThat(stage.world().lampLevel("lamp-a1")).isEqualTo(1);
+    }
+  }
+
+  /** Its goal is the same after a restart, and what it has learnt for it. */
+  @Test
+  void aGroupGoesOnWithItsGoalAfterARestart(@TempDir Path data) {
+    try (Stage stage = Stage.stepped(site("before", KEEPER, "", "", Optional.of(data)))) {
+      stage.await("the room is lit", () -> stage.world().lux("zone-b") >= 72);
+      stage.run(Duration.ofSeconds(5));
+    }
+
+    try (Stage stage = Stage.stepped(site("after", KEEPER, "", "", Optional.of(data)))) {
+      List<StoryEntry> story = listen(stage);
+      stage.await("the room is lit again", () -> stage.world().lux("zone-b") >= 72);
+      stage.run(Duration.ofSeconds(5));
+
+      assertThat(story).extracting(StoryEntry::goalId).containsOnly("keeper-1");
+      assertThat(story).noneMatch(entry -> entry.kind() == StoryEntry.Kind.GOAL);
+      assertThat(story).anyMatch(entry -> entry.text().startsWith("It is so again"));
     }
   }
 
@@ -97,23 +118,28 @@ class OwnAccordTest {
   }
 
   private static Stage stage(String name, String more, String instead, String by) {
+    return Stage.stepped(site(name, more, instead, by, Optional.empty()));
+  }
+
+  private static SiteSettings site(
+      String name, String more, String instead, String by, Optional<Path> data) {
     Home home =
         new HomeLoader().load(text("/homes/bob.ttl").replace(instead, by) + more, "bob.ttl");
     String scene = text("/scenes/bob-dark.ttl");
-    return Stage.stepped(
-        new SiteSettings(
-            name,
-            home,
-            Optional.of(
-                SceneLoader.load(
-                    "the scene",
-                    new ByteArrayInputStream(scene.getBytes(StandardCharsets.UTF_8)),
-                    home)),
-            1,
-            Optional.empty(),
-            0,
-            false,
-            Optional.empty()));
+    return new SiteSettings(
+        name,
+        home,
+        Optional.of(
+            SceneLoader.load(
+                "the scene",
+                new ByteArrayInputStream(scene.getBytes(StandardCharsets.UTF_8)),
+                home)),
+        1,
+        Optional.empty(),
+        0,
+        false,
+        Optional.empty(),
+        data);
   }
 
   private static String text(String path) {
