@@ -1,7 +1,8 @@
 package org.maestro.planning;
 
-import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.planning.PlanningResult.Obstacle;
 import org.maestro.sl.Formula.Relation;
@@ -155,22 +156,22 @@ sealed interface Condition {
   }
 
   static Condition all(List<Condition> parts) {
-    List<Condition> flat = new ArrayList<>();
+    Set<Condition> flat = new LinkedHashSet<>();
     for (Condition part : parts) {
       if (part == Constant.FALSE) {
         return Constant.FALSE;
       }
-      part.conjuncts().stream().filter(c -> !flat.contains(c)).forEach(flat::add);
+      flat.addAll(part.conjuncts());
     }
     return switch (flat.size()) {
       case 0 -> Constant.TRUE;
-      case 1 -> flat.get(0);
+      case 1 -> flat.iterator().next();
       default -> new All(List.copyOf(flat));
     };
   }
 
   static Condition any(List<Condition> parts) {
-    List<Condition> flat = new ArrayList<>();
+    Set<Condition> flat = new LinkedHashSet<>();
     for (Condition part : parts) {
       if (part == Constant.TRUE) {
         return Constant.TRUE;
@@ -179,11 +180,11 @@ sealed interface Condition {
           part instanceof Any any
               ? any.parts()
               : part == Constant.FALSE ? List.of() : List.of(part);
-      alternatives.stream().filter(c -> !flat.contains(c)).forEach(flat::add);
+      flat.addAll(alternatives);
     }
     return switch (flat.size()) {
       case 0 -> Constant.FALSE;
-      case 1 -> flat.get(0);
+      case 1 -> flat.iterator().next();
       default -> new Any(List.copyOf(flat));
     };
   }

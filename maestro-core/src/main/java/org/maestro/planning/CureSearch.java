@@ -95,12 +95,17 @@ final class CureSearch {
     GroundProblem problem =
         new GroundProblem(operators, goal, base.variables(), base.numbers(), base.initial())
             .with(operators);
-    if (!new RelaxedProblem(problem).isSolvable()) {
+    Pruning.Pruned pruned = Pruning.pruned(problem);
+    if (!pruned.isSolvable()) {
       return new Outcome.Nothing();
     }
-    GroundProblem pruned = Pruning.pruned(problem);
     OptimalSearch.Outcome outcome =
-        new OptimalSearch(pruned, new LandmarkCut(new RelaxedProblem(pruned)), mostStates).run();
+        new OptimalSearch(
+                pruned.problem(),
+                new LandmarkCut(pruned.relaxed()),
+                mostStates,
+                Double.POSITIVE_INFINITY)
+            .run();
     if (outcome instanceof OptimalSearch.Outcome.Found found) {
       Map<Condition, Optional<StepKey>> assumed = assumed(found.operators(), flags);
       for (Operator operator : found.operators()) {

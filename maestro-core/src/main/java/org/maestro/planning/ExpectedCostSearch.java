@@ -29,9 +29,6 @@ final class ExpectedCostSearch {
   /** Plans made at most to weigh one search. */
   private static final int MOST_PLANS = 6;
 
-  /** Up to so many places it is estimated how each look changes the cost of each other one. */
-  private static final int MOST_COUPLED = 8;
-
   private static final double SAME = 1e-9;
 
   /** Finds a cheapest plan, if there is one within bounds. */
@@ -50,6 +47,7 @@ final class ExpectedCostSearch {
   private final Map<Sought, Integer> choice = new LinkedHashMap<>();
   private final List<PlannedSearch> searches = new ArrayList<>();
   private Candidate best;
+  private RelaxedProblem relaxed;
 
   ExpectedCostSearch(
       GroundProblem problem, Chances chances, Solver solver, List<Operator> optimistic) {
@@ -79,7 +77,32 @@ final class ExpectedCostSearch {
   }
 
   private boolean hasManyPlaces() {
-    return choice.keySet().stream().anyMatch(sought -> sought.values().size() > MOST_COUPLED);
+    return Sought.hasManyPlaces(choice.keySet());
+  }
+
+  /**
+   * What a plan may cost that looks first where the thing is likeliest, if nobody can look there
+   * yet; the cost of the optimistic plan where somebody can.
+   */
+  double worthBeforeWeighing() {
+    double worth = best.plan().cost();
+    for (Map.Entry<Sought, Integer> chosen : choice.entrySet()) {
+      Sought sought = chosen.getKey();
+      List<Term> inView = sought.terms();
+      Map<Term, Double> chanceOf = chances.of(sought.variable(), inView);
+      double likeliest = inView.stream().mapToDouble(chanceOf::get).max().orElse(0);
+      double beyond =
+          chanceOf.entrySet().stream()
+              .filter(place -> !inView.contains(place.getKey()))
+              .mapToDouble(Map.Entry::getValue)
+              .max()
+              .orElse(0);
+      if (beyond > likeliest) {
+        double look = split(best, sought, chosen.getValue()).orElseThrow().look();
+        worth = Math.max(worth, best.plan().cost() - look + look * beyond / likeliest);
+      }
+    }
+    return worth;
   }
 
   /**
@@ -113,7 +136,7 @@ final class ExpectedCostSearch {
    */
   private void weigh(Sought sought) {
     int present = sought.values().indexOf(choice.get(sought));
-    LookCosts costs = new LookCosts(problem, sought);
+    LookCosts costs = new LookCosts(problem.placed(), relaxed(), sought);
     boolean avoidable = costs.isInReachWithoutLooks();
     Map<Term, Double> chanceOf = chances.of(sought.variable(), sought.terms());
     double[] chance = shares(sought, chanceOf);
@@ -128,7 +151,8 @@ final class ExpectedCostSearch {
         open.add(i);
       }
     }
-    double[] expected = expectedCosts(sought, present, chance, look, splits);
+    Rests rests = new Rests(new State[look.length], new double[look.length]);
+    double[] expected = expectedCosts(costs, present, chance, look, splits, rests);
     int first = least(expected, present, candidates.keySet(), open);
     while (!candidates.containsKey(first)) {
       int next = first;
@@ -145,7 +169,7 @@ final class ExpectedCostSearch {
       if (candidates.size() > MOST_PLANS) {
         open.clear();
       }
-      expected = expectedCosts(sought, present, chance, look, splits);
+      expected = expectedCosts(costs, present, chance, look, splits, rests);
       first = least(expected, present, candidates.keySet(), open);
     }
     Optional<Candidate> without = avoidable ? candidate(sought, Variable.NONE) : Optional.empty();
@@ -181,17 +205,48 @@ final class ExpectedCostSearch {
     choice.replaceAll((sought, before) -> sought.firstLookedAt(candidate.operators()));
   }
 
+  /** The problem's variables are placed for it. */
+  private RelaxedProblem relaxed() {
+    if (relaxed == null) {
+      relaxed = new RelaxedProblem(problem);
+    }
+    return relaxed;
+  }
+
+  /**
+   * What comes after each look, as far as it is estimated by now.
+   *
+   * @param after the state after a successful look; null where none is estimated yet
+   * @param rest the cost from there on
+   */
+  private record Rests(State[] after, double[] rest) {
+    void estimate(LookCosts costs, int place, Split split) {
+      if (split != null) {
+        after[place] = costs.after(split.prefix());
+      } else if (after[place] == null) {
+        after[place] = costs.initial();
+      } else {
+        return;
+      }
+      rest[place] = costs.rest(costs.initial(), after[place], place);
+    }
+  }
+
   /** For each place; where no plan was made, by the estimated costs. */
   private double[] expectedCosts(
-      Sought sought, int present, double[] chance, double[] look, Map<Integer, Split> splits) {
+      LookCosts costs,
+      int present,
+      double[] chance,
+      double[] look,
+      Map<Integer, Split> splits,
+      Rests rests) {
+    problem.placed();
     int size = look.length;
-    LookCosts costs = new LookCosts(problem, sought);
-    State[] after = new State[size];
-    double[] rest = new double[size];
     for (int i = 0; i < size; i++) {
-      after[i] = splits.containsKey(i) ? costs.after(splits.get(i).prefix()) : costs.initial();
-      rest[i] = costs.rest(costs.initial(), after[i], i);
+      rests.estimate(costs, i, splits.get(i));
     }
+    State[] after = rests.after();
+    double[] rest = rests.rest();
     SearchOrder.Cost[] first = new SearchOrder.Cost[size];
     for (int i = 0; i < size; i++) {
       first[i] =
@@ -203,7 +258,7 @@ final class ExpectedCostSearch {
     SearchOrder.Cost[][] next = new SearchOrder.Cost[size][];
     for (int i = 0; i < size; i++) {
       next[i] = first.clone();
-      if (size <= MOST_COUPLED && splits.containsKey(i)) {
+      if (!costs.sought().isInManyPlaces() && splits.containsKey(i)) {
         double[] looks = costs.looksAfterVainLook(after[i], i);
         for (int j = 0; j < size; j++) {
           next[i][j] =

@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.ToDoubleFunction;
 
 /**
  * A planning task without variables, reduced to what matters for its goal.
@@ -77,8 +78,27 @@ record GroundProblem(
 
   /** The same goal with some of the operators, reduced again. */
   GroundProblem with(List<Operator> remaining) {
+    Map<Object, List<Operator>> byTarget = byTarget(remaining);
+    Relevance relevance =
+        new Relevance(target -> (Collection<Operator>) byTarget.getOrDefault(target, List.of()));
+    relevance.close(goal.condition());
+    return reduced(relevance, goal);
+  }
+
+  /** What a plan costs at least that uses an operator, for those within the budget. */
+  ChainCosts chains(ToDoubleFunction<Operator> leastCost, double budget) {
+    Map<Object, List<Operator>> byTarget = byTarget(operators);
+    ChainCosts.Source source =
+        (target, left, into) -> {
+          into.addAll(byTarget.getOrDefault(target, List.of()));
+          return Double.POSITIVE_INFINITY;
+        };
+    return new ChainCosts(source, leastCost, budget).follow(goal.condition());
+  }
+
+  private static Map<Object, List<Operator>> byTarget(List<Operator> operators) {
     Map<Object, List<Operator>> byTarget = new LinkedHashMap<>();
-    for (Operator operator : remaining) {
+    for (Operator operator : operators) {
       for (Change change : operator.changes()) {
         List<Operator> changing =
             byTarget.computeIfAbsent(change.target(), absent -> new ArrayList<>());
@@ -87,9 +107,6 @@ record GroundProblem(
         }
       }
     }
-    Relevance relevance =
-        new Relevance(target -> (Collection<Operator>) byTarget.getOrDefault(target, List.of()));
-    relevance.close(goal.condition());
-    return reduced(relevance, goal);
+    return byTarget;
   }
 }

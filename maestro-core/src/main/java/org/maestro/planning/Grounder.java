@@ -3,12 +3,16 @@ package org.maestro.planning;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.IntFunction;
+import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.planning.PlanningResult.Obstacle;
 import org.maestro.planning.PlanningResult.Obstacle.Kind;
@@ -20,6 +24,14 @@ import org.maestro.sl.Term;
  * that matters.
  */
 final class Grounder {
+  /**
+   * What was grounded.
+   *
+   * @param beyond the budget from which on more instances may be of use; infinite when there are no
+   *     more
+   */
+  record Grounded(GroundProblem problem, double beyond) {}
+
   private record Instance(int template, Map<String, Term> bindings) {}
 
   private final PlanningTask task;
@@ -27,9 +39,15 @@ final class Grounder {
   private final Signature signature;
   private final OperatorFactory factory;
   private final Chances chances;
-  private final List<FeatureTemplate> templates;
+  private final List<PricedFeature> features;
+  private final IntFunction<FeatureTemplate> templateMaker;
+  private final FeatureTemplate[] templates;
+  private final Map<String, List<Integer>> templatesChanging = new HashMap<>();
+  private final LeastPrice leastPrice;
+  private final Map<PricedFeature, Double> leastPrices = new IdentityHashMap<>();
   private final GroundGoal goal;
   private final Map<Instance, List<Operator>> made = new HashMap<>();
+  private final Map<Object, Map<Integer, List<Operator>>> changing = new HashMap<>();
 
   Grounder(PlanningTask task) {
     this(task, false);
@@ -38,7 +56,7 @@ final class Grounder {
   private Grounder(PlanningTask task, boolean forExplanation) {
     this.task = task;
     this.forExplanation = forExplanation;
-    List<PricedFeature> features = new ArrayList<>(task.features());
+    this.features = new ArrayList<>(task.features());
     if (forExplanation) {
       task.unavailable().forEach(missing -> features.add(missing.feature()));
     }
@@ -51,14 +69,28 @@ final class Grounder {
     this.chances = new Chances(signature, facts, conditions);
     EffectCompiler effects = new EffectCompiler(conditions, variables);
     Map<Formula, Map<List<Term>, Boolean>> staticAnswers = new HashMap<>();
-    this.templates =
-        features.stream()
-            .map(
-                feature ->
-                    new FeatureTemplate(
-                        feature, signature, facts, preconditions, effects, staticAnswers))
-            .toList();
+    this.templateMaker =
+        i ->
+            new FeatureTemplate(
+                features.get(i), signature, facts, preconditions, effects, staticAnswers);
+    this.templates = new FeatureTemplate[features.size()];
+    Map<FeatureType, Set<String>> changedBy = new IdentityHashMap<>();
+    for (int i = 0; i < features.size(); i++) {
+      for (String name :
+          changedBy.computeIfAbsent(
+              features.get(i).type(), type -> Signature.changedBy(type.effect()))) {
+        templatesChanging.computeIfAbsent(name, absent -> new ArrayList<>()).add(i);
+      }
+    }
+    this.leastPrice = new LeastPrice(task.facts(), signature);
     this.goal = GroundGoal.of(task.goal(), signature, facts, preconditions);
+  }
+
+  private FeatureTemplate template(int index) {
+    if (templates[index] == null) {
+      templates[index] = templateMaker.apply(index);
+    }
+    return templates[index];
   }
 
   /**
@@ -79,44 +111,91 @@ final class Grounder {
 
   /** All feature instances that matter, whether they can ever be reached or not. */
   GroundProblem ground() {
-    Relevance relevance = new Relevance(this::operatorsChanging);
+    return ground(Double.POSITIVE_INFINITY).problem();
+  }
+
+  /**
+   * The feature instances that a plan within the budget can use.
+   *
+   * @param budget cost units, from 0; infinite for all that matter
+   */
+  Grounded ground(double budget) {
+    ChainCosts chains =
+        new ChainCosts(this::changing, this::leastCost, budget).follow(goal.condition());
+    Relevance relevance = new Relevance(target -> changingWithin(target, chains));
     relevance.close(goal.condition());
-    return GroundProblem.reduced(relevance, goal);
+    return new Grounded(GroundProblem.reduced(relevance, goal), chains.beyond());
+  }
+
+  /** What the operator costs at least, in any state. */
+  double leastCost(Operator operator) {
+    return operator.price().cost() instanceof NumberExpression.Constant constant
+        ? constant.number()
+        : leastPrice(operator.feature());
+  }
+
+  private double leastPrice(PricedFeature feature) {
+    return leastPrices.computeIfAbsent(feature, leastPrice::of);
   }
 
   /**
    * The operators of a given feature instance; empty when it is barred, not offered or impossible.
    */
   List<Operator> instances(StepKey key) {
-    for (int i = 0; i < templates.size(); i++) {
-      PricedFeature feature = templates.get(i).feature();
+    for (int i = 0; i < templates.length; i++) {
+      PricedFeature feature = features.get(i);
       if (feature.member().equals(key.member())
           && feature.type().name().equals(key.feature())
-          && templates.get(i).accepts(key.bindings())) {
+          && template(i).accepts(key.bindings())) {
         return made(i, key.bindings());
       }
     }
     return List.of();
   }
 
-  private Collection<Operator> operatorsChanging(Object target) {
-    String name;
-    List<Term> arguments;
-    if (target instanceof Variable variable) {
-      name = variable.predicate();
-      arguments = variable.arguments();
-    } else {
-      NumberVariable number = (NumberVariable) target;
-      name = number.fluent().name();
-      arguments = number.fluent().arguments();
+  private double changing(Object target, double left, List<Operator> into) {
+    double cheapestLeftOut = Double.POSITIVE_INFINITY;
+    for (int template : templatesChanging.getOrDefault(name(target), List.of())) {
+      double price = leastPrice(features.get(template));
+      if (price <= left) {
+        into.addAll(changing(target, template));
+      } else {
+        cheapestLeftOut = Math.min(cheapestLeftOut, price);
+      }
     }
-    Optional<PredicateDeclaration> declaration = signature.declaration(name);
-    boolean symmetric = declaration.map(PredicateDeclaration::symmetric).orElse(false);
+    return cheapestLeftOut;
+  }
+
+  private Collection<Operator> changingWithin(Object target, ChainCosts chains) {
     Set<Operator> found = new LinkedHashSet<>();
-    for (int i = 0; i < templates.size(); i++) {
-      int template = i;
-      templates
-          .get(i)
+    changing
+        .getOrDefault(target, Map.of())
+        .values()
+        .forEach(operators -> operators.stream().filter(chains::allows).forEach(found::add));
+    return found;
+  }
+
+  private static String name(Object target) {
+    return target instanceof Variable variable
+        ? variable.predicate()
+        : ((NumberVariable) target).fluent().name();
+  }
+
+  /** The operators of one feature that change the target. */
+  private List<Operator> changing(Object target, int template) {
+    Map<Integer, List<Operator>> byTemplate =
+        changing.computeIfAbsent(target, absent -> new TreeMap<>());
+    List<Operator> known = byTemplate.get(template);
+    if (known == null) {
+      String name = name(target);
+      List<Term> arguments =
+          target instanceof Variable variable
+              ? variable.arguments()
+              : ((NumberVariable) target).fluent().arguments();
+      boolean symmetric =
+          signature.declaration(name).map(PredicateDeclaration::symmetric).orElse(false);
+      Set<Operator> found = new LinkedHashSet<>();
+      template(template)
           .forEachInstanceChanging(
               name,
               arguments,
@@ -125,8 +204,10 @@ final class Grounder {
                   made(template, bindings).stream()
                       .filter(operator -> changes(operator, target))
                       .forEach(found::add));
+      known = List.copyOf(found);
+      byTemplate.put(template, known);
     }
-    return new ArrayList<>(found);
+    return known;
   }
 
   private static boolean changes(Operator operator, Object target) {
@@ -137,7 +218,7 @@ final class Grounder {
     Instance instance = new Instance(template, bindings);
     List<Operator> known = made.get(instance);
     if (known == null) {
-      PricedFeature feature = templates.get(template).feature();
+      PricedFeature feature = features.get(template);
       StepKey key = new StepKey(feature.member(), feature.type().name(), bindings);
       known =
           forExplanation || !task.barred().contains(key)

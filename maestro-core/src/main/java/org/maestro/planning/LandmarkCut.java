@@ -29,6 +29,7 @@ final class LandmarkCut {
   private final PropositionQueue queue;
   private final int[] stack;
   private final boolean[] inSomeCut;
+  private double[] rest = {};
 
   LandmarkCut(RelaxedProblem relaxed) {
     this.relaxed = relaxed;
@@ -38,8 +39,8 @@ final class LandmarkCut {
     preconditions =
         actions.stream().map(RelaxedProblem.Action::preconditions).toArray(int[][]::new);
     additions = actions.stream().map(RelaxedProblem.Action::additions).toArray(int[][]::new);
-    consumers = inverse(preconditions, propositions);
-    achievers = inverse(additions, propositions);
+    consumers = relaxed.consumers();
+    achievers = relaxed.inverse(additions);
     goal = relaxed.goal();
     value = new double[propositions];
     supporter = new int[actions.size()];
@@ -60,29 +61,13 @@ final class LandmarkCut {
         : Integer.MAX_VALUE;
   }
 
-  private static int[][] inverse(int[][] lists, int size) {
-    int[] counts = new int[size];
-    for (int[] list : lists) {
-      for (int entry : list) {
-        counts[entry]++;
-      }
-    }
-    int[][] inverse = new int[size][];
-    Arrays.setAll(inverse, i -> new int[counts[i]]);
-    for (int i = lists.length - 1; i >= 0; i--) {
-      for (int entry : lists[i]) {
-        inverse[entry][--counts[entry]] = i;
-      }
-    }
-    return inverse;
-  }
-
   /** Never more than the true cost; infinite when the goal is out of reach. */
   double estimate(State state) {
     boolean[] truths = relaxed.truths(state);
     double[] costs = relaxed.costs(state);
     Arrays.setAll(costs, payer -> nothingIfTiny(costs[payer]));
     Arrays.fill(inSomeCut, false);
+    rest = costs;
     double total = 0;
     while (true) {
       computeMaximumCosts(truths, costs);
@@ -115,6 +100,39 @@ final class LandmarkCut {
     return IntStream.range(0, operators)
         .filter(o -> inSomeCut[o] || threshold && relaxed.isPaidForByThreshold(o))
         .toArray();
+  }
+
+  /**
+   * What each operator costs besides the cuts of the last estimate: a plan costs at least the
+   * estimate and the rests of all its steps.
+   */
+  double[] rests() {
+    return Arrays.copyOf(rest, relaxed.problem().operators().size());
+  }
+
+  /**
+   * For each operator the rests, of the last estimate, of what has to come before it, at least;
+   * infinite when it is out of reach.
+   */
+  double[] restsBefore() {
+    double[] before = new double[relaxed.problem().operators().size()];
+    Arrays.fill(before, Double.POSITIVE_INFINITY);
+    for (int action = 0; action < payers.length; action++) {
+      int payer = payers[action];
+      if (payer >= 0 && payer < before.length && open[action] == 0) {
+        double most = 0;
+        for (int needed : preconditions[action]) {
+          most = Math.max(most, value[needed]);
+        }
+        before[payer] = Math.min(before[payer], most);
+      }
+    }
+    for (int operator = 0; operator < before.length; operator++) {
+      if (relaxed.isPaidForByThreshold(operator)) {
+        before[operator] = 0;
+      }
+    }
+    return before;
   }
 
   /** Rounding errors must not look like costs. */

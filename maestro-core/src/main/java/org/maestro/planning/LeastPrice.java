@@ -43,10 +43,12 @@ final class LeastPrice {
   private final Facts facts;
   private final Signature signature;
 
-  /** For features of the task: what one of them changes may have any value. */
-  LeastPrice(PlanningTask task) {
-    this.facts = task.facts();
-    this.signature = new Signature(task.vocabulary(), task.features());
+  /**
+   * @param signature says what may change, and so may have any value
+   */
+  LeastPrice(Facts facts, Signature signature) {
+    this.facts = facts;
+    this.signature = signature;
   }
 
   /** From 0, in cost units. */

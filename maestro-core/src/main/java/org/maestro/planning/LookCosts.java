@@ -14,7 +14,6 @@ import java.util.Set;
 final class LookCosts {
   private static final int INITIAL = -1;
   private static final int NONE = -2;
-  private static final double TINY = 1e-12;
 
   private final GroundProblem problem;
   private final Sought sought;
@@ -22,15 +21,28 @@ final class LookCosts {
   private final Map<StepKey, Operator> operatorByKey = new HashMap<>();
   private final double[] value;
   private final int[] supporter;
+  private final double[] sums;
+  private final int[] open;
+  private final PropositionQueue queue = new PropositionQueue();
 
-  /** The problem's variables are placed for it, and have to stay so. */
-  LookCosts(GroundProblem problem, Sought sought) {
-    this.problem = problem.placed();
+  /**
+   * The problem's variables are placed for it, and have to stay so while it is asked.
+   *
+   * @param relaxed of the problem
+   */
+  LookCosts(GroundProblem problem, RelaxedProblem relaxed, Sought sought) {
+    this.problem = problem;
     this.sought = sought;
-    this.relaxed = new RelaxedProblem(problem);
+    this.relaxed = relaxed;
     problem.operators().forEach(operator -> operatorByKey.putIfAbsent(operator.key(), operator));
     this.value = new double[relaxed.propositionCount()];
     this.supporter = new int[value.length];
+    this.sums = new double[relaxed.actions().size()];
+    this.open = new int[sums.length];
+  }
+
+  Sought sought() {
+    return sought;
   }
 
   State initial() {
@@ -180,27 +192,42 @@ final class LookCosts {
 
   /** For each proposition the cheapest way by the sum of what its conditions cost. */
   private void computeSums(boolean[] truths, double[] costs) {
-    for (int i = 0; i < value.length; i++) {
-      value[i] = truths[i] ? 0 : Double.POSITIVE_INFINITY;
-      supporter[i] = truths[i] ? INITIAL : NONE;
+    Arrays.fill(value, Double.POSITIVE_INFINITY);
+    Arrays.fill(supporter, NONE);
+    Arrays.fill(sums, 0);
+    for (int i = 0; i < open.length; i++) {
+      open[i] = relaxed.actions().get(i).preconditions().length;
     }
-    boolean changed = true;
-    while (changed) {
-      changed = false;
-      for (int i = 0; i < relaxed.actions().size(); i++) {
-        RelaxedProblem.Action action = relaxed.actions().get(i);
-        double sum = action.payer() == RelaxedProblem.FREE ? 0 : costs[action.payer()];
-        for (int needed : action.preconditions()) {
-          sum += value[needed];
-        }
-        for (int added : action.additions()) {
-          if (sum < value[added] - TINY) {
-            value[added] = sum;
-            supporter[added] = i;
-            changed = true;
+    queue.clear();
+    for (int i = 0; i < value.length; i++) {
+      if (truths[i]) {
+        reach(i, 0, INITIAL);
+      }
+    }
+    while (!queue.isEmpty()) {
+      double now = queue.leastKey();
+      int proposition = queue.removeLeast();
+      if (now > value[proposition]) {
+        continue;
+      }
+      for (int index : relaxed.consumers()[proposition]) {
+        sums[index] += now;
+        if (--open[index] == 0) {
+          RelaxedProblem.Action action = relaxed.actions().get(index);
+          double own = action.payer() == RelaxedProblem.FREE ? 0 : costs[action.payer()];
+          for (int added : action.additions()) {
+            reach(added, sums[index] + own, index);
           }
         }
       }
+    }
+  }
+
+  private void reach(int proposition, double sum, int by) {
+    if (sum < value[proposition]) {
+      value[proposition] = sum;
+      supporter[proposition] = by;
+      queue.add(sum, proposition);
     }
   }
 }

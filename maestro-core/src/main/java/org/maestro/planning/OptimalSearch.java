@@ -29,6 +29,9 @@ final class OptimalSearch {
     record Exhausted(int states) implements Outcome {}
 
     record BoundReached(int states) implements Outcome {}
+
+    /** No plan is cheaper than this, and this is more than allowed. */
+    record TooDear(double atLeast) implements Outcome {}
   }
 
   private static final class Node {
@@ -60,14 +63,20 @@ final class OptimalSearch {
   private final GroundProblem problem;
   private final LandmarkCut heuristic;
   private final int mostStates;
+  private final double mostCost;
   private final Map<State, Node> nodes = new HashMap<>();
   private final PriorityQueue<Entry> queue = new PriorityQueue<>();
   private long sequence;
 
-  OptimalSearch(GroundProblem problem, LandmarkCut heuristic, int mostStates) {
+  /**
+   * @param mostStates kept at once
+   * @param mostCost that a plan may have; may be infinite
+   */
+  OptimalSearch(GroundProblem problem, LandmarkCut heuristic, int mostStates, double mostCost) {
     this.problem = problem;
     this.heuristic = heuristic;
     this.mostStates = mostStates;
+    this.mostCost = mostCost;
   }
 
   Outcome run() {
@@ -80,6 +89,9 @@ final class OptimalSearch {
       Node node = entry.node();
       if (entry.cost() > node.cost) {
         continue;
+      }
+      if (entry.total() > total(mostCost)) {
+        return new Outcome.TooDear(entry.total() / GRAIN);
       }
       if (node.estimate == UNEVALUATED) {
         evaluate(node, entry.total());

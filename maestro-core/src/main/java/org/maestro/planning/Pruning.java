@@ -16,23 +16,38 @@ import org.maestro.sl.Effect.Assignment;
 final class Pruning {
   private Pruning() {}
 
-  /** The smaller problem; the given one must be solvable as far as its relaxation tells. */
-  static GroundProblem pruned(GroundProblem problem) {
+  /**
+   * What is left.
+   *
+   * @param relaxed of the problem, and unsolvable where that shows that there is no plan
+   */
+  record Pruned(GroundProblem problem, RelaxedProblem relaxed) {
+    boolean isSolvable() {
+      return relaxed.isSolvable();
+    }
+  }
+
+  /** For the cheapest plan. */
+  static Pruned pruned(GroundProblem problem) {
     return pruned(problem, Objective.CHEAPEST);
   }
 
   /** Where time counts, an operator may do the same at a higher price and sooner. */
-  static GroundProblem pruned(GroundProblem problem, Objective objective) {
-    GroundProblem before = problem;
-    while (true) {
+  static Pruned pruned(GroundProblem problem, Objective objective) {
+    Pruned before = new Pruned(problem.placed(), new RelaxedProblem(problem));
+    while (before.isSolvable()) {
       List<Operator> possible = reachable(before);
       GroundProblem after =
-          before.with(objective == Objective.CHEAPEST ? withoutDominated(possible) : possible);
-      if (size(after) == size(before)) {
-        return after;
+          before
+              .problem()
+              .with(objective == Objective.CHEAPEST ? withoutDominated(possible) : possible);
+      if (size(after) == size(before.problem())) {
+        before.problem().placed();
+        return before;
       }
-      before = after;
+      before = new Pruned(after, new RelaxedProblem(after));
     }
+    return before;
   }
 
   private static long size(GroundProblem problem) {
@@ -41,9 +56,9 @@ final class Pruning {
         + problem.numbers().size();
   }
 
-  private static List<Operator> reachable(GroundProblem problem) {
-    RelaxedProblem relaxed = new RelaxedProblem(problem);
-    Set<Condition> unreachable = relaxed.unreachableLeaves();
+  private static List<Operator> reachable(Pruned pruned) {
+    GroundProblem problem = pruned.problem();
+    Set<Condition> unreachable = pruned.relaxed().unreachableLeaves();
     Set<NumberVariable> assigned = new LinkedHashSet<>();
     for (Operator operator : problem.operators()) {
       for (Change change : operator.changes()) {

@@ -2,6 +2,7 @@ package org.maestro.planning;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -26,6 +27,7 @@ final class RelaxedProblem {
   static final int TRUTH = 0;
 
   private static final int NEVER = -1;
+  private static final int[] IMPOSSIBLE = {NEVER};
 
   private final GroundProblem problem;
   private final SettingAnalysis settings;
@@ -33,9 +35,12 @@ final class RelaxedProblem {
   private final Map<Condition, Integer> indexOfLeaf = new LinkedHashMap<>();
   private final Map<Object, List<OperatorChange>> changesOf = new LinkedHashMap<>();
   private final List<Action> actions = new ArrayList<>();
+  private final int[][] needed;
   private final ThresholdPrices prices;
   private final double[] operatorCosts;
+  private final boolean[] paidForByThreshold;
   private int payers;
+  private int[][] consumers;
   private final int goal;
 
   private record OperatorChange(int operator, Change change) {}
@@ -45,6 +50,7 @@ final class RelaxedProblem {
     this.settings = new SettingAnalysis(problem);
     leaves.add(Constant.TRUE);
     List<Operator> operators = problem.operators();
+    needed = new int[operators.size()][];
     for (int i = 0; i < operators.size(); i++) {
       for (Change change : operators.get(i).changes()) {
         changesOf
@@ -67,14 +73,14 @@ final class RelaxedProblem {
     }
     prices = new ThresholdPrices(settings.sums(), thresholds.keySet());
     addThresholds(thresholds);
-    operatorCosts =
-        operators.stream()
-            .mapToDouble(
-                operator ->
-                    settings.settingOf(operator).filter(prices::paysFor).isPresent()
-                        ? 0
-                        : settings.leastCost(operator, problem.initial().numbers()))
-            .toArray();
+    operatorCosts = new double[operators.size()];
+    paidForByThreshold = new boolean[operators.size()];
+    for (int i = 0; i < operatorCosts.length; i++) {
+      Operator operator = operators.get(i);
+      paidForByThreshold[i] = settings.settingOf(operator).filter(prices::paysFor).isPresent();
+      operatorCosts[i] =
+          paidForByThreshold[i] ? 0 : settings.leastCost(operator, problem.initial().numbers());
+    }
   }
 
   /** Stands for a disjunction, or the goal; no state makes it true by itself. */
@@ -142,25 +148,47 @@ final class RelaxedProblem {
     if (requirement == Constant.FALSE) {
       return;
     }
-    Condition needed = Condition.all(List.of(candidate.change().condition(), requirement));
-    Operator operator = problem.operators().get(candidate.operator());
-    int[] conditions = propositions(Condition.all(List.of(operator.precondition(), needed)));
-    if (conditions != null) {
-      actions.add(new Action(candidate.operator(), conditions, new int[] {proposition}));
+    int operator = candidate.operator();
+    if (needed[operator] == null) {
+      int[] conditions = propositions(problem.operators().get(operator).precondition());
+      needed[operator] = conditions == null ? IMPOSSIBLE : conditions;
+    }
+    int[] ofChange = propositions(candidate.change().condition());
+    int[] required = propositions(requirement);
+    if (needed[operator] != IMPOSSIBLE && ofChange != null && required != null) {
+      int[] all = joined(joined(needed[operator], ofChange), required);
+      actions.add(new Action(operator, all, new int[] {proposition}));
     }
   }
 
-  private static List<Object> targets(Condition leaf) {
-    List<Object> targets = new ArrayList<>();
+  /** All of the first and those of the second that are new. */
+  private static int[] joined(int[] first, int[] second) {
+    int[] joined = Arrays.copyOf(first, first.length + second.length);
+    int size = first.length;
+    for (int proposition : second) {
+      boolean isNew = proposition != TRUTH;
+      for (int i = 0; isNew && i < first.length; i++) {
+        isNew = first[i] != proposition;
+      }
+      if (isNew) {
+        joined[size++] = proposition;
+      }
+    }
+    return size == joined.length ? joined : Arrays.copyOf(joined, size);
+  }
+
+  private static Collection<Object> targets(Condition leaf) {
     if (leaf instanceof Condition.Literal literal) {
-      targets.add(literal.variable());
+      return List.of(literal.variable());
     } else if (leaf instanceof Condition.NumberKnown known) {
-      targets.add(known.variable());
-    } else if (leaf instanceof Condition.Compare compare) {
+      return List.of(known.variable());
+    }
+    Set<Object> targets = new LinkedHashSet<>();
+    if (leaf instanceof Condition.Compare compare) {
       compare.left().forEachVariable(targets::add);
       compare.right().forEachVariable(targets::add);
     }
-    return targets.stream().distinct().toList();
+    return targets;
   }
 
   /**
@@ -245,10 +273,7 @@ final class RelaxedProblem {
 
   /** Whether the operator is paid for where it helps to reach a threshold of a sum. */
   boolean isPaidForByThreshold(int operator) {
-    return settings
-        .settingOf(problem.operators().get(operator))
-        .filter(prices::paysFor)
-        .isPresent();
+    return paidForByThreshold[operator];
   }
 
   boolean[] truths(State state) {
@@ -276,20 +301,58 @@ final class RelaxedProblem {
 
   boolean[] reachable(boolean[] truths, double[] costs) {
     boolean[] reached = truths.clone();
-    boolean grown = true;
-    while (grown) {
-      grown = false;
-      for (Action action : actions) {
-        if ((action.payer() == FREE || Double.isFinite(costs[action.payer()]))
-            && allReached(action.preconditions(), reached)) {
+    int[] open = new int[actions.size()];
+    int[] stack = new int[reached.length];
+    int size = 0;
+    for (int action = 0; action < open.length; action++) {
+      open[action] = actions.get(action).preconditions().length;
+    }
+    for (int proposition = 0; proposition < reached.length; proposition++) {
+      if (reached[proposition]) {
+        stack[size++] = proposition;
+      }
+    }
+    while (size > 0) {
+      for (int index : consumers()[stack[--size]]) {
+        Action action = actions.get(index);
+        if (--open[index] == 0
+            && (action.payer() == FREE || Double.isFinite(costs[action.payer()]))) {
           for (int added : action.additions()) {
-            grown |= !reached[added];
-            reached[added] = true;
+            if (!reached[added]) {
+              reached[added] = true;
+              stack[size++] = added;
+            }
           }
         }
       }
     }
     return reached;
+  }
+
+  /** For each proposition the actions that need it. */
+  int[][] consumers() {
+    if (consumers == null) {
+      consumers = inverse(actions.stream().map(Action::preconditions).toArray(int[][]::new));
+    }
+    return consumers;
+  }
+
+  /** For each proposition the lists in which it stands. */
+  int[][] inverse(int[][] lists) {
+    int[] counts = new int[leaves.size()];
+    for (int[] list : lists) {
+      for (int entry : list) {
+        counts[entry]++;
+      }
+    }
+    int[][] inverse = new int[counts.length][];
+    Arrays.setAll(inverse, i -> new int[counts[i]]);
+    for (int i = lists.length - 1; i >= 0; i--) {
+      for (int entry : lists[i]) {
+        inverse[entry][--counts[entry]] = i;
+      }
+    }
+    return inverse;
   }
 
   /** The conditions that no sequence of operators can bring about from the initial state. */
@@ -318,14 +381,5 @@ final class RelaxedProblem {
 
   boolean isSolvable() {
     return reachable(problem.initial())[goal];
-  }
-
-  static boolean allReached(int[] propositions, boolean[] reached) {
-    for (int proposition : propositions) {
-      if (!reached[proposition]) {
-        return false;
-      }
-    }
-    return true;
   }
 }

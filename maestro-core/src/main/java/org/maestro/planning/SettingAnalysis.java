@@ -35,7 +35,9 @@ final class SettingAnalysis {
     changing.forEach(
         (number, operators) -> {
           SettingSum sum =
-              isSetting(number) ? null : SettingSum.of(number, operators, settings, initial);
+              isSetting(number)
+                  ? null
+                  : SettingSum.of(number, operators, settings, settingOf, initial);
           if (sum != null) {
             sums.put(number, sum);
           }

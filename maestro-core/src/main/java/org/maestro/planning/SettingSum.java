@@ -1,9 +1,12 @@
 package org.maestro.planning;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.maestro.sl.Effect.Assignment;
 
 /**
@@ -17,27 +20,34 @@ record SettingSum(NumberVariable variable, List<Part> parts) {
   /**
    * The sum that the variable is, or null when it is none.
    *
+   * @param operators all that change the variable
    * @param settings with all operators that change them
+   * @param settingOf the setting that an operator changes
    */
   static SettingSum of(
       NumberVariable variable,
       List<Operator> operators,
       Map<Setting, List<Operator>> settings,
+      Map<Operator, Setting> settingOf,
       NumberVector initial) {
+    Set<Setting> moving = Collections.newSetFromMap(new IdentityHashMap<>());
     for (Operator operator : operators) {
-      boolean covered =
-          settings.values().stream().anyMatch(changing -> changing.contains(operator));
-      if (!covered && operator.changes().stream().anyMatch(c -> isAdjustOf(c, variable))) {
+      Setting setting = settingOf.get(operator);
+      if (setting != null) {
+        moving.add(setting);
+      } else if (operator.changes().stream().anyMatch(c -> isAdjustOf(c, variable))) {
         return null;
       }
     }
     Map<Setting, Double> factors = new LinkedHashMap<>();
     for (Map.Entry<Setting, List<Operator>> setting : settings.entrySet()) {
-      for (Operator operator : setting.getValue()) {
-        double factor = factor(variable, operator, setting.getKey(), initial);
-        Double before = factors.putIfAbsent(setting.getKey(), factor);
-        if (Double.isNaN(factor) || before != null && Math.abs(before - factor) > 1e-6) {
-          return null;
+      if (moving.contains(setting.getKey())) {
+        for (Operator operator : setting.getValue()) {
+          double factor = factor(variable, operator, setting.getKey(), initial);
+          Double before = factors.putIfAbsent(setting.getKey(), factor);
+          if (Double.isNaN(factor) || before != null && Math.abs(before - factor) > 1e-6) {
+            return null;
+          }
         }
       }
     }

@@ -1,11 +1,14 @@
 package org.maestro.planning;
 
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.Effect;
@@ -23,7 +26,12 @@ final class Signature {
 
   Signature(Vocabulary vocabulary, List<PricedFeature> features) {
     this.vocabulary = vocabulary;
-    features.forEach(feature -> collect(feature.type().effect(), changed));
+    Set<FeatureType> types = Collections.newSetFromMap(new IdentityHashMap<>());
+    for (PricedFeature feature : features) {
+      if (types.add(feature.type())) {
+        collect(feature.type().effect(), changed);
+      }
+    }
   }
 
   private static void collect(Effect effect, Set<String> changed) {

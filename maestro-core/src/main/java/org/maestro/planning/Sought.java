@@ -1,6 +1,7 @@
 package org.maestro.planning;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -14,6 +15,18 @@ import org.maestro.sl.Term;
  * @param values those that a look can find, in the order of the operators
  */
 record Sought(Variable variable, List<Integer> values) {
+
+  /** Up to so many places it is weighed how each look changes the cost of each other one. */
+  private static final int MANY_PLACES = 8;
+
+  /** Whether there are so many places that not all can be weighed against each other. */
+  boolean isInManyPlaces() {
+    return values.size() > MANY_PLACES;
+  }
+
+  static boolean hasManyPlaces(Collection<Sought> all) {
+    return all.stream().anyMatch(Sought::isInManyPlaces);
+  }
 
   /** All that can be sought in the problem, in the order of its operators. */
   static List<Sought> of(GroundProblem problem) {

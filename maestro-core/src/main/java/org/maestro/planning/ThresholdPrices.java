@@ -1,7 +1,9 @@
 package org.maestro.planning;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -22,6 +24,7 @@ final class ThresholdPrices {
 
   private final Map<NumberVariable, SettingSum> sums;
   private final List<List<Threshold>> clusters = new ArrayList<>();
+  private final Set<Setting> paying = Collections.newSetFromMap(new IdentityHashMap<>());
   private final Map<NumberVector, double[][]> costs = new HashMap<>();
 
   ThresholdPrices(Map<NumberVariable, SettingSum> sums, Set<Threshold> thresholds) {
@@ -42,6 +45,9 @@ final class ThresholdPrices {
     }
     for (Set<NumberVariable> members : new LinkedHashSet<>(clusterOf.values())) {
       clusters.add(thresholds.stream().filter(t -> members.contains(t.variable())).toList());
+    }
+    for (NumberVariable variable : clusterOf.keySet()) {
+      sums.get(variable).parts().forEach(part -> paying.add(part.setting()));
     }
   }
 
@@ -64,16 +70,7 @@ final class ThresholdPrices {
 
   /** Whether a threshold is reached by the setting, so that it is paid for here. */
   boolean paysFor(Setting setting) {
-    return clusters.stream()
-        .flatMap(List::stream)
-        .anyMatch(threshold -> factor(threshold, setting) != 0);
-  }
-
-  private double factor(Threshold threshold, Setting setting) {
-    return sums.get(threshold.variable()).parts().stream()
-        .filter(part -> part.setting() == setting)
-        .mapToDouble(part -> Math.abs(part.factor()))
-        .sum();
+    return paying.contains(setting);
   }
 
   /**

@@ -18,7 +18,6 @@ import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.OptimalPlanner;
-import org.maestro.planning.TieredPlanner;
 import org.maestro.rats.link.BusLink;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.time.SteppedClock;
@@ -73,7 +72,7 @@ public final class AgentlessSite implements AutoCloseable {
         new Coordinator(
             new Ports(
                 knowledge,
-                new TieredPlanner(new OptimalPlanner(MOST_STATES)),
+                new OptimalPlanner(MOST_STATES),
                 new LinkMarket(deputies, link),
                 new LinkCrew(deputies, link),
                 new InTurn(clock),

@@ -17,7 +17,6 @@ import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.planning.ObjectivePlanner;
 import org.maestro.planning.OptimalPlanner;
-import org.maestro.planning.TieredPlanner;
 import org.maestro.platform.MaestroPlatform;
 import org.maestro.platform.PlatformSettings;
 import org.maestro.rats.broker.EmbeddedBroker;
@@ -161,7 +160,7 @@ public final class LocalSite implements AutoCloseable {
                 settings.storyDirectory(),
                 settings.dataDirectory()),
             knowledge(),
-            new ObjectivePlanner(new TieredPlanner(new OptimalPlanner()), settings.allocation()),
+            new ObjectivePlanner(new OptimalPlanner(), settings.allocation()),
             link,
             clock,
             new DescriptionReader(settings.home().vocabulary())::read);

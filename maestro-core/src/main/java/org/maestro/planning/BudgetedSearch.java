@@ -1,0 +1,172 @@
+package org.maestro.planning;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.maestro.planning.PlanningResult.Explanation;
+
+/**
+ * Finds the plan of one task. Most goals are reached with few of all steps: a budget grows until
+ * there is a plan within it, which then is the cheapest of all. Only proof that there is none needs
+ * all steps that matter.
+ */
+final class BudgetedSearch {
+  /** Of the budget from one round to the next. */
+  private static final double GROWTH = 1.5;
+
+  /** For plans that begin a search elsewhere: they are worth less time. */
+  private static final int MOST_STATES_BESIDE = 1_000;
+
+  /** For the plan that is over first. */
+  private static final int MOST_SCHEDULES = 20_000;
+
+  /**
+   * What was grounded, and what it tells.
+   *
+   * @param beyond the budget from which on there is more to be grounded
+   * @param bounds empty where there is no plan, as the relaxation shows
+   */
+  private record Ground(GroundProblem problem, double beyond, Optional<CostBounds> bounds) {}
+
+  /**
+   * What was searched in one round.
+   *
+   * @param beyond the budget from which on other steps may be of use
+   */
+  private record Round(GroundProblem problem, double beyond, OptimalSearch.Outcome outcome) {}
+
+  private final PlanningTask task;
+  private final Grounder grounder;
+  private final int mostStates;
+  private final boolean weighingSearches;
+
+  /**
+   * @param mostStates kept at once
+   * @param weighingSearches whether to begin searches where the goal is expected to cost least;
+   *     otherwise what is sought counts as found where it is looked for first
+   */
+  BudgetedSearch(PlanningTask task, int mostStates, boolean weighingSearches) {
+    this.task = task;
+    this.grounder = new Grounder(task);
+    this.mostStates = mostStates;
+    this.weighingSearches = weighingSearches;
+  }
+
+  PlanningResult run() {
+    double budget = task.objective() == Objective.CHEAPEST ? 0 : Double.POSITIVE_INFINITY;
+    Ground ground = ground(budget);
+    while (true) {
+      Round round = round(ground, budget);
+      double next = Math.max(round.beyond(), budget * GROWTH);
+      if (round.outcome() instanceof OptimalSearch.Outcome.Found found) {
+        Optional<PlanningResult> result = result(round, found.operators());
+        if (result.isPresent()) {
+          return result.get();
+        }
+      } else if (round.outcome() instanceof OptimalSearch.Outcome.BoundReached) {
+        return new PlanningResult.GaveUp(
+            "No plan and no proof that there is none within "
+                + mostStates
+                + " states; allow more states or state a smaller goal.");
+      } else if (round.outcome() instanceof OptimalSearch.Outcome.TooDear tooDear) {
+        next = Math.max(next, tooDear.atLeast());
+      } else if (round.beyond() == Double.POSITIVE_INFINITY) {
+        return new PlanningResult.Impossible(
+            new Explanation(List.of(ObstacleText.ofGoal(task.goal())), false));
+      }
+      budget = next;
+      ground = budget >= ground.beyond() ? ground(budget) : ground;
+    }
+  }
+
+  private Ground ground(double budget) {
+    Grounder.Grounded grounded = grounder.ground(budget);
+    RelaxedProblem relaxed = new RelaxedProblem(grounded.problem());
+    return new Ground(
+        grounded.problem(),
+        grounded.beyond(),
+        relaxed.isSolvable()
+            ? Optional.of(new CostBounds(grounded.problem(), relaxed))
+            : Optional.empty());
+  }
+
+  private Round round(Ground ground, double budget) {
+    GroundProblem problem = ground.problem().placed();
+    double beyond = ground.beyond();
+    if (ground.bounds().isEmpty()) {
+      return new Round(problem, beyond, new OptimalSearch.Outcome.Exhausted(0));
+    }
+    CostBounds bounds = ground.bounds().get();
+    if (bounds.least() > budget) {
+      return new Round(problem, beyond, new OptimalSearch.Outcome.TooDear(bounds.least()));
+    }
+    if (Double.isFinite(budget) && Sought.hasManyPlaces(Sought.of(problem))) {
+      CostBounds.Useful useful = bounds.useful(budget);
+      problem = problem.with(useful.operators());
+      beyond = Math.min(beyond, useful.beyond());
+    }
+    Pruning.Pruned pruned = Pruning.pruned(problem, task.objective());
+    return new Round(pruned.problem(), beyond, search(pruned, mostStates, budget));
+  }
+
+  private static OptimalSearch.Outcome search(
+      Pruning.Pruned pruned, int mostStates, double mostCost) {
+    return pruned.isSolvable()
+        ? new LimitedSearch(pruned.problem(), pruned.relaxed(), mostStates, mostCost).run()
+        : new OptimalSearch.Outcome.Exhausted(0);
+  }
+
+  /** Empty where it may be better to look first at places that are beyond the budget. */
+  private Optional<PlanningResult> result(Round round, List<Operator> operators) {
+    Plan cheapest = PlanBuilder.plan(round.problem().placed(), operators);
+    if (task.objective() == Objective.EARLIEST_FINISH) {
+      return Optional.of(earliest(round.problem(), cheapest));
+    } else if (!weighingSearches) {
+      return Optional.of(new PlanningResult.Found(cheapest));
+    }
+    ExpectedCostSearch search =
+        new ExpectedCostSearch(round.problem(), grounder.chances(), this::cheapest, operators);
+    if (search.worthBeforeWeighing() >= round.beyond()) {
+      return Optional.empty();
+    }
+    Plan plan = search.plan();
+    return worthLookingAt(plan) < round.beyond()
+        ? Optional.of(new PlanningResult.Found(plan))
+        : Optional.empty();
+  }
+
+  /**
+   * What an optimistic plan may cost whose look is a better first one, by chance over cost, than
+   * that of this plan.
+   */
+  private static double worthLookingAt(Plan plan) {
+    return plan.searches().stream()
+        .mapToDouble(
+            search -> plan.cost() - search.places().get(0).lookCost() + search.dearestUsefulLook())
+        .reduce(plan.cost(), Math::max);
+  }
+
+  /** Exact in small problems; else the cheapest plan or a better one, and what no plan is below. */
+  private PlanningResult earliest(GroundProblem problem, Plan cheapest) {
+    EarliestFinishSearch.Outcome outcome =
+        new EarliestFinishSearch(problem, cheapest.seconds(), Math.min(mostStates, MOST_SCHEDULES))
+            .run();
+    if (outcome instanceof EarliestFinishSearch.Outcome.Found found) {
+      return new PlanningResult.Found(PlanBuilder.plan(problem, found.operators()));
+    }
+    return outcome instanceof EarliestFinishSearch.Outcome.BoundReached bound
+        ? new PlanningResult.Found(cheapest, OptionalDouble.of(bound.atLeastSeconds()))
+        : new PlanningResult.Found(cheapest);
+  }
+
+  /** Empty when there is no plan, or none within a smaller bound. */
+  private Optional<List<Operator>> cheapest(GroundProblem problem) {
+    return search(
+                Pruning.pruned(problem),
+                Math.min(mostStates, MOST_STATES_BESIDE),
+                Double.POSITIVE_INFINITY)
+            instanceof OptimalSearch.Outcome.Found found
+        ? Optional.of(found.operators())
+        : Optional.empty();
+  }
+}

@@ -1,0 +1,180 @@
+package org.maestro.planning;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.PriorityQueue;
+import java.util.Set;
+import java.util.function.ToDoubleFunction;
+
+/**
+ * Which operators a plan within a budget can use. Each step of a plan that leaves nothing out helps
+ * another step, and that one yet another, up to the goal: the least cost of such a chain, the step
+ * itself included, is what a plan costs at least that uses it. Found backwards from the goal, the
+ * cheapest chain first, so that an operator out of budget need not even be made.
+ */
+final class ChainCosts {
+
+  /** Makes the operators that change a variable. */
+  interface Source {
+    /**
+     * All operators that change the {@link Variable} or {@link NumberVariable}, as far as they cost
+     * no more than is left.
+     *
+     * @return the least cost of those that were left out because they cost more, infinite when
+     *     there are none
+     */
+    double changing(Object target, double left, List<Operator> into);
+  }
+
+  /** A target whose turn comes when all chains that cost less have been followed. */
+  private record Turn(double cost, long sequence, Object target) implements Comparable<Turn> {
+    @Override
+    public int compareTo(Turn other) {
+      int byCost = Double.compare(cost, other.cost);
+      return byCost != 0 ? byCost : Long.compare(sequence, other.sequence);
+    }
+  }
+
+  private record Touch(Operator operator, Change change) {}
+
+  private final Source source;
+  private final ToDoubleFunction<Operator> leastCost;
+  private final double budget;
+  private final Map<Object, Double> needed = new HashMap<>();
+  private final Set<Object> active = new HashSet<>();
+  private final Map<Operator, Double> chains = new LinkedHashMap<>();
+  private final Map<Object, List<Touch>> touching = new HashMap<>();
+  private final PriorityQueue<Turn> queue = new PriorityQueue<>();
+  private double beyond = Double.POSITIVE_INFINITY;
+  private long sequence;
+
+  /**
+   * @param leastCost of an operator in any state
+   * @param budget in cost units; may be infinite
+   */
+  ChainCosts(Source source, ToDoubleFunction<Operator> leastCost, double budget) {
+    this.source = source;
+    this.leastCost = leastCost;
+    this.budget = budget;
+  }
+
+  ChainCosts follow(Condition goal) {
+    need(goal, 0);
+    while (!queue.isEmpty()) {
+      Turn turn = queue.remove();
+      if (turn.cost() > needed.get(turn.target())) {
+        continue;
+      }
+      List<Operator> changing = new ArrayList<>();
+      double cheapest = source.changing(turn.target(), budget - turn.cost(), changing);
+      beyond = Math.min(beyond, turn.cost() + cheapest);
+      for (Operator operator : changing) {
+        accept(operator, turn.cost() + leastCost.applyAsDouble(operator));
+      }
+    }
+    return this;
+  }
+
+  /** Whether a plan within the budget may use the operator. */
+  boolean allows(Operator operator) {
+    return chains.containsKey(operator);
+  }
+
+  /** What a plan costs at least that uses the operator; infinite beyond the budget. */
+  double of(Operator operator) {
+    return chains.getOrDefault(operator, Double.POSITIVE_INFINITY);
+  }
+
+  /** The budget from which on more operators may be of use; infinite when there are no more. */
+  double beyond() {
+    return beyond;
+  }
+
+  private void accept(Operator operator, double cost) {
+    if (cost > budget) {
+      beyond = Math.min(beyond, cost);
+      return;
+    }
+    Double before = chains.get(operator);
+    if (before != null && before <= cost) {
+      return;
+    }
+    chains.put(operator, cost);
+    need(operator.precondition(), cost);
+    operator.price().cost().forEachVariable(variable -> activate(variable, cost));
+    operator.price().seconds().forEachVariable(variable -> activate(variable, cost));
+    for (Change change : operator.changes()) {
+      Object target = change.target();
+      if (before == null) {
+        touching
+            .computeIfAbsent(target, absent -> new ArrayList<>())
+            .add(new Touch(operator, change));
+      }
+      if (active.contains(target)) {
+        needAllOf(change, cost);
+      } else if (needed.containsKey(target)) {
+        activate(target, needed.get(target));
+      }
+    }
+  }
+
+  private void needAllOf(Change change, double cost) {
+    change.condition().forEachLeaf(leaf -> activateVariables(leaf, cost));
+    if (change instanceof Change.Adjust adjust) {
+      adjust.value().forEachVariable(variable -> activate(variable, cost));
+    }
+  }
+
+  private void activateVariables(Condition leaf, double cost) {
+    if (leaf instanceof Condition.Literal literal) {
+      activate(literal.variable(), cost);
+    } else if (leaf instanceof Condition.NumberKnown known) {
+      activate(known.variable(), cost);
+    } else {
+      needLeaf(leaf, cost);
+    }
+  }
+
+  private void need(Condition condition, double cost) {
+    condition.forEachLeaf(leaf -> needLeaf(leaf, cost));
+  }
+
+  private void needLeaf(Condition leaf, double cost) {
+    if (leaf instanceof Condition.Literal literal) {
+      need(literal.variable(), literal.holdsFor(literal.variable().initialCode()), cost);
+    } else if (leaf instanceof Condition.NumberKnown known) {
+      need(known.variable(), Quantity.isUnknown(known.variable().initial()) != known.known(), cost);
+    } else if (leaf instanceof Condition.Compare compare) {
+      compare.left().forEachVariable(variable -> activate(variable, cost));
+      compare.right().forEachVariable(variable -> activate(variable, cost));
+    }
+  }
+
+  /** What holds at first matters once somebody may change it. */
+  private void need(Object target, boolean holdsAtFirst, double cost) {
+    if (!holdsAtFirst || active.contains(target) || touching.containsKey(target)) {
+      activate(target, cost);
+    } else {
+      needed.merge(target, cost, Math::min);
+    }
+  }
+
+  private void activate(Object target, double cost) {
+    Double before = needed.get(target);
+    boolean isNew = active.add(target);
+    if (isNew || cost < before) {
+      double least = before == null ? cost : Math.min(before, cost);
+      needed.put(target, least);
+      queue.add(new Turn(least, sequence++, target));
+    }
+    if (isNew) {
+      for (Touch touch : touching.getOrDefault(target, List.of())) {
+        needAllOf(touch.change(), chains.get(touch.operator()));
+      }
+    }
+  }
+}

@@ -1,0 +1,65 @@
+package org.maestro.planning;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Random;
+import java.util.Set;
+import java.util.stream.Collectors;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.ShrinkingMode;
+import org.junit.jupiter.api.Test;
+
+class GroundingBudgetTest {
+  private final OptimalPlanner planner = new OptimalPlanner();
+
+  @Property(tries = 100, shrinking = ShrinkingMode.OFF)
+  void aGrowingBudgetFindsWhatAllStepsTogetherGive(@ForAll long seed) {
+    PlanningTask task = OptimalityPropertyTest.homeTask(new Random(seed));
+    GroundProblem whole = new Grounder(task).ground();
+    OptimalSearch.Outcome expected =
+        new OptimalSearch(
+                whole, new LandmarkCut(new RelaxedProblem(whole)), 100_000, Double.MAX_VALUE)
+            .run();
+
+    PlanningResult found = planner.optimistic(task);
+
+    if (expected instanceof OptimalSearch.Outcome.Found best) {
+      double cost = PlanBuilder.plan(whole.placed(), best.operators()).cost();
+      assertThat(((PlanningResult.Found) found).plan().cost()).isCloseTo(cost, within(1e-9));
+    } else {
+      assertThat(found).isInstanceOf(PlanningResult.Impossible.class);
+    }
+  }
+
+  @Property(tries = 100, shrinking = ShrinkingMode.OFF)
+  void theCheapestPlanIsFoundWithinItsOwnCost(@ForAll long seed) {
+    PlanningTask task = OptimalityPropertyTest.homeTask(new Random(seed));
+    if (planner.optimistic(task) instanceof PlanningResult.Found best) {
+      double cost = best.plan().cost() + 1e-9;
+      GroundProblem within = new Grounder(task).ground(cost).problem();
+
+      assertThat(
+              new OptimalSearch(within, new LandmarkCut(new RelaxedProblem(within)), 100_000, cost)
+                  .run())
+          .isInstanceOf(OptimalSearch.Outcome.Found.class);
+    }
+  }
+
+  @Test
+  void stepsBeyondTheBudgetAreNotMade() {
+    SmallWorld world = BobsHome.words().individuals("Zone Place", "zone-a", "zone-b");
+    world.individuals("Thing Item", "Cup").facts("(= (illuminance zone-a) 90)");
+    BobsHome.camera(world, "cam-a", "zone-a");
+    BobsHome.robot(world, "rose", "zone-a", "5");
+    Grounder.Grounded grounded = new Grounder(world.task("(canSee ?agent Cup)")).ground(2);
+
+    Set<String> features =
+        grounded.problem().operators().stream()
+            .map(operator -> operator.feature().type().name())
+            .collect(Collectors.toSet());
+    assertThat(features).containsExactly("observeObject");
+    assertThat(grounded.beyond()).isGreaterThan(2).isFinite();
+  }
+}
