@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -32,6 +33,13 @@ final class Signature {
         collect(feature.type().effect(), changed);
       }
     }
+  }
+
+  /** The names of what an effect may change or find out. */
+  static Set<String> changedBy(Effect effect) {
+    Set<String> names = new LinkedHashSet<>();
+    collect(effect, names);
+    return names;
   }
 
   private static void collect(Effect effect, Set<String> changed) {
