@@ -298,7 +298,11 @@ final class ConditionCompiler {
   }
 
   private static List<Term> ground(List<Term> terms, Map<String, Term> bindings) {
-    return terms.stream().map(term -> ground(term, bindings)).toList();
+    Term[] ground = new Term[terms.size()];
+    for (int i = 0; i < ground.length; i++) {
+      ground[i] = ground(terms.get(i), bindings);
+    }
+    return List.of(ground);
   }
 
   private static Term ground(Term term, Map<String, Term> bindings) {

@@ -24,6 +24,7 @@ final class Signature {
   private final Vocabulary vocabulary;
   private final Set<String> changed = new HashSet<>();
   private final Map<String, Boolean> dynamicDerived = new HashMap<>();
+  private final Map<Formula, Boolean> dynamicFormulas = new IdentityHashMap<>();
 
   Signature(Vocabulary vocabulary, List<PricedFeature> features) {
     this.vocabulary = vocabulary;
@@ -86,6 +87,15 @@ final class Signature {
   }
 
   boolean isDynamic(Formula formula) {
+    Boolean known = dynamicFormulas.get(formula);
+    if (known == null) {
+      known = mayChange(formula);
+      dynamicFormulas.put(formula, known);
+    }
+    return known;
+  }
+
+  private boolean mayChange(Formula formula) {
     if (formula instanceof Formula.Atom atom) {
       return isDynamic(atom.predicate());
     } else if (formula instanceof Formula.And and) {

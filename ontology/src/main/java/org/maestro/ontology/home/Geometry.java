@@ -34,6 +34,12 @@ public final class Geometry {
   private final WayFinder ways;
   private final Map<Sight, Double> viewShares = new ConcurrentHashMap<>();
   private final Map<Segment, OptionalDouble> fixedWays = new ConcurrentHashMap<>();
+  private final Map<String, Optional<Pose>> referencePoints = new ConcurrentHashMap<>();
+  private final Map<Pair, OptionalDouble> fixedLux = new ConcurrentHashMap<>();
+  private final Map<Pair, OptionalDouble> daylightShares = new ConcurrentHashMap<>();
+
+  /** What one individual does to another; both stay where the home says. */
+  private record Pair(String device, String location) {}
 
   private record Sight(Pose pose, double viewAngle, String zone) {}
 
@@ -183,12 +189,20 @@ public final class Geometry {
    * outside its beam, behind walls, or without luminous intensity.
    */
   public OptionalDouble luxAt(String device, String location, Positions positions) {
+    Optional<Pose> moved = positions.of(device);
+    Optional<Pose> fixedAt = Optional.ofNullable(fixed.get(device));
+    return moved.isPresent()
+        ? luxFrom(moved, device, location)
+        : fixedLux.computeIfAbsent(
+            new Pair(device, location), pair -> luxFrom(fixedAt, device, location));
+  }
+
+  private OptionalDouble luxFrom(Optional<Pose> pose, String device, String location) {
     OptionalDouble intensity = property(device, "luminousIntensity");
     Optional<Pose> point = referencePoint(location);
     if (intensity.isEmpty() || point.isEmpty()) {
       return OptionalDouble.of(0);
     }
-    Optional<Pose> pose = pose(device, positions);
     if (pose.isEmpty()) {
       return OptionalDouble.empty();
     }
@@ -211,10 +225,13 @@ public final class Geometry {
    * for each lux upon the outside of the glass; 0 for one that shades none.
    */
   public OptionalDouble daylightShare(String device, String location) {
-    return OptionalDouble.of(
-        referencePoint(location)
-            .map(point -> windows.share(device, point.x(), point.y(), point.z(), closed))
-            .orElse(0.0));
+    return daylightShares.computeIfAbsent(
+        new Pair(device, location),
+        pair ->
+            OptionalDouble.of(
+                referencePoint(location)
+                    .map(point -> windows.share(device, point.x(), point.y(), point.z(), closed))
+                    .orElse(0.0)));
   }
 
   /** Length in metres of the shortest way between two places; empty when there is none. */
@@ -235,6 +252,12 @@ public final class Geometry {
 
   /** Where a location's light is measured: as stated, at its position, or its outline's middle. */
   public Optional<Pose> referencePoint(String location) {
+    return individuals.containsKey(location)
+        ? referencePoints.computeIfAbsent(location, this::readReferencePoint)
+        : Optional.empty();
+  }
+
+  private Optional<Pose> readReferencePoint(String location) {
     return Optional.ofNullable(individuals.get(location))
         .flatMap(individual -> text(individual, "referencePoint"))
         .map(Pose::parse)
