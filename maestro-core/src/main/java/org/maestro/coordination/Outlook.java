@@ -14,12 +14,13 @@ import org.maestro.planning.PricedFeature;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
 import org.maestro.planning.Unavailable;
+import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
 /** What is known now, as it looks to one goal: whether it holds, and whether steps lead to it. */
 final class Outlook {
   private final String goalId;
-  private final GoalRequest request;
+  private final Formula goal;
   private final Ports ports;
   private final Rivals rivals;
   private final PlanCheck check;
@@ -31,7 +32,7 @@ final class Outlook {
 
   Outlook(String goalId, GoalRequest request, Ports ports, Rivals rivals) {
     this.goalId = goalId;
-    this.request = request;
+    this.goal = Assured.of(request.goal(), ports.knowledge().home().vocabulary());
     this.ports = ports;
     this.rivals = rivals;
     this.failures = new FailureMemory(goalId, ports.journal());
@@ -66,10 +67,7 @@ final class Outlook {
   /** What would have to be seen if the goal were called reached with these values. */
   Optional<Confirmation> toBeSeen(Map<String, Term> binding) {
     return Confirmation.needed(
-        request.goal(),
-        binding,
-        ports.knowledge().snapshot(),
-        ports.knowledge().home().vocabulary());
+        goal, binding, ports.knowledge().snapshot(), ports.knowledge().home().vocabulary());
   }
 
   /** The goal itself, by what is known now, without what would have to be seen. */
@@ -79,7 +77,7 @@ final class Outlook {
             ports.knowledge().home().vocabulary(),
             ports.knowledge().snapshot(),
             features,
-            request.goal(),
+            goal,
             Set.of()));
   }
 
@@ -100,7 +98,7 @@ final class Outlook {
   }
 
   PlanningRound.Subject subject() {
-    return new PlanningRound.Subject(goalId, request.goal(), confirmation);
+    return new PlanningRound.Subject(goalId, goal, confirmation);
   }
 
   FactsBesideSteps presentFacts() {

@@ -310,6 +310,23 @@ public final class MaestroPlatform implements AutoCloseable {
         });
   }
 
+  /**
+   * States a goal that is to be held.
+   *
+   * @param told each time that it begins or ceases to be so, and when it was found that it cannot
+   *     be
+   */
+  public void hold(Formula goal, Consumer<HeldReport> told) {
+    desk.requestGoal(
+        goal,
+        reply -> {
+          int performative = reply.getPerformative();
+          if (performative == ACLMessage.CONFIRM || performative == ACLMessage.DISCONFIRM) {
+            told.accept(HeldReport.read(performative == ACLMessage.CONFIRM, reply.getContent()));
+          }
+        });
+  }
+
   public int port() {
     return port;
   }

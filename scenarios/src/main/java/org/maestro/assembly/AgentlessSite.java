@@ -9,6 +9,7 @@ import java.util.function.Supplier;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.GoalOutcome;
 import org.maestro.coordination.GoalRequest;
+import org.maestro.coordination.HeldNews;
 import org.maestro.coordination.Ports;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.coordination.Thinking;
@@ -111,6 +112,16 @@ public final class AgentlessSite implements AutoCloseable {
    */
   public String pursue(String goal, Consumer<GoalOutcome> ended) {
     return coordinator.submit(new GoalRequest(parsed(goal), "somebody"), ended);
+  }
+
+  /**
+   * States a goal that is to be held.
+   *
+   * @param goal in MAESTRO-SL, {@code (keep ...)}
+   * @return the goal's id
+   */
+  public String hold(String goal, Consumer<HeldNews> told) {
+    return coordinator.submit(new GoalRequest(parsed(goal), "somebody"), told, outcome -> {});
   }
 
   /** Reads a formula in the words of this site's home. */

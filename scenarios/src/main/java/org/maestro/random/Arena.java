@@ -25,6 +25,14 @@ interface Arena extends AutoCloseable {
    */
   void pursue(String goal, Consumer<Claim> ended);
 
+  /**
+   * States a goal that is to be held.
+   *
+   * @param told each time that it begins to be so, and when it is said that it cannot be, on the
+   *     thread that lets time pass
+   */
+  void hold(String goal, Consumer<Claim> told);
+
   boolean runUntil(BooleanSupplier condition, Duration limit);
 
   List<String> story();

@@ -76,6 +76,16 @@ final class ArenaWithAgents implements Arena {
   }
 
   @Override
+  public void hold(String goal, Consumer<Claim> told) {
+    site.platform()
+        .hold(
+            parsed(goal),
+            report ->
+                reports.add(
+                    () -> told.accept(Claim.ofHeld(goal, report.isSo(), report.reasons()))));
+  }
+
+  @Override
   public boolean runUntil(BooleanSupplier condition, Duration limit) {
     return site.runUntil(
         () -> {

@@ -49,6 +49,11 @@ record ArenaWithoutAgents(AgentlessSite site) implements Arena {
   }
 
   @Override
+  public void hold(String goal, Consumer<Claim> told) {
+    site.hold(goal, news -> told.accept(Claim.ofHeld(goal, news.kind().isSo(), news.reasons())));
+  }
+
+  @Override
   public boolean runUntil(BooleanSupplier condition, Duration limit) {
     return site.runUntil(condition, limit);
   }

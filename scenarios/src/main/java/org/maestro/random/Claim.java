@@ -12,6 +12,16 @@ record Claim(
     Map<String, Term> binding,
     List<String> reasons) {
 
+  /** News of a goal that is to be held: it is so, or cannot be, or merely is not for a while. */
+  static Claim ofHeld(String goal, boolean isSo, List<String> reasons) {
+    return new Claim(goal, isSo, true, Map.of(), reasons);
+  }
+
+  /** Whether it says no more than that it is not so now. */
+  boolean isLossOnly() {
+    return !reached && reasons.isEmpty();
+  }
+
   @Override
   public String toString() {
     return reached

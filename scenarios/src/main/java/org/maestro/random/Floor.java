@@ -21,12 +21,14 @@ final class Floor {
   private final Site site;
   private final Map<String, Polygon> zones = new TreeMap<>();
   private final Map<String, Segment> doors = new TreeMap<>();
+  private final Map<String, Position> locations = new TreeMap<>();
   private final List<Polygon> rooms = new ArrayList<>();
 
   Floor(Site site) {
     this.site = site;
     site.of("Room").forEach(room -> rooms.add(Polygon.parse(site.text(room, "outline"))));
     site.of("Zone").forEach(zone -> zones.put(zone, Polygon.parse(site.text(zone, "outline"))));
+    site.of("Location").forEach(name -> locations.put(name, site.position(name, "referencePoint")));
     for (String door : site.of("Door")) {
       doors.put(door, new Segment(site.point(door, "openingFrom"), site.point(door, "openingTo")));
     }
@@ -48,19 +50,31 @@ final class Floor {
     return zones.get(zone);
   }
 
-  Point2 reference(String zone) {
-    return site.point(zone, "referencePoint");
+  /** Where the light of each zone and desk is measured. */
+  Map<String, Position> locations() {
+    return Map.copyOf(locations);
+  }
+
+  Position location(String name) {
+    return locations.get(name);
+  }
+
+  /** The zone around it, or itself. */
+  String zoneOf(String location) {
+    return zoneAt(location(location).floor()).orElseThrow();
   }
 
   /** How far a place is from a zone; 0 within it. */
   double distance(String zone, Position place) {
-    Polygon outline = zones.get(zone);
-    return outline.contains(place.floor())
-        ? 0
-        : outline.edges().stream()
-            .mapToDouble(edge -> edge.distance(place.floor()))
-            .min()
-            .orElseThrow();
+    return zones.get(zone).contains(place.floor()) ? 0 : borderDistance(zone, place);
+  }
+
+  /** How far it is from the border of the zone, on either side. */
+  double borderDistance(String zone, Position place) {
+    return zones.get(zone).edges().stream()
+        .mapToDouble(edge -> edge.distance(place.floor()))
+        .min()
+        .orElseThrow();
   }
 
   FloorPlan plan(Collection<String> openDoors) {

@@ -2,7 +2,9 @@ package org.maestro.random;
 
 import java.time.Duration;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -29,6 +31,7 @@ final class Judge {
   private final Supplier<Moment> present;
   private final Deque<Moment> recent = new ArrayDeque<>();
   private final Map<String, Duration> changedAt = new TreeMap<>();
+  private final List<Formula> held = new ArrayList<>();
   private final Set<String> cut = new TreeSet<>();
   private Duration slowest = Duration.ZERO;
   private Duration lastFault = Duration.ofDays(-1);
@@ -38,14 +41,17 @@ final class Judge {
     this.present = present;
   }
 
-  /** To be told of the passing of time, as often as anything happens. */
-  void timePassed(Duration now) {
-    if (recent.isEmpty() || now.minus(recent.getLast().at()).compareTo(BETWEEN_MOMENTS) >= 0) {
+  /** To be told of the passing of time, as often as anything happens; returns whether it looked. */
+  boolean timePassed(Duration now) {
+    boolean due =
+        recent.isEmpty() || now.minus(recent.getLast().at()).compareTo(BETWEEN_MOMENTS) >= 0;
+    if (due) {
       recent.addLast(present.get());
       while (recent.getFirst().at().compareTo(now.minus(NEWS).minus(slowest)) < 0) {
         recent.removeFirst();
       }
     }
+    return due;
   }
 
   /** To be told of each fault as it strikes. */
@@ -68,18 +74,35 @@ final class Judge {
     }
   }
 
+  boolean isTrueLately(Formula goal) {
+    return lately(goal) != Truths.Grade.FALSE;
+  }
+
+  /** Whether somebody who is there surely measures the light that is to be held. */
+  boolean canBeMeasured(Formula goal, Duration now) {
+    return possibilities(now).isMeasured(goal);
+  }
+
+  /** What is to be held besides: nobody may end that for another goal. */
+  void isToBeHeld(Formula condition) {
+    held.add(condition);
+  }
+
   Verdict of(Formula goal, Claim claim, Duration now) {
     return claim.reached() ? achieved(goal, claim) : failed(goal, claim, now);
   }
 
+  /** Whether it was so at some moment of the last seconds. */
+  Truths.Grade lately(Formula goal) {
+    Formula spelled = new SpelledOut(site.home()).of(goal);
+    return recent.stream()
+        .map(moment -> new Truths(moment, site).of(spelled))
+        .reduce(Truths.Grade.FALSE, Truths.Grade::or);
+  }
+
   private Verdict achieved(Formula goal, Claim claim) {
-    Formula bound = new Substitution(claim.binding()).apply(goal);
     recent.addLast(present.get());
-    Truths.Grade best =
-        recent.stream()
-            .map(moment -> new Truths(moment, site).of(bound))
-            .reduce(Truths.Grade.FALSE, Truths.Grade::or);
-    return switch (best) {
+    return switch (lately(new Substitution(claim.binding()).apply(goal))) {
       case TRUE -> verdict(claim, Verdict.Kind.ACHIEVED, "");
       case CLOSE -> verdict(claim, Verdict.Kind.ACHIEVED_CLOSELY, "");
       case FALSE ->
@@ -91,14 +114,9 @@ final class Judge {
   }
 
   private Verdict failed(Formula goal, Claim claim, Duration now) {
-    Moment moment = present.get();
-    Set<String> usable = new TreeSet<>(moment.alive());
-    usable.removeAll(cut);
-    usable.removeIf(
-        device ->
-            changedAt.containsKey(device)
-                && now.minus(changedAt.get(device)).compareTo(SETTLED.plus(slowest)) < 0);
-    if (!new Possibilities(site, moment, usable).canBe(goal)) {
+    List<Formula> wanted = new ArrayList<>(held);
+    wanted.add(goal);
+    if (!possibilities(now).canBe(new SpelledOut(site.home()).of(new Formula.And(wanted)))) {
       return verdict(claim, Verdict.Kind.IMPOSSIBLE, "");
     }
     if (now.minus(lastFault).compareTo(NEWS.plus(slowest)) < 0) {
@@ -107,7 +125,21 @@ final class Judge {
     if (claim.reasons().stream().anyMatch(reason -> reason.startsWith("No plan and no proof"))) {
       return verdict(claim, Verdict.Kind.GAVE_UP, "");
     }
-    return verdict(claim, Verdict.Kind.FALSELY_IMPOSSIBLE, "it can be done with " + usable);
+    return verdict(claim, Verdict.Kind.FALSELY_IMPOSSIBLE, "it can be done with " + usable(now));
+  }
+
+  private Possibilities possibilities(Duration now) {
+    return new Possibilities(site, present.get(), usable(now));
+  }
+
+  private Set<String> usable(Duration now) {
+    Set<String> usable = new TreeSet<>(present.get().alive());
+    usable.removeAll(cut);
+    usable.removeIf(
+        device ->
+            changedAt.containsKey(device)
+                && now.minus(changedAt.get(device)).compareTo(SETTLED.plus(slowest)) < 0);
+    return usable;
   }
 
   private static Verdict verdict(Claim claim, Verdict.Kind kind, String reason) {

@@ -33,12 +33,12 @@ final class Lighting {
 
   /** The judge's own light has to be that of the world, or he judges nothing. */
   private void check() {
-    for (String zone : site.floor().zones()) {
-      double own = lux(reference(zone), zone, moment.lampLevels());
-      if (Math.abs(own - moment.zoneLux(zone)) > SAME_LUX) {
+    for (String location : site.floor().locations().keySet()) {
+      double own = lux(location, moment.lampLevels());
+      if (Math.abs(own - moment.light(location)) > SAME_LUX) {
         throw new IllegalStateException(
-            "The judge computes %s lux in %s, and the world %s"
-                .formatted(own, zone, moment.zoneLux(zone)));
+            "The judge computes %s lux at %s, and the world %s"
+                .formatted(own, location, moment.light(location)));
       }
     }
   }
@@ -57,13 +57,19 @@ final class Lighting {
     List<String> lamps = new ArrayList<>();
     for (String lamp : usableLamps) {
       boolean matters =
-          constraints.stream().anyMatch(c -> share(lamp, reference(c.zone())) > LEAST_SHARE_LUX)
+          constraints.stream().anyMatch(constraint -> matters(lamp, constraint))
               || seen.stream().anyMatch(place -> share(lamp, place) > LEAST_SHARE_LUX);
       if (matters) {
         lamps.add(lamp);
       }
     }
     return search(lamps, 0, new TreeMap<>(moment.lampLevels()), constraints, seen);
+  }
+
+  private boolean matters(String lamp, Truths.Constraint constraint) {
+    return constraint.isOfLight()
+        ? share(lamp, site.floor().location(constraint.subject())) > LEAST_SHARE_LUX
+        : lamp.equals(constraint.subject());
   }
 
   private boolean search(
@@ -73,8 +79,8 @@ final class Lighting {
       List<Truths.Constraint> constraints,
       List<Position> seen) {
     if (next == lamps.size()) {
-      ToDoubleFunction<String> luxOfZone = zone -> lux(reference(zone), zone, levels);
-      return constraints.stream().allMatch(c -> c.isMet(luxOfZone))
+      ToDoubleFunction<String> lux = location -> lux(location, levels);
+      return constraints.stream().allMatch(c -> c.isMet(lux, levels))
           && seen.stream().allMatch(place -> isVisible(place, levels));
     }
     for (double level : LEVELS) {
@@ -92,8 +98,8 @@ final class Lighting {
         && lux <= Site.CAMERA_GREATEST_LUX * (1 - Truths.CLOSE_LIGHT);
   }
 
-  private Position reference(String zone) {
-    return Position.onFloor(site.floor().reference(zone));
+  private double lux(String location, Map<String, Double> levels) {
+    return lux(site.floor().location(location), site.floor().zoneOf(location), levels);
   }
 
   private double lux(Position point, String zone, Map<String, Double> levels) {

@@ -14,7 +14,7 @@ import org.maestro.sim.World;
  *
  * @param places of all bodies; a held one is where its holder is
  * @param luxByThing light where each body is
- * @param luxByZone light at each zone's reference point
+ * @param luxByLocation light at the reference point of each zone and desk
  */
 record Moment(
     Duration at,
@@ -25,7 +25,7 @@ record Moment(
     Set<String> openDoors,
     Set<String> alive,
     Map<String, Double> luxByThing,
-    Map<String, Double> luxByZone,
+    Map<String, Double> luxByLocation,
     Map<String, Double> lampLevels) {
 
   static Moment of(World world, Site site, Duration at) {
@@ -44,8 +44,8 @@ record Moment(
       }
       luxByThing.put(name, world.lux(place));
     }
-    Map<String, Double> luxByZone = new TreeMap<>();
-    site.floor().zones().forEach(zone -> luxByZone.put(zone, world.lux(zone)));
+    Map<String, Double> luxByLocation = new TreeMap<>();
+    site.floor().locations().forEach((name, place) -> luxByLocation.put(name, world.lux(place)));
     Set<String> openDoors = new TreeSet<>(site.floor().doors());
     openDoors.removeIf(door -> !world.isOpen(door));
     Set<String> alive = new TreeSet<>(site.devices());
@@ -53,7 +53,7 @@ record Moment(
     Map<String, Double> levels = new TreeMap<>();
     site.lamps().forEach(lamp -> levels.put(lamp, world.lampLevel(lamp)));
     return new Moment(
-        at, places, zones, holders, hidden, openDoors, alive, luxByThing, luxByZone, levels);
+        at, places, zones, holders, hidden, openDoors, alive, luxByThing, luxByLocation, levels);
   }
 
   Position place(String thing) {
@@ -80,7 +80,7 @@ record Moment(
     return luxByThing.get(thing);
   }
 
-  double zoneLux(String zone) {
-    return luxByZone.get(zone);
+  double light(String location) {
+    return luxByLocation.get(location);
   }
 }

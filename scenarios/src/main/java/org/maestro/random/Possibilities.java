@@ -2,6 +2,7 @@ package org.maestro.random;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -28,6 +29,14 @@ final class Possibilities {
       WITHIN
     }
   }
+
+  /** Surely next to each other, as far as sensors can tell. */
+  private static final double NEAR_METRES = 0.4;
+
+  /** Surely not next to each other. */
+  private static final double APART_METRES = 0.8;
+
+  private static final End LEFT = new End(End.Kind.LEFT, "");
 
   private final Site site;
   private final Moment moment;
@@ -58,8 +67,17 @@ final class Possibilities {
     }
   }
 
+  /**
+   * @param goal spelled out
+   */
   boolean canBe(Formula goal) {
-    List<Formula> parts = goal instanceof Formula.And and ? and.operands() : List.of(goal);
+    return SpelledOut.cases(goal).stream().anyMatch(this::canAllBe);
+  }
+
+  /** What is not to be is judged last: where a robot goes is settled by what is to be. */
+  private boolean canAllBe(List<Formula> all) {
+    List<Formula> parts = new ArrayList<>(all);
+    parts.sort(Comparator.comparing(Formula.Not.class::isInstance));
     List<String> things = new ArrayList<>();
     for (String item : site.items()) {
       if (parts.stream().anyMatch(part -> speaksOf(part, item))) {
@@ -70,7 +88,8 @@ final class Possibilities {
   }
 
   private static boolean speaksOf(Formula part, String name) {
-    return part instanceof Formula.Atom atom
+    Formula positive = part instanceof Formula.Not not ? not.operand() : part;
+    return positive instanceof Formula.Atom atom
         && (Truths.name(atom.arguments(), 0).equals(name)
             || atom.arguments().size() > 1 && Truths.name(atom.arguments(), 1).equals(name));
   }
@@ -92,7 +111,7 @@ final class Possibilities {
 
   private List<End> endsOf(String item) {
     List<End> ends = new ArrayList<>();
-    ends.add(new End(End.Kind.LEFT, ""));
+    ends.add(LEFT);
     if (!isKnowable(item)) {
       return ends;
     }
@@ -131,18 +150,23 @@ final class Possibilities {
     return usable.contains(camera) && site.floor().covers(camera, zone) && hasSensor(zone);
   }
 
-  private boolean hasSensor(String zone) {
+  /** Whether a sensor that can be used stands where the light is compared. */
+  boolean isMeasured(Formula comparison) {
+    return hasSensor(Truths.Constraint.of((Formula.Comparison) comparison).subject());
+  }
+
+  private boolean hasSensor(String location) {
     return site.of("LightSensor").stream()
         .anyMatch(
             sensor ->
                 usable.contains(sensor)
-                    && site.floor().outline(zone).contains(site.pose(sensor).floor()));
+                    && site.pose(sensor).floor().equals(site.floor().location(location).floor()));
   }
 
   private static List<Truths.Constraint> fit(String zone) {
     return List.of(
-        new Truths.Constraint(zone, Site.CAMERA_LEAST_LUX, true),
-        new Truths.Constraint(zone, Site.CAMERA_GREATEST_LUX, false));
+        Truths.Constraint.light(zone, Site.CAMERA_LEAST_LUX, true),
+        Truths.Constraint.light(zone, Site.CAMERA_GREATEST_LUX, false));
   }
 
   private boolean canTake(String robot, String item) {
@@ -189,7 +213,7 @@ final class Possibilities {
   }
 
   private boolean canEndBeside(String item, String target, Map<String, End> ends) {
-    End targetEnd = ends.getOrDefault(target, new End(End.Kind.LEFT, ""));
+    End targetEnd = ends.getOrDefault(target, LEFT);
     if (targetEnd.kind() == End.Kind.WITHIN) {
       return takers(item).stream().anyMatch(floor -> floor.reaches(targetEnd.where()));
     }
@@ -208,7 +232,13 @@ final class Possibilities {
       Map<String, String> robotZones) {
     if (part instanceof Formula.Comparison comparison) {
       Truths.Constraint constraint = Truths.Constraint.of(comparison);
-      return hasSensor(constraint.zone()) && light.add(constraint);
+      return (constraint.isOfLight()
+              ? hasSensor(constraint.subject())
+              : usable.contains(constraint.subject()))
+          && light.add(constraint);
+    }
+    if (part instanceof Formula.Not not) {
+      return isNot((Formula.Atom) not.operand(), ends, robotZones);
     }
     Formula.Atom atom = (Formula.Atom) part;
     String first = Truths.name(atom.arguments(), 0);
@@ -224,6 +254,61 @@ final class Possibilities {
       case "canSee" -> isSeen(first, second, ends, light, seen);
       default -> throw new IllegalArgumentException("No judge of " + part);
     };
+  }
+
+  private boolean isNot(Formula.Atom atom, Map<String, End> ends, Map<String, String> robotZones) {
+    String first = Truths.name(atom.arguments(), 0);
+    String second = Truths.name(atom.arguments(), atom.arguments().size() - 1);
+    return switch (atom.predicate()) {
+      case "open" -> !moment.openDoors().contains(first);
+      case "in" ->
+          floors.containsKey(first)
+              ? canGoElsewhere(first, second, robotZones)
+              : isElsewhere(first, second, ends);
+      case "nextTo" -> isApart(first, second, ends);
+      default -> throw new IllegalArgumentException("No judge of not " + atom);
+    };
+  }
+
+  private boolean canGoElsewhere(String robot, String place, Map<String, String> robotZones) {
+    if (!robotZones.containsKey(robot)) {
+      site.floor().zones().stream()
+          .filter(zone -> !zone.equals(place) && floors.get(robot).reaches(zone))
+          .findFirst()
+          .ifPresent(zone -> robotZones.put(robot, zone));
+    }
+    String goesTo = robotZones.getOrDefault(robot, "");
+    return !goesTo.isEmpty() && !goesTo.equals(place);
+  }
+
+  private boolean isElsewhere(String thing, String place, Map<String, End> ends) {
+    End end = ends.getOrDefault(thing, LEFT);
+    return switch (end.kind()) {
+      case HELD, WITHIN -> !end.where().equals(place);
+      case BESIDE -> false;
+      case LEFT ->
+          moment.places().containsKey(thing)
+              && !floors.containsKey(thing)
+              && isKnowable(thing)
+              && !isThere(thing, place);
+    };
+  }
+
+  private boolean isApart(String first, String second, Map<String, End> ends) {
+    End one = ends.getOrDefault(first, LEFT);
+    End other = ends.getOrDefault(second, LEFT);
+    if (one.kind() == End.Kind.HELD || other.kind() == End.Kind.HELD) {
+      return true;
+    }
+    return one.equals(LEFT)
+        && other.equals(LEFT)
+        && isKnowable(first)
+        && isKnowable(second)
+        && distance(first, second) > APART_METRES;
+  }
+
+  private double distance(String first, String second) {
+    return moment.place(first).floor().distance(moment.place(second).floor());
   }
 
   private boolean isIn(String thing, String place, Map<String, End> ends) {
@@ -245,11 +330,18 @@ final class Possibilities {
   }
 
   private boolean isNextTo(String first, String second, Map<String, End> ends) {
-    End left = new End(End.Kind.LEFT, "");
-    End one = ends.getOrDefault(first, left);
-    End other = ends.getOrDefault(second, left);
+    End one = ends.getOrDefault(first, LEFT);
+    End other = ends.getOrDefault(second, LEFT);
     return one.equals(new End(End.Kind.BESIDE, second))
-        || other.equals(new End(End.Kind.BESIDE, first));
+        || other.equals(new End(End.Kind.BESIDE, first))
+        || !first.equals(second)
+            && one.equals(LEFT)
+            && other.equals(LEFT)
+            && moment.holder(first).isEmpty()
+            && moment.holder(second).isEmpty()
+            && isKnowable(first)
+            && isKnowable(second)
+            && distance(first, second) < NEAR_METRES;
   }
 
   private boolean isSeen(
@@ -258,7 +350,7 @@ final class Possibilities {
       Map<String, End> ends,
       List<Truths.Constraint> light,
       List<Position> seen) {
-    End end = ends.getOrDefault(thing, new End(End.Kind.LEFT, ""));
+    End end = ends.getOrDefault(thing, LEFT);
     Optional<String> zone =
         switch (end.kind()) {
           case WITHIN -> Optional.of(end.where());
@@ -270,8 +362,7 @@ final class Possibilities {
         };
     boolean looked =
         zone.isPresent()
-            && site.cameras().stream()
-                .anyMatch(c -> (camera.isEmpty() || camera.equals(c)) && canLook(c, zone.get()));
+            && site.cameras().stream().anyMatch(c -> camera.equals(c) && canLook(c, zone.get()));
     if (looked) {
       light.addAll(fit(zone.get()));
       if (end.kind() == End.Kind.LEFT) {

@@ -26,13 +26,23 @@ final class RandomGoals {
   }
 
   private String goal() {
+    if (chance.happens(0.08)) {
+      return "(keep " + brightness() + ")";
+    }
     if (chance.happens(0.15)) {
       return "(and " + plain() + " " + plain() + ")";
+    }
+    if (chance.happens(0.05)) {
+      return "(or " + plain() + " " + plain() + ")";
     }
     return plain();
   }
 
   private String plain() {
+    return chance.happens(0.3) ? unusual() : usual();
+  }
+
+  private String usual() {
     List<Supplier<String>> kinds = new ArrayList<>();
     kinds.add(this::nextTo);
     kinds.add(this::nextTo);
@@ -51,6 +61,34 @@ final class RandomGoals {
     return chance.oneOf(kinds).get();
   }
 
+  /** Goals over classes, superclasses, all of a kind, what is not to be, and devices' numbers. */
+  private String unusual() {
+    List<Supplier<String>> kinds = new ArrayList<>();
+    kinds.add(() -> "(exists (?x - Item) (in ?x " + chance.oneOf(cast.zones) + "))");
+    kinds.add(() -> "(exists (?x - Item) (nextTo ?x " + chance.oneOf(cast.things()) + "))");
+    kinds.add(() -> "(exists (?r - MobileRobot) (in ?r " + chance.oneOf(cast.zones) + "))");
+    kinds.add(() -> "(exists (?d - Device) (canSee ?d " + chance.oneOf(cast.things()) + "))");
+    kinds.add(() -> "(exists (?t - Thing) (nextTo " + chance.oneOf(cast.items) + " ?t))");
+    kinds.add(() -> "(exists (?z - Location) (>= (illuminance ?z) " + lux() + "))");
+    kinds.add(() -> "(forall (?x - Item) (in ?x " + chance.oneOf(cast.zones) + "))");
+    kinds.add(() -> "(forall (?z - Zone) (>= (illuminance ?z) " + lux() + "))");
+    kinds.add(() -> "(in ?x " + chance.oneOf(cast.robots) + ")");
+    kinds.add(() -> "(not (in " + chance.oneOf(cast.items) + " " + chance.oneOf(cast.zones) + "))");
+    kinds.add(
+        () -> "(not (in " + chance.oneOf(cast.robots) + " " + chance.oneOf(cast.zones) + "))");
+    kinds.add(() -> "(not " + nextTo() + ")");
+    if (!cast.lamps.isEmpty()) {
+      kinds.add(
+          () ->
+              "(%s (level %s) 0.5)"
+                  .formatted(chance.happens(0.5) ? ">=" : "<=", chance.oneOf(cast.lamps)));
+    }
+    if (!cast.desks.isEmpty()) {
+      kinds.add(() -> "(>= (illuminance " + chance.oneOf(cast.desks) + ") " + lux() + ")");
+    }
+    return chance.oneOf(kinds).get();
+  }
+
   private String nextTo() {
     String item = chance.oneOf(cast.items);
     List<String> others = new ArrayList<>(cast.things());
@@ -63,9 +101,13 @@ final class RandomGoals {
   }
 
   private String brightness() {
-    String zone = chance.oneOf(cast.zones);
-    return chance.happens(0.8)
-        ? "(>= (illuminance " + zone + ") " + chance.whole(4, 30) * 10 + ")"
-        : "(<= (illuminance " + zone + ") " + chance.whole(4, 30) * 10 + ")";
+    List<String> locations = new ArrayList<>(cast.zones);
+    locations.addAll(cast.desks);
+    String relation = chance.happens(0.8) ? ">=" : "<=";
+    return "(%s (illuminance %s) %d)".formatted(relation, chance.oneOf(locations), lux());
+  }
+
+  private int lux() {
+    return chance.whole(4, 30) * 10;
   }
 }

@@ -7,9 +7,9 @@ import org.maestro.hal.Position;
 import org.maestro.ontology.home.Point2;
 
 /**
- * Draws homes: one to six rooms, doors of all kinds, cameras, lamps and light sensors in some of
- * them, robots, persons and things. The home file tells what is known of them, the scene what is
- * true: where things are, which lamps are weak.
+ * Draws homes: one to six rooms, desks, doors of all kinds, cameras, lamps and light sensors in
+ * some of them, robots, persons and things. The home file tells what is known of them, the scene
+ * what is true: where things are, which lamps are weak.
  */
 public final class RandomHomes {
   private static final double CEILING = 2.8;
@@ -29,6 +29,7 @@ public final class RandomHomes {
   private final StringBuilder home = new StringBuilder();
   private final StringBuilder scene = new StringBuilder();
   private final Cast cast = new Cast();
+  private final List<Point2> deskPoints = new ArrayList<>();
   private int order;
   private int colour;
 
@@ -84,6 +85,9 @@ public final class RandomHomes {
           "%s> scene:ambientLux %s",
           room.zone(), number(chance.happens(0.3) ? chance.number(80, 400) : chance.number(0, 60)));
       cast.zones.add(room.zone());
+      if (chance.happens(0.2)) {
+        desk(room);
+      }
     }
     for (FloorDraft.Door door : floor.doors()) {
       home(
@@ -104,7 +108,34 @@ public final class RandomHomes {
     }
   }
 
+  /** In the far corner: what stands on the floor may stand under it. */
+  private void desk(FloorDraft.Room room) {
+    double x = round(room.x() + room.width() - 0.6);
+    double y = round(room.y() + room.depth() - 0.5);
+    home(
+        "desk-%s a maestro:Location ; maestro:outline \"%s %s, %s %s, %s %s, %s %s\" ; maestro:referencePoint \"%s 0.75\"",
+        room.letter(),
+        number(x - 0.4),
+        number(y - 0.3),
+        number(x + 0.4),
+        number(y - 0.3),
+        number(x + 0.4),
+        number(y + 0.3),
+        number(x - 0.4),
+        number(y + 0.3),
+        text(new Point2(x, y)));
+    cast.desks.add("desk-" + room.letter());
+    deskPoints.add(new Point2(x, y));
+  }
+
   private void devices() {
+    for (int i = 0; i < cast.desks.size(); i++) {
+      device(
+          cast.sensors,
+          "lux-" + cast.desks.get(i),
+          ":LightSensor",
+          "maestro:pose \"%s 0.75\"".formatted(text(deskPoints.get(i))));
+    }
     for (FloorDraft.Room room : floor.rooms()) {
       if (chance.happens(0.9)) {
         device(cast.cameras, "cam-" + room.letter(), ":Camera", camera(room));
@@ -263,6 +294,7 @@ public final class RandomHomes {
   /** Who and what there is, by name. */
   static final class Cast {
     final List<String> zones = new ArrayList<>();
+    final List<String> desks = new ArrayList<>();
     final List<String> doors = new ArrayList<>();
     final List<String> cameras = new ArrayList<>();
     final List<String> lamps = new ArrayList<>();

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import org.maestro.hal.Position;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.home.Point2;
@@ -102,6 +103,14 @@ final class Site {
 
   Pose pose(String name) {
     return Pose.parse(text(name, "pose"));
+  }
+
+  Position position(String name, String property) {
+    String[] numbers = text(name, property).split(" ");
+    return new Position(
+        Double.parseDouble(numbers[0]),
+        Double.parseDouble(numbers[1]),
+        Double.parseDouble(numbers[2]));
   }
 
   Point2 point(String name, String property) {

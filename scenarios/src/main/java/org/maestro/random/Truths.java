@@ -1,6 +1,7 @@
 package org.maestro.random;
 
 import java.util.List;
+import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
@@ -43,9 +44,18 @@ final class Truths {
     this.site = site;
   }
 
+  /**
+   * @param formula spelled out
+   */
   Grade of(Formula formula) {
     if (formula instanceof Formula.And and) {
       return and.operands().stream().map(this::of).reduce(Grade.TRUE, Grade::and);
+    }
+    if (formula instanceof Formula.Or or) {
+      return or.operands().stream().map(this::of).reduce(Grade.FALSE, Grade::or);
+    }
+    if (formula instanceof Formula.Not not && not.operand() instanceof Formula.Atom atom) {
+      return not(atom.predicate(), atom.arguments());
     }
     if (formula instanceof Formula.Comparison comparison) {
       return comparison(comparison);
@@ -58,10 +68,35 @@ final class Truths {
 
   private Grade comparison(Formula.Comparison comparison) {
     Constraint constraint = Constraint.of(comparison);
-    double lux = moment.zoneLux(constraint.zone());
-    double slack = CLOSE_LIGHT * constraint.lux();
-    double over = constraint.atLeast() ? lux - constraint.lux() : constraint.lux() - lux;
+    double number =
+        constraint.isOfLight()
+            ? moment.light(constraint.subject())
+            : moment.lampLevels().get(constraint.subject());
+    double slack = constraint.isOfLight() ? CLOSE_LIGHT * constraint.number() : 0;
+    double over =
+        constraint.atLeast() ? number - constraint.number() : constraint.number() - number;
     return Grade.of(over >= 0, over >= -slack);
+  }
+
+  private Grade not(String predicate, List<Term> arguments) {
+    String first = name(arguments, 0);
+    String second = name(arguments, arguments.size() - 1);
+    boolean isSo = atom(predicate, arguments) == Grade.TRUE;
+    return switch (predicate) {
+      case "in" ->
+          Grade.of(
+              !isSo,
+              site.floor().isZone(second)
+                  && moment.holder(first).isEmpty()
+                  && site.floor().borderDistance(second, moment.place(first)) <= CLOSE_METRES);
+      case "nextTo" ->
+          Grade.of(
+              !isSo,
+              moment.place(first).floor().distance(moment.place(second).floor())
+                  > NEXT_TO_METRES - CLOSE_METRES);
+      case "open" -> Grade.of(!isSo, false);
+      default -> throw new IllegalArgumentException("No judge of not " + predicate);
+    };
   }
 
   private Grade atom(String predicate, List<Term> arguments) {
@@ -70,16 +105,17 @@ final class Truths {
       case "nextTo" -> nextTo(name(arguments, 0), name(arguments, 1));
       case "open" -> Grade.of(moment.openDoors().contains(name(arguments, 0)), false);
       case "canSee" ->
-          arguments.get(0) instanceof Term.Variable
-              ? site.cameras().stream()
-                  .map(camera -> canSee(camera, name(arguments, 1)))
-                  .reduce(Grade.FALSE, Grade::or)
-              : canSee(name(arguments, 0), name(arguments, 1));
+          site.cameras().contains(name(arguments, 0))
+              ? canSee(name(arguments, 0), name(arguments, 1))
+              : Grade.FALSE;
       default -> throw new IllegalArgumentException("No judge of " + predicate);
     };
   }
 
   private Grade in(String thing, String place) {
+    if (!moment.places().containsKey(thing)) {
+      return Grade.FALSE;
+    }
     if (moment.holder(thing).isPresent()) {
       return Grade.of(moment.holder(thing).get().equals(place), false);
     }
@@ -91,7 +127,9 @@ final class Truths {
   }
 
   private Grade nextTo(String first, String second) {
-    if (moment.holder(first).isPresent() || moment.holder(second).isPresent()) {
+    if (first.equals(second)
+        || moment.holder(first).isPresent()
+        || moment.holder(second).isPresent()) {
       return Grade.FALSE;
     }
     double distance = moment.place(first).floor().distance(moment.place(second).floor());
@@ -116,14 +154,19 @@ final class Truths {
     return arguments.get(index) instanceof Term.Name name ? name.text() : "";
   }
 
-  /** Light in a zone, from above or below. */
-  record Constraint(String zone, double lux, boolean atLeast) {
+  /** The light of a location, or the level of a lamp, from above or below. */
+  record Constraint(String fluent, String subject, double number, boolean atLeast) {
+    static Constraint light(String location, double lux, boolean atLeast) {
+      return new Constraint("illuminance", location, lux, atLeast);
+    }
+
     static Constraint of(Formula.Comparison comparison) {
       if (comparison.left() instanceof Expression.Fluent fluent
-          && fluent.name().equals("illuminance")
+          && List.of("illuminance", "level").contains(fluent.name())
           && comparison.right() instanceof Expression.OfTerm of
           && of.term() instanceof Term.Number number) {
         return new Constraint(
+            fluent.name(),
             name(fluent.arguments(), 0),
             number.value(),
             comparison.relation() == Formula.Relation.AT_LEAST);
@@ -131,11 +174,14 @@ final class Truths {
       throw new IllegalArgumentException("No judge of " + comparison);
     }
 
-    boolean isMet(ToDoubleFunction<String> lux) {
-      double margin = CLOSE_LIGHT * this.lux;
-      return atLeast
-          ? lux.applyAsDouble(zone) >= this.lux + margin
-          : lux.applyAsDouble(zone) <= this.lux - margin;
+    boolean isOfLight() {
+      return fluent.equals("illuminance");
+    }
+
+    boolean isMet(ToDoubleFunction<String> lux, Map<String, Double> levels) {
+      double now = isOfLight() ? lux.applyAsDouble(subject) : levels.get(subject);
+      double margin = isOfLight() ? CLOSE_LIGHT * number : 0;
+      return atLeast ? now >= number + margin : now <= number - margin;
     }
   }
 }

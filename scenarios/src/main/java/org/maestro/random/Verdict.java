@@ -26,8 +26,9 @@ public record Verdict(String goal, Kind kind, String claim, String reason) {
     /** It never ended. */
     WITHOUT_END;
 
+    /** Whether nothing was claimed that is not so. */
     public boolean agrees() {
-      return ordinal() <= TOO_LATE_TO_KNOW.ordinal();
+      return compareTo(GAVE_UP) <= 0;
     }
   }
 
