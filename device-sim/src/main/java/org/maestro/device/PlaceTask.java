@@ -8,6 +8,7 @@ import org.maestro.hal.Area;
 import org.maestro.hal.Position;
 import org.maestro.rats.member.Execution;
 import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.RatsError;
 
 /**
  * Puts down what the hand holds, beside a thing or in an area: approach, reach out, let go, fold
@@ -24,12 +25,7 @@ final class PlaceTask extends ArmTask {
     Pointer object = parameters.pointer("object");
     Pointer target = parameters.pointer("target");
     if (!arm().held().equals(Optional.of(object.name()))) {
-      execution.fail(
-          FeatureContext.unmet(
-              "The hand does not hold " + object.name() + ".",
-              "pick it up first",
-              context().reference("holding", parameters, Map.of(), "true", false).stream()
-                  .toList()));
+      execution.fail(notHeld(parameters, "The hand does not hold " + object.name() + "."));
       return;
     }
     if (approach(target).isEmpty()) {
@@ -48,10 +44,25 @@ final class PlaceTask extends ArmTask {
                     "Cannot place at " + target.name()),
                 new ActionSequence.Action(
                     "reach out", completion -> arm().extend(spot.get(), completion)),
-                new ActionSequence.Action("let go", arm()::release),
+                new ActionSequence.Action(
+                    "let go", arm()::release, reason -> lost(object, parameters, reason)),
                 new ActionSequence.Action("fold", arm()::fold)),
             () -> execution.succeed(Map.of()))
         .run();
+  }
+
+  /** Somebody took it on the way: a hand feels that. */
+  private RatsError lost(Pointer object, CallParameters parameters, String reason) {
+    return arm().held().isPresent()
+        ? FeatureContext.broken(reason)
+        : notHeld(parameters, "The hand does not hold " + object.name() + " any more.");
+  }
+
+  private RatsError notHeld(CallParameters parameters, String sentence) {
+    return FeatureContext.unmet(
+        sentence,
+        "pick it up first",
+        context().reference("holding", parameters, Map.of(), "true", false).stream().toList());
   }
 
   /** Empty when the target can be nowhere; empty inside when there is no free spot or way. */

@@ -80,8 +80,12 @@ final class SimulatedArm implements GripperArm {
         completion,
         () -> {
           Optional<String> thing = held();
-          thing.ifPresent(this::putDown);
-          completion.done();
+          if (thing.isPresent()) {
+            putDown(thing.get());
+            completion.done();
+          } else {
+            completion.failed("the hand is empty");
+          }
         });
   }
 

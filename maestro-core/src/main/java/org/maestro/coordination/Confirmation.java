@@ -59,9 +59,18 @@ final class Confirmation {
   Formula goal(Formula original) {
     List<Formula> parts = new ArrayList<>();
     parts.add(original);
-    things.forEach(thing -> parts.add(new Formula.Atom(SEEN, List.of(new Term.Name(thing)))));
+    things.forEach(thing -> parts.add(seen(new Term.Name(thing))));
     numbers.forEach(number -> parts.add(measured(number)));
     return new Formula.And(parts);
+  }
+
+  /** That the thing has been seen. */
+  static Formula.Atom seen(Term thing) {
+    return new Formula.Atom(SEEN, List.of(thing));
+  }
+
+  static boolean isSeen(Formula.Atom atom) {
+    return atom.predicate().equals(SEEN);
   }
 
   private static Formula.Atom measured(Expression.Fluent number) {

@@ -64,7 +64,7 @@ final class Economy {
             ports,
             new Roster(),
             exactPrices,
-            new PlanningRound.Subject(goalId, tight, Optional.empty()),
+            new PlanningRound.Subject(goalId, tight, Optional.empty(), false),
             Map.of(),
             Set.of(),
             () -> without,

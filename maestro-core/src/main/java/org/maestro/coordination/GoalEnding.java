@@ -19,6 +19,7 @@ final class GoalEnding {
   private final LastTry lastTry;
   private final Runnable release;
   private final Course course;
+  private List<String> whyNot = List.of();
 
   /**
    * @param release of all that runs for the goal
@@ -69,16 +70,28 @@ final class GoalEnding {
       life.become(GoalState.WAITING, "what is under way has to end first");
     } else if (outlook.isConfirming()) {
       noPlanToSeeIt();
-    } else if (lastTry.isLeft(round)) {
+    } else if (!outlook.isFindingOut() && lastTry.isLeft(round)) {
       life.become(GoalState.WAITING, "what failed or was not priced is tried once more");
       story.triesOnceMore(LastTry.PAUSE, round.result());
       lastTry.afterPause(this::tryOnceMore);
+    } else if (outlook.isFindingOut()) {
+      giveUp(whyNot);
     } else {
-      List<String> reasons = new ArrayList<>(outlook.reasonsOfLeavingAlone());
-      reasons.addAll(story.reasons(round.result()));
-      round.notCountedOn().ifPresent(reasons::add);
-      giveUp(reasons);
+      whyNot = reasons(round);
+      if (outlook.canFindOut()) {
+        outlook.findOut();
+        course.makePlan(Optional.of("nobody can make it so, but it may be so already"));
+      } else {
+        giveUp(whyNot);
+      }
     }
+  }
+
+  private List<String> reasons(PlanningRound.Ended round) {
+    List<String> reasons = new ArrayList<>(outlook.reasonsOfLeavingAlone());
+    reasons.addAll(story.reasons(round.result()));
+    round.notCountedOn().ifPresent(reasons::add);
+    return reasons;
   }
 
   private void tryOnceMore() {

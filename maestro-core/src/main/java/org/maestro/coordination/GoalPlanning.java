@@ -69,6 +69,7 @@ final class GoalPlanning {
       return;
     }
     planning = true;
+    parts.outlook().planBegins();
     changedMeanwhile = nothing();
     parts.turn().forget();
     life.countPlan(confirming);
@@ -112,7 +113,8 @@ final class GoalPlanning {
     if (why.isPresent() && !isStillGood(round.result())) {
       round.tender().award(Map.of());
       makePlan(why);
-    } else if (round.result() instanceof PlanningResult.Found found) {
+    } else if (round.result() instanceof PlanningResult.Found found
+        && !(parts.outlook().isFindingOut() && found.plan().steps().isEmpty())) {
       found.atLeast().ifPresent(atLeast -> parts.story().notProven(atLeast, found.plan()));
       note(found.plan(), round);
       course.adopt(found.plan(), round.tender());

@@ -73,13 +73,14 @@ final class OnlyExpected {
   }
 
   private void collectThings(Formula.Atom atom) {
-    boolean seeable =
+    Optional<PredicateDeclaration> seeable =
         vocabulary
             .predicate(atom.predicate())
-            .flatMap(PredicateDeclaration::observedWhen)
-            .isPresent();
-    if (seeable && snapshot.belief(atom).filter(OnlyExpected::isExpected).isPresent()) {
-      for (Term argument : atom.arguments()) {
+            .filter(declared -> declared.observedWhen().isPresent());
+    if (seeable.isPresent() && snapshot.belief(atom).filter(OnlyExpected::isExpected).isPresent()) {
+      // Where a thing is, the thing tells when it is seen; nobody can see the place.
+      int seen = seeable.get().functional() ? 1 : atom.arguments().size();
+      for (Term argument : atom.arguments().subList(0, seen)) {
         if (argument instanceof Term.Name name && !isSeen(name)) {
           things.add(name.text());
         }

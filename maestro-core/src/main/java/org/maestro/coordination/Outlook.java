@@ -8,17 +8,22 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import org.maestro.ontology.home.Device;
+import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.Plan;
 import org.maestro.planning.PlanningTask;
 import org.maestro.planning.PricedFeature;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
 import org.maestro.planning.Unavailable;
+import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
 /** What is known now, as it looks to one goal: whether it holds, and whether steps lead to it. */
 final class Outlook {
+  /** Each look in vain takes one; more looks than places and things together are of no use. */
+  private static final int MOST_FINDING_OUT = 20;
+
   private final String goalId;
   private final Formula goal;
   private final Ports ports;
@@ -29,6 +34,9 @@ final class Outlook {
   private final Map<StepKey, String> leftAlone = new LinkedHashMap<>();
   private List<PricedFeature> features = List.of();
   private Optional<Confirmation> confirmation = Optional.empty();
+  private boolean findingOut;
+  private boolean findOutNext;
+  private int timesFoundOut;
 
   Outlook(String goalId, GoalRequest request, Ports ports, Rivals rivals) {
     this.goalId = goalId;
@@ -93,12 +101,43 @@ final class Outlook {
 
   /** What must not change for these steps to remain the right ones. */
   Concern concern(List<Step> steps) {
-    return new Concern(
-        request.goal(), steps, ports.knowledge().home().vocabulary(), presentFacts());
+    return new Concern(goal, steps, ports.knowledge().home().vocabulary(), presentFacts());
   }
 
   PlanningRound.Subject subject() {
-    return new PlanningRound.Subject(goalId, goal, confirmation);
+    return new PlanningRound.Subject(goalId, goal, confirmation, findingOut);
+  }
+
+  /** Whether looks may show that it is so already, though nobody can make it so. */
+  boolean canFindOut() {
+    return timesFoundOut < MOST_FINDING_OUT
+        && FindingOut.helps(goal, ports.knowledge().snapshot(), vocabulary());
+  }
+
+  /** The next plan is to show whether it is so already. */
+  void findOut() {
+    timesFoundOut++;
+    findOutNext = true;
+  }
+
+  boolean isFindingOut() {
+    return findingOut;
+  }
+
+  /** A plan is to be made now. */
+  void planBegins() {
+    findingOut = findOutNext;
+    findOutNext = false;
+  }
+
+  Facts factsForPlans() {
+    return findingOut
+        ? FindingOut.withWhatIsSeen(presentFacts(), ports.knowledge().snapshot())
+        : presentFacts();
+  }
+
+  private Vocabulary vocabulary() {
+    return ports.knowledge().home().vocabulary();
   }
 
   FactsBesideSteps presentFacts() {
@@ -196,9 +235,9 @@ final class Outlook {
   private PlanningTask task() {
     return new PlanningTask(
         subject().vocabulary(ports.knowledge().home()),
-        presentFacts(),
+        factsForPlans(),
         features,
-        subject().planned(),
+        subject().planned(ports.knowledge().home()),
         barred().keySet());
   }
 }

@@ -57,7 +57,7 @@ final class PlanMaking {
             outlook.subject(),
             outlook.barred(),
             without,
-            outlook::presentFacts,
+            outlook::factsForPlans,
             made)
         .start();
   }

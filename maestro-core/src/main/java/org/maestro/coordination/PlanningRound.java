@@ -41,20 +41,33 @@ import org.slf4j.LoggerFactory;
  */
 final class PlanningRound {
 
-  /** What to plan for: in a confirming round, the goal is extended by what has to be seen. */
-  record Subject(String goalId, Formula goal, Optional<Confirmation> confirmation) {
-    Formula planned() {
-      return confirmation.map(c -> c.goal(goal)).orElse(goal);
+  /**
+   * What to plan for: in a confirming round, the goal is extended by what has to be seen; in a
+   * round that finds out, to have seen what decides it will do.
+   */
+  record Subject(
+      String goalId, Formula goal, Optional<Confirmation> confirmation, boolean findingOut) {
+    Formula planned(Home home) {
+      return findingOut
+          ? FindingOut.goal(goal, home.vocabulary())
+          : confirmation.map(c -> c.goal(goal)).orElse(goal);
+    }
+
+    Formula relevant(Home home) {
+      return findingOut ? FindingOut.relevant(goal, home.vocabulary()) : goal;
+    }
+
+    /** Whether it matters who has seen what. */
+    boolean isOfSeeing() {
+      return findingOut || confirmation.isPresent();
     }
 
     Vocabulary vocabulary(Home home) {
-      return confirmation
-          .map(c -> Confirmation.extend(home.vocabulary()))
-          .orElse(home.vocabulary());
+      return isOfSeeing() ? Confirmation.extend(home.vocabulary()) : home.vocabulary();
     }
 
     PricedFeature feature(PricedFeature priced) {
-      return confirmation.map(c -> Confirmation.extend(priced)).orElse(priced);
+      return isOfSeeing() ? Confirmation.extend(priced) : priced;
     }
   }
 
@@ -131,7 +144,8 @@ final class PlanningRound {
   }
 
   void start() {
-    candidates = Relevance.candidates(subject.goal(), ports.knowledge().home());
+    candidates =
+        Relevance.candidates(subject.relevant(ports.knowledge().home()), ports.knowledge().home());
     candidates.keySet().removeAll(without);
     ports
         .market()
@@ -148,7 +162,7 @@ final class PlanningRound {
     unusable.addAll(exactPrices.unusable(ports.clock().now()));
     PlanningTask task =
         new PlanningTask(
-                subject.vocabulary(home), facts.get(), features, subject.planned(), unusable)
+                subject.vocabulary(home), facts.get(), features, subject.planned(home), unusable)
             .withUnavailable(unavailable(tender.bids(), home), Map.copyOf(reasons));
     ports
         .thinking()
@@ -159,9 +173,7 @@ final class PlanningRound {
   private PlanningResult planned(PlanningTask task) {
     try {
       // Nobody is told why something cannot be seen.
-      return subject.confirmation().isPresent()
-          ? ports.planner().solve(task)
-          : ports.planner().plan(task);
+      return subject.isOfSeeing() ? ports.planner().solve(task) : ports.planner().plan(task);
     } catch (RuntimeException e) {
       LOG.error("Planning for {} failed", subject.goalId(), e);
       return new PlanningResult.GaveUp("The planner failed; its log says why.");

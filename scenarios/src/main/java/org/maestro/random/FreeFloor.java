@@ -108,8 +108,11 @@ final class FreeFloor {
         && isFree(point, ROBOT_RADIUS + SPARE);
   }
 
-  /** Whether the robot can stand wholly in the zone. */
+  /** Whether the robot can stand wholly in the zone; in nothing else it can. */
   boolean reaches(String zone) {
+    if (!floor.isZone(zone)) {
+      return false;
+    }
     Polygon outline = floor.outline(zone);
     return reached.stream()
         .mapToObj(this::middle)

@@ -13,22 +13,34 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Nothing is claimed in a random home that is not so. A failing seed is seen again with {@code
- * -Dmaestro.seed=N}, which then is the only one.
+ * Nothing is claimed in a random home that is not so. All two thousand, and a hundred with agents:
+ *
+ * <pre>mvn test -Pfull -pl scenarios -am -Dtest=RandomHomesTest
+ *     -Dsurefire.failIfNoSpecifiedTests=false</pre>
+ *
+ * <p>A part of them: {@code -Dmaestro.seeds=501-1000}. A failing seed is seen again with {@code
+ * -Dmaestro.seed=N}, which then is the only one, also without {@code -Pfull}.
  */
 class RandomHomesTest {
   private static final String SEED = "maestro.seed";
+  private static final String SEEDS = "maestro.seeds";
+
+  /** Neither a claim nor a proof; more than that would be no planner. */
+  private static final double MOST_GIVEN_UP = 0.02;
 
   /** A hundredth of all, of those that take no long planning, or the one that is asked for. */
   static LongStream someSeeds() {
-    return Long.getLong(SEED) == null
-        ? LongStream.rangeClosed(3, 23).filter(seed -> seed != 12)
-        : seeds(1);
+    return seeds(21, 40);
   }
 
-  private static LongStream seeds(int count) {
+  private static LongStream seeds(long first, long last) {
     Long one = Long.getLong(SEED);
-    return one == null ? LongStream.rangeClosed(1, count) : LongStream.of(one);
+    return one == null ? LongStream.rangeClosed(first, last) : LongStream.of(one);
+  }
+
+  private static LongStream allSeeds() {
+    String[] ends = System.getProperty(SEEDS, "1-2000").split("-");
+    return seeds(Long.parseLong(ends[0]), Long.parseLong(ends[1]));
   }
 
   @ParameterizedTest(name = "seed {0}")
@@ -41,11 +53,18 @@ class RandomHomesTest {
 
   @Test
   void tellsTheSameStoryTwiceForTheSameSeed() {
-    RandomRun first = RandomRun.withoutAgents(RandomHomes.of(7));
-    RandomRun second = RandomRun.withoutAgents(RandomHomes.of(7));
+    RandomRun first = RandomRun.withoutAgents(RandomHomes.of(42));
+    RandomRun second = RandomRun.withoutAgents(RandomHomes.of(42));
 
     assertThat(second.story()).isEqualTo(first.story());
     assertThat(second.verdicts()).isEqualTo(first.verdicts());
+  }
+
+  @Test
+  void agentsClaimTheSameInAHome() {
+    SoftAssertions softly = new SoftAssertions();
+    seeds(30, 30).forEach(seed -> compareWithAgents(seed, softly));
+    softly.assertAll();
   }
 
   @Test
@@ -53,15 +72,22 @@ class RandomHomesTest {
   void claimsNothingThatIsNotSoInTwoThousandHomes() {
     Map<Verdict.Kind, Integer> counts = new EnumMap<>(Verdict.Kind.class);
     SoftAssertions softly = new SoftAssertions();
-    seeds(2_000)
+    allSeeds()
         .forEach(
             seed -> {
               RandomRun run = RandomRun.withoutAgents(RandomHomes.of(seed));
               run.verdicts().forEach(verdict -> counts.merge(verdict.kind(), 1, Integer::sum));
               softly.assertThat(run.agrees()).as(run.text()).isTrue();
             });
-    softly.assertThat(counts).as("both ends are met").containsKey(Verdict.Kind.ACHIEVED);
-    softly.assertThat(counts).containsKey(Verdict.Kind.IMPOSSIBLE);
+    int all = counts.values().stream().mapToInt(Integer::intValue).sum();
+    softly
+        .assertThat(counts.getOrDefault(Verdict.Kind.GAVE_UP, 0))
+        .as("given up, of " + counts)
+        .isLessThanOrEqualTo((int) Math.ceil(MOST_GIVEN_UP * all));
+    if (Long.getLong(SEED) == null) {
+      softly.assertThat(counts).as("both ends are met").containsKey(Verdict.Kind.ACHIEVED);
+      softly.assertThat(counts).containsKey(Verdict.Kind.IMPOSSIBLE);
+    }
     softly.assertAll();
   }
 
@@ -69,15 +95,15 @@ class RandomHomesTest {
   @Tag("full")
   void agentsClaimTheSameInAHundredHomes() {
     SoftAssertions softly = new SoftAssertions();
-    seeds(100)
-        .forEach(
-            seed -> {
-              RandomRun without = RandomRun.withoutAgents(RandomHomes.of(seed));
-              RandomRun with = RandomRun.withAgents(RandomHomes.of(seed));
-              softly.assertThat(with.agrees()).as(with.text()).isTrue();
-              softly.assertThat(outcomes(with)).as(with.text()).isEqualTo(outcomes(without));
-            });
+    seeds(1, 100).forEach(seed -> compareWithAgents(seed, softly));
     softly.assertAll();
+  }
+
+  private static void compareWithAgents(long seed, SoftAssertions softly) {
+    RandomRun without = RandomRun.withoutAgents(RandomHomes.of(seed));
+    RandomRun with = RandomRun.withAgents(RandomHomes.of(seed));
+    softly.assertThat(with.agrees()).as(with.text()).isTrue();
+    softly.assertThat(outcomes(with)).as(with.text()).isEqualTo(outcomes(without));
   }
 
   private static List<Boolean> outcomes(RandomRun run) {

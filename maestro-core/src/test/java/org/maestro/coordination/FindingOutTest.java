@@ -1,0 +1,70 @@
+package org.maestro.coordination;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+
+/** What nobody can bring about may be so already: somebody looks before it is called impossible. */
+class FindingOutTest {
+  private static Home home;
+
+  @BeforeAll
+  static void loadHome() throws IOException {
+    try (InputStream turtle = FindingOutTest.class.getResourceAsStream("/bob.ttl")) {
+      home =
+          new HomeLoader()
+              .load(new String(turtle.readAllBytes(), StandardCharsets.UTF_8), "bob.ttl");
+    }
+  }
+
+  private final PretendHouse house = new PretendHouse(home);
+
+  FindingOutTest() {
+    house.ambientLux.put("zone-a", 100.0);
+    house.ambientLux.put("zone-b", 100.0);
+    house.coordinator.memberLost("rose", "no power");
+  }
+
+  @Test
+  void whatIsSoAlreadyNeedsNobodyWhoActs() {
+    house.place.put("Cup", "zone-a");
+
+    GoalOutcome outcome = house.achieve("(nextTo Cup Bob)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(house.calls).allMatch(call -> call.contains("cam-") || call.contains("lux-"));
+  }
+
+  @Test
+  void soItIsForWhatIsNotToBe() {
+    assertThat(house.achieve("(not (nextTo Cup Bob))").reached())
+        .as(String.join("\n", house.story))
+        .isTrue();
+  }
+
+  @Test
+  void whatIsNotSoIsGivenUpForTheReasonThatNobodyActs() {
+    GoalOutcome outcome = house.achieve("(nextTo Cup Bob)");
+
+    assertThat(outcome.state()).isEqualTo(GoalState.FAILED);
+    assertThat(String.join(" ", outcome.reasons())).contains("Rose is needed and not there");
+    assertThat(house.calls)
+        .contains("observeObject cam-a", "observeObject cam-b")
+        .noneMatch(call -> call.contains("rose"));
+  }
+
+  @Test
+  void whatWasSeenAlreadyIsNotLookedForAgain() {
+    house.achieve("(nextTo Cup Bob)");
+    int calls = house.calls.size();
+
+    assertThat(house.achieve("(nextTo Cup Bob)").reached()).isFalse();
+    assertThat(house.calls).hasSize(calls);
+  }
+}
