@@ -54,7 +54,11 @@ final class SelfReport implements MemberProfile.Values {
         .ifPresent(shutter -> words.put("opening", new Term.Number(shutter.opening())));
     drivers
         .find(DaylightSensor.class)
-        .ifPresent(sensor -> words.put("daylight", new Term.Number(sensor.lux())));
+        .ifPresent(
+            sensor -> {
+              words.put("daylight", new Term.Number(sensor.diffuseLux()));
+              words.put("sunlight", new Term.Number(sensor.sunLux()));
+            });
     drivers
         .find(DoorDrive.class)
         .ifPresent(door -> words.put("open", new Term.Truth(door.isOpen())));

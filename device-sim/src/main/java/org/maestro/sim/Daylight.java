@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.ToDoubleFunction;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.FloorPlan;
 import org.maestro.ontology.home.Glass;
@@ -97,6 +98,16 @@ final class Daylight {
 
   /** What windows add to the light on a horizontal surface within doors; lux. */
   double lux(Position point, FloorPlan plan, Duration now) {
+    return lux(point, plan, now, this::free);
+  }
+
+  /** What they would add with all shutters open; lux. */
+  double luxWithOpenShutters(Position point, FloorPlan plan, Duration now) {
+    return lux(point, plan, now, opening -> 1);
+  }
+
+  private double lux(
+      Position point, FloorPlan plan, Duration now, ToDoubleFunction<Opening> freeShare) {
     if (!isAny() || openings.isEmpty()) {
       return 0;
     }
@@ -105,7 +116,7 @@ final class Daylight {
     double lux = 0;
     for (int i = 0; i < factors.length; i++) {
       Opening opening = openings.get(i);
-      double free = free(opening);
+      double free = freeShare.applyAsDouble(opening);
       if (free > 0) {
         lux += free * (factors[i] * light.diffuseUponWall() + fromSun(opening, point, plan, light));
       }
@@ -118,10 +129,14 @@ final class Daylight {
     return outdoors(now).horizontal();
   }
 
-  /** Upon the outside of a window's glass; lux. */
-  double luxUpon(Glass glass, Duration now) {
-    Outdoors light = outdoors(now);
-    return light.diffuseUponWall() + sunUpon(glass, light);
+  /** Upon the outside of windows from all sides; lux. */
+  double diffuseUponWindows(Duration now) {
+    return outdoors(now).diffuseUponWall();
+  }
+
+  /** Upon the outside of a window's glass straight from the sun; lux. */
+  double sunUpon(Glass glass, Duration now) {
+    return sunUpon(glass, outdoors(now));
   }
 
   private Outdoors outdoors(Duration now) {
@@ -161,13 +176,12 @@ final class Daylight {
     if (upon <= 0) {
       return 0;
     }
-    double around =
-        opening.window().room().contains(point.floor()) ? opening.window().reflected() : 0;
     double straight =
         isSunSeen(opening.glass(), point, plan, light.sun())
             ? light.directNormal() * light.sun().up()
             : 0;
-    return opening.glass().transmittance() * (upon * around + straight);
+    return upon * opening.window().reflectedShare(point.floor())
+        + opening.glass().transmittance() * straight;
   }
 
   private double sunUpon(Glass glass, Outdoors light) {

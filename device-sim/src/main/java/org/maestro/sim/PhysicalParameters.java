@@ -101,7 +101,8 @@ public record PhysicalParameters(
   }
 
   /**
-   * The light sensor on the outside of a shutter's window.
+   * The light sensor on the outside of a shutter's window: it tells what the sun sends straight
+   * from what comes from all sides, as sunshine sensors do.
    *
    * @param everySeconds how often it measures; assumed
    * @param noise standard deviation, relative; assumed

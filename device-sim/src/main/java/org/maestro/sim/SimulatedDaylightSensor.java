@@ -13,7 +13,9 @@ final class SimulatedDaylightSensor implements DaylightSensor {
   private final Actuator actuator;
   private final PhysicalParameters.FacadeData data;
   private final List<Glass> windows;
-  private double told;
+  private Reading told = new Reading(0, 0);
+
+  private record Reading(double diffuse, double sun) {}
 
   private SimulatedDaylightSensor(
       Actuator actuator, PhysicalParameters.FacadeData data, List<Glass> windows) {
@@ -37,23 +39,38 @@ final class SimulatedDaylightSensor implements DaylightSensor {
 
   private void measure() {
     if (actuator.world().isAlive(actuator.device())) {
-      double lux = measured();
-      if (Math.abs(lux - told) > data.worthTelling() * told) {
-        told = lux;
+      Reading now = measured();
+      if (isWorthTelling(now)) {
+        told = now;
         actuator.tell(WorldEvent.Kind.MEASURED);
       }
     }
     goOn();
   }
 
-  private double measured() {
-    double mean =
-        windows.stream().mapToDouble(glass -> actuator.world().luxUpon(glass)).average().orElse(0);
-    return Math.round(Math.max(0, mean * (1 + actuator.error(data.noise()))));
+  private boolean isWorthTelling(Reading now) {
+    double worth = data.worthTelling() * (told.diffuse() + told.sun());
+    return Math.abs(now.diffuse() - told.diffuse()) > worth
+        || Math.abs(now.sun() - told.sun()) > worth;
+  }
+
+  private Reading measured() {
+    double sun =
+        windows.stream().mapToDouble(glass -> actuator.world().sunUpon(glass)).average().orElse(0);
+    return new Reading(noisy(actuator.world().diffuseUponWindows()), noisy(sun));
+  }
+
+  private double noisy(double lux) {
+    return Math.round(Math.max(0, lux * (1 + actuator.error(data.noise()))));
   }
 
   @Override
-  public double lux() {
-    return told;
+  public double diffuseLux() {
+    return told.diffuse();
+  }
+
+  @Override
+  public double sunLux() {
+    return told.sun();
   }
 }

@@ -168,6 +168,11 @@ public final class World {
     return daylight.opening(shutter);
   }
 
+  /** What would come in by windows to a point of a room, with all shutters open; lux. */
+  public synchronized double daylightWithOpenShutters(Position point) {
+    return daylight.luxWithOpenShutters(point, plan, clock.now());
+  }
+
   /** From now on clouds hide so much of the sky, all the time; 0 to 1. */
   public synchronized void setClouds(double cover) {
     daylight.cloud(Clouds.steady(cover));
@@ -321,9 +326,12 @@ public final class World {
     light.changed();
   }
 
-  /** Upon the outside of a window; lux. */
-  synchronized double luxUpon(Glass glass) {
-    return daylight.luxUpon(glass, clock.now());
+  synchronized double diffuseUponWindows() {
+    return daylight.diffuseUponWindows(clock.now());
+  }
+
+  synchronized double sunUpon(Glass glass) {
+    return daylight.sunUpon(glass, clock.now());
   }
 
   /** Never the same when the light anywhere may have changed, by somebody or by itself. */

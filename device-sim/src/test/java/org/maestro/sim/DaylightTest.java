@@ -114,19 +114,21 @@ class DaylightTest {
   @Test
   void isToldByTheShutterWhenItHasChanged() {
     try (Homes homes = sunny(NOON, 0)) {
-      double first = daylight(homes);
-      assertThat(first).isCloseTo(CLEAR_DIFFUSE + CLEAR_SUN, within(0.1 * CLEAR_SUN));
+      double sun = told(homes, "sunlight");
+      assertThat(told(homes, "daylight")).isCloseTo(CLEAR_DIFFUSE, within(0.08 * CLEAR_DIFFUSE));
+      assertThat(sun).isCloseTo(CLEAR_SUN, within(0.08 * CLEAR_SUN));
       homes.clock.run(Duration.ofMinutes(5));
-      assertThat(daylight(homes)).isEqualTo(first);
+      assertThat(told(homes, "sunlight")).isEqualTo(sun);
       homes.world().setClouds(1);
       homes.clock.run(Duration.ofMinutes(1));
-      assertThat(daylight(homes)).isCloseTo(13_798.5 * 0.496, within(1_000.0));
+      assertThat(told(homes, "sunlight")).isZero();
+      assertThat(told(homes, "daylight")).isCloseTo(13_798.5 * 0.496, within(600.0));
     }
   }
 
-  private static double daylight(Homes homes) {
+  private static double told(Homes homes, String word) {
     return homes.facts("shutter").stream()
-        .filter(fact -> fact.startsWith("(= (daylight shutter) "))
+        .filter(fact -> fact.startsWith("(= (" + word + " shutter) "))
         .mapToDouble(fact -> Double.parseDouble(fact.replaceAll(".* |\\)", "")))
         .findFirst()
         .orElseThrow();

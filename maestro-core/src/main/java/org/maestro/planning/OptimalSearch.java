@@ -64,6 +64,7 @@ final class OptimalSearch {
   private final LandmarkCut heuristic;
   private final int mostStates;
   private final double mostCost;
+  private final SettledSums sums;
   private final Map<State, Node> nodes = new HashMap<>();
   private final PriorityQueue<Entry> queue = new PriorityQueue<>();
   private long sequence;
@@ -77,6 +78,7 @@ final class OptimalSearch {
     this.heuristic = heuristic;
     this.mostStates = mostStates;
     this.mostCost = mostCost;
+    this.sums = new SettledSums(problem);
   }
 
   Outcome run() {
@@ -123,8 +125,8 @@ final class OptimalSearch {
     for (int i = 0; i < problem.operators().size(); i++) {
       Operator operator = problem.operators().get(i);
       if (Successors.isApplicable(operator, node.state)) {
-        State after = Successors.after(operator, node.state);
-        if (after != node.state) {
+        State after = sums.settled(Successors.after(operator, node.state));
+        if (!after.equals(node.state)) {
           double price = operator.price().cost(node.state.numbers());
           boolean promising = Arrays.binarySearch(landmarks, i) >= 0;
           double hoped = promising ? Math.max(0, node.estimate - price) : node.estimate;

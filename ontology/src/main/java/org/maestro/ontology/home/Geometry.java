@@ -12,10 +12,10 @@ import org.maestro.sl.Truth;
 
 /**
  * The closed list of geometry functions over a home: {@code distance}, {@code inside}, {@code
- * viewShare}, {@code luxAt}, {@code daylightShare}, {@code shortestPath} and {@code floorArea}.
- * They ask for properties such as pose and view angle, never for a kind of device. Fixed devices
- * stand where the home says, movable things where {@link Positions} says. Doors let robots through;
- * light and sight through them are not counted on. Safe for threads.
+ * viewShare}, {@code luxAt}, {@code daylightShare}, {@code sunlightShare}, {@code shortestPath} and
+ * {@code floorArea}. They ask for properties such as pose and view angle, never for a kind of
+ * device. Fixed devices stand where the home says, movable things where {@link Positions} says.
+ * Doors let robots through; light and sight through them are not counted on. Safe for threads.
  */
 public final class Geometry {
 
@@ -37,6 +37,7 @@ public final class Geometry {
   private final Map<String, Optional<Pose>> referencePoints = new ConcurrentHashMap<>();
   private final Map<Pair, OptionalDouble> fixedLux = new ConcurrentHashMap<>();
   private final Map<Pair, OptionalDouble> daylightShares = new ConcurrentHashMap<>();
+  private final Map<Pair, OptionalDouble> sunlightShares = new ConcurrentHashMap<>();
 
   /** What one individual does to another; both stay where the home says. */
   private record Pair(String device, String location) {}
@@ -70,7 +71,14 @@ public final class Geometry {
 
   /** Whether a function of this name gives a number. */
   public static boolean isNumber(String function) {
-    return List.of("distance", "viewShare", "luxAt", "daylightShare", "shortestPath", FLOOR_AREA)
+    return List.of(
+            "distance",
+            "viewShare",
+            "luxAt",
+            "daylightShare",
+            "sunlightShare",
+            "shortestPath",
+            FLOOR_AREA)
         .contains(function);
   }
 
@@ -111,6 +119,7 @@ public final class Geometry {
       case "viewShare" -> viewShare(first.text(), second.text(), positions);
       case "luxAt" -> luxAt(first.text(), second.text(), positions);
       case "daylightShare" -> daylightShare(first.text(), second.text());
+      case "sunlightShare" -> sunlightShare(first.text(), second.text());
       case "shortestPath" -> shortestPath(first.text(), second.text(), positions);
       default -> OptionalDouble.empty();
     };
@@ -222,7 +231,8 @@ public final class Geometry {
 
   /**
    * What a device that shades windows, opened wholly, lets in to a location's reference point: lux
-   * for each lux upon the outside of the glass; 0 for one that shades none.
+   * for each lux that falls from all sides upon the outside of the glass; 0 for one that shades
+   * none.
    */
   public OptionalDouble daylightShare(String device, String location) {
     return daylightShares.computeIfAbsent(
@@ -231,6 +241,20 @@ public final class Geometry {
             OptionalDouble.of(
                 referencePoint(location)
                     .map(point -> windows.share(device, point.x(), point.y(), point.z(), closed))
+                    .orElse(0.0)));
+  }
+
+  /**
+   * The same for each lux that comes straight from the sun, where it does not shine upon the point
+   * itself.
+   */
+  public OptionalDouble sunlightShare(String device, String location) {
+    return sunlightShares.computeIfAbsent(
+        new Pair(device, location),
+        pair ->
+            OptionalDouble.of(
+                referencePoint(location)
+                    .map(point -> windows.reflectedShare(device, point.floor()))
                     .orElse(0.0)));
   }
 

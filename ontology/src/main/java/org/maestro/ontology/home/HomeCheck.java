@@ -207,17 +207,34 @@ final class HomeCheck {
         checkWatched(home, geometry, zones.get(i).name(), nodes);
       }
     }
-    for (Individual individual : home.individuals().values()) {
-      if (individual.classes().contains("Window")) {
-        Windows.misplacement(individual, home)
-            .ifPresent(
-                wrong ->
-                    graph.fault(
-                        nodes.get(individual.name()),
-                        Maestro.term("glassFrom"),
-                        Optional.empty(),
-                        wrong,
-                        "put its lower corner and the opposite upper one on an outer wall of one room"));
+    home.individuals().values().forEach(thing -> checkWindows(thing, home, nodes));
+  }
+
+  private void checkWindows(Individual thing, Home home, Map<String, Node> nodes) {
+    if (thing.classes().contains("Window")) {
+      Windows.misplacement(thing, home)
+          .ifPresent(
+              wrong ->
+                  graph.fault(
+                      nodes.get(thing.name()),
+                      Maestro.term("glassFrom"),
+                      Optional.empty(),
+                      wrong,
+                      "put its lower corner and the opposite upper one on an outer wall of one room"));
+    }
+    for (Term shaded : thing.properties().getOrDefault("shades", List.of())) {
+      boolean isWindow =
+          shaded instanceof Term.Name name
+              && Optional.ofNullable(home.individuals().get(name.text()))
+                  .filter(other -> other.classes().contains("Window"))
+                  .isPresent();
+      if (!isWindow) {
+        graph.fault(
+            nodes.get(thing.name()),
+            Maestro.term("shades"),
+            Optional.empty(),
+            "names no window of this home",
+            "name a maestro:Window");
       }
     }
   }

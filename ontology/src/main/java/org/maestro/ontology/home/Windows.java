@@ -42,8 +42,12 @@ public final class Windows {
      * @param plan the walls that stand between
      */
     public double share(double x, double y, double z, FloorPlan plan) {
-      double around = room.contains(new Point2(x, y)) ? reflected : 0;
-      return glass.transmittance() * (glass.factor(x, y, z, plan) + around);
+      return glass.transmittance() * glass.factor(x, y, z, plan) + reflectedShare(new Point2(x, y));
+    }
+
+    /** The part of it that comes from the room's walls. */
+    public double reflectedShare(Point2 point) {
+      return room.contains(point) ? glass.transmittance() * reflected : 0;
     }
   }
 
@@ -79,6 +83,11 @@ public final class Windows {
   /** Lux at a point for each lux upon the windows that the device shades, opened wholly. */
   double share(String device, double x, double y, double z, FloorPlan plan) {
     return shadedBy(device).stream().mapToDouble(window -> window.share(x, y, z, plan)).sum();
+  }
+
+  /** The part of it that comes from the room's walls. */
+  double reflectedShare(String device, Point2 point) {
+    return shadedBy(device).stream().mapToDouble(window -> window.reflectedShare(point)).sum();
   }
 
   /** What is wrong with the place of a window, if anything is. */

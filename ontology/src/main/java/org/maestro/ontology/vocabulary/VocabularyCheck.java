@@ -77,9 +77,10 @@ public final class VocabularyCheck {
                             "viewShare",
                             "luxAt",
                             "daylightShare",
+                            "sunlightShare",
                             "shortestPath",
                             "floorArea"),
-                        "write one of distance, inside, viewShare, luxAt, daylightShare, shortestPath, floorArea")));
+                        "write one of distance, inside, viewShare, luxAt, daylightShare, sunlightShare, shortestPath, floorArea")));
     for (TypedVariable parameter : predicate.parameters()) {
       parameter
           .className()

@@ -88,4 +88,13 @@ class WindowsTest {
         .hasMessageContaining("south-window")
         .hasMessageContaining(fault);
   }
+
+  @Test
+  void aShutterBeforeNoWindowIsAFault() {
+    String wrong = HOME.replace("maestro:shades home:south-window", "maestro:shades home:desk");
+    assertThatThrownBy(() -> new HomeLoader().load(wrong, "sunny.ttl"))
+        .isInstanceOf(HomeFaultException.class)
+        .hasMessageContaining("shutter")
+        .hasMessageContaining("names no window");
+  }
 }
