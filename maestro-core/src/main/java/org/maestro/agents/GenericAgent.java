@@ -1,6 +1,7 @@
 package org.maestro.agents;
 
 import jade.core.AID;
+import jade.core.behaviours.Behaviour;
 import jade.domain.DFService;
 import jade.domain.FIPAAgentManagement.DFAgentDescription;
 import jade.domain.FIPAAgentManagement.ServiceDescription;
@@ -41,6 +42,7 @@ public final class GenericAgent extends MaestroAgent {
   private final transient MemberView view = new MemberView();
   private final transient MemberNews news;
   private final transient Performances performances;
+  private final transient PriceResponder prices;
   private final transient Optional<OwnGoals> goals;
   private boolean announced;
   private final transient Set<AID> listeners = new LinkedHashSet<>();
@@ -74,6 +76,7 @@ public final class GenericAgent extends MaestroAgent {
     super(time);
     this.member = member;
     this.link = link;
+    this.prices = new PriceResponder(this, view);
     this.news = new MemberNews(member, view, describedBy, new Teller());
     this.performances = new Performances(this, member, link, view, news, this::say);
     OwnMember own = new OwnMember(member, view, performances);
@@ -87,7 +90,6 @@ public final class GenericAgent extends MaestroAgent {
   @Override
   protected void setup() {
     super.setup();
-    addBehaviour(new PriceResponder(this, view));
     goals.ifPresent(OwnGoals::begin);
     link.watch(
         changed -> {
@@ -220,8 +222,8 @@ public final class GenericAgent extends MaestroAgent {
   }
 
   @Override
-  protected boolean expects(ACLMessage message) {
-    return PriceResponder.isCall(message);
+  protected Optional<Behaviour> session(ACLMessage message) {
+    return prices.session(message);
   }
 
   @Override

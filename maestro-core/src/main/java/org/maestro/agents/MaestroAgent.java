@@ -222,6 +222,11 @@ public abstract class MaestroAgent extends Agent {
     return false;
   }
 
+  /** The behaviour that leads the conversation which the message begins, if one of its own does. */
+  protected Optional<Behaviour> session(ACLMessage message) {
+    return Optional.empty();
+  }
+
   /** Messages that are neither replies to our requests nor part of a contract net under way. */
   private final class Mail {
     private final MessageTemplate template =
@@ -245,12 +250,16 @@ public abstract class MaestroAgent extends Agent {
       } else if (isContractNet(message) && message.getPerformative() != ACLMessage.CFP) {
         protest.drop(message, "its contract net is over");
       } else {
-        Optional<String> objection = Admission.objection(message);
-        if (objection.isPresent()) {
-          protest.against(message, objection.get());
-        } else {
-          handle(message);
-        }
+        session(message).ifPresentOrElse(MaestroAgent.this::addBehaviour, () -> admit(message));
+      }
+    }
+
+    private void admit(ACLMessage message) {
+      Optional<String> objection = Admission.objection(message);
+      if (objection.isPresent()) {
+        protest.against(message, objection.get());
+      } else {
+        handle(message);
       }
     }
 

@@ -1,6 +1,7 @@
 package org.maestro.agents;
 
 import jade.core.AID;
+import jade.core.behaviours.Behaviour;
 import jade.lang.acl.ACLMessage;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -36,6 +37,7 @@ public final class PriceFair {
   private static final class Seller extends MaestroAgent {
     private static final long serialVersionUID = 1L;
     private final transient MemberView view = new MemberView();
+    private final transient PriceResponder prices = new PriceResponder(this, view);
 
     Seller(AgentTime time, Device device) {
       super(time);
@@ -44,14 +46,8 @@ public final class PriceFair {
     }
 
     @Override
-    protected void setup() {
-      super.setup();
-      addBehaviour(new PriceResponder(this, view));
-    }
-
-    @Override
-    protected boolean expects(ACLMessage message) {
-      return PriceResponder.isCall(message);
+    protected Optional<Behaviour> session(ACLMessage message) {
+      return prices.session(message);
     }
 
     @Override

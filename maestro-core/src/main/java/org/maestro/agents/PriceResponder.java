@@ -3,9 +3,7 @@ package org.maestro.agents;
 import jade.core.behaviours.Behaviour;
 import jade.domain.FIPANames;
 import jade.lang.acl.ACLMessage;
-import jade.lang.acl.MessageTemplate;
 import jade.proto.SSContractNetResponder;
-import jade.proto.SSResponderDispatcher;
 import jade.proto.states.MsgReceiver;
 import java.util.ArrayList;
 import java.util.List;
@@ -21,28 +19,32 @@ import org.maestro.sl.Term;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Answers calls for prices, several at a time, each in a session of its own. */
-final class PriceResponder extends SSResponderDispatcher {
-  private static final long serialVersionUID = 1L;
+/**
+ * Answers calls for prices, several at a time, each in a session of its own. It is no behaviour, as
+ * JADE would wake it for every message.
+ */
+final class PriceResponder {
   private static final Logger LOG = LoggerFactory.getLogger(PriceResponder.class);
 
-  private final transient MaestroAgent agent;
-  private final transient MemberView view;
+  private final MaestroAgent agent;
+  private final MemberView view;
+  private int unnamed;
 
   PriceResponder(MaestroAgent agent, MemberView view) {
-    super(agent, new MessageTemplate(PriceResponder::isCall));
     this.agent = agent;
     this.view = view;
   }
 
-  static boolean isCall(ACLMessage message) {
-    return message.getPerformative() == ACLMessage.CFP
-        && FIPANames.InteractionProtocol.FIPA_CONTRACT_NET.equals(message.getProtocol());
-  }
-
-  @Override
-  protected Behaviour createResponder(ACLMessage cfp) {
-    return new Session(cfp);
+  /** The session that the message begins; empty when it is no call for prices. */
+  Optional<Behaviour> session(ACLMessage message) {
+    if (message.getPerformative() != ACLMessage.CFP
+        || !FIPANames.InteractionProtocol.FIPA_CONTRACT_NET.equals(message.getProtocol())) {
+      return Optional.empty();
+    }
+    if (message.getConversationId() == null) {
+      message.setConversationId(agent.getLocalName() + "-call-" + ++unnamed);
+    }
+    return Optional.of(new Session(message));
   }
 
   private ACLMessage answer(ACLMessage cfp) {

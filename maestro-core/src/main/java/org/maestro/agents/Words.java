@@ -5,7 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import org.maestro.sl.Content;
 import org.maestro.sl.Content.Argument;
 import org.maestro.sl.Formula;
@@ -40,7 +39,7 @@ public final class Words {
   }
 
   public static String print(List<Content> contents) {
-    return contents.stream().map(SlPrinter::print).collect(Collectors.joining(" "));
+    return SlPrinter.print(contents);
   }
 
   public static Content content(String operator, Argument... arguments) {

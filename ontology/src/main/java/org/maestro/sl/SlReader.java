@@ -2,18 +2,14 @@ package org.maestro.sl;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.regex.Pattern;
+import java.util.Set;
 
 /** Reads a text into nested lists of tokens. */
 final class SlReader {
 
   static final int MAXIMUM_DEPTH = 100;
 
-  private static final Pattern NUMBER =
-      Pattern.compile("[+-]?(\\d+(\\.\\d*)?|\\.\\d+)([eE][+-]?\\d+)?");
-  private static final Pattern NAME = Pattern.compile("[\\p{L}\\p{N}_][\\p{L}\\p{N}_.@%+-]*");
-  private static final List<String> SYMBOLS =
-      List.of("=", "<", "<=", ">", ">=", "+", "-", "*", "/");
+  private static final Set<String> SYMBOLS = Set.of("=", "<", "<=", ">", ">=", "+", "-", "*", "/");
 
   private final String text;
   private int at;
@@ -136,7 +132,7 @@ final class SlReader {
     if (SYMBOLS.contains(word)) {
       return new Node.Leaf(Node.Kind.WORD, word, start + 1);
     }
-    if (NUMBER.matcher(word).matches()) {
+    if (isNumber(word)) {
       if (!Double.isFinite(Double.parseDouble(word))) {
         throw new SlSyntaxException(start + 1, "a number below 1.8e308", "\"" + word + "\"");
       }
@@ -149,11 +145,65 @@ final class SlReader {
           default -> Node.Kind.WORD;
         };
     String name = kind == Node.Kind.WORD ? word : word.substring(1);
-    if (!NAME.matcher(name).matches()) {
+    if (!isName(name)) {
       throw new SlSyntaxException(
           start + 1, "a name of letters, digits and . _ - @ % +", "\"" + word + "\"");
     }
     return new Node.Leaf(kind, name, start + 1);
+  }
+
+  /** A sign, digits with a point before, between or behind them, an exponent. */
+  private static boolean isNumber(String word) {
+    int start = isSign(word, 0) ? 1 : 0;
+    int whole = afterDigits(word, start);
+    int end = whole;
+    if (end < word.length() && word.charAt(end) == '.') {
+      end = afterDigits(word, end + 1);
+      if (whole == start && end == whole + 1) {
+        return false;
+      }
+    } else if (whole == start) {
+      return false;
+    }
+    if (end < word.length() && (word.charAt(end) == 'e' || word.charAt(end) == 'E')) {
+      int exponent = isSign(word, end + 1) ? end + 2 : end + 1;
+      end = afterDigits(word, exponent);
+      if (end == exponent) {
+        return false;
+      }
+    }
+    return end == word.length();
+  }
+
+  private static boolean isSign(String word, int index) {
+    return index < word.length() && (word.charAt(index) == '+' || word.charAt(index) == '-');
+  }
+
+  private static int afterDigits(String word, int from) {
+    int end = from;
+    while (end < word.length() && word.charAt(end) >= '0' && word.charAt(end) <= '9') {
+      end++;
+    }
+    return end;
+  }
+
+  /** Letters, numbers of any script and underscores; behind the first also other signs. */
+  private static boolean isName(String word) {
+    for (int i = 0; i < word.length(); i += Character.charCount(word.codePointAt(i))) {
+      int c = word.codePointAt(i);
+      if (!isNameStart(c) && (i == 0 || ".@%+-".indexOf(c) < 0)) {
+        return false;
+      }
+    }
+    return !word.isEmpty();
+  }
+
+  private static boolean isNameStart(int c) {
+    if (Character.isLetterOrDigit(c) || c == '_') {
+      return true;
+    }
+    int type = Character.getType(c);
+    return type == Character.LETTER_NUMBER || type == Character.OTHER_NUMBER;
   }
 
   private void skipSpace() {
