@@ -179,7 +179,9 @@ class ContractNetMisconductTest {
     assertThat(outcome.reached()).as(society.told()).isFalse();
     assertThat(society.told()).contains(told);
     assertThat(outcome.reply().getContent()).contains("usher");
-    assertThat(outcome.took()).as(society.told()).isLessThan(lostAtMost.plus(WORK));
+    assertThat(outcome.took())
+        .as(society.told())
+        .isLessThan(lostAtMost.plus(Society.BEFORE_THE_LAST_TRY).plus(WORK));
     assertThat(society.leftover()).isEmpty();
   }
 

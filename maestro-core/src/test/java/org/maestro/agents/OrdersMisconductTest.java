@@ -134,7 +134,9 @@ class OrdersMisconductTest {
 
     assertThat(outcome.reached()).as(society.told()).isFalse();
     assertThat(society.told()).contains(told);
-    assertThat(outcome.took()).isLessThan(lostEachTime.multipliedBy(TRIES).plus(WORK));
+    assertThat(outcome.took())
+        .isLessThan(
+            lostEachTime.multipliedBy(TRIES + 1).plus(Society.BEFORE_THE_LAST_TRY).plus(WORK));
     assertThat(society.leftover()).isEmpty();
   }
 

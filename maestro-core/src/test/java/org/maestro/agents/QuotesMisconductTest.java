@@ -135,7 +135,9 @@ class QuotesMisconductTest {
     assertThat(outcome.reached()).as(society.told()).isFalse();
     assertThat(society.told()).contains(told);
     assertThat(outcome.reply().getContent()).contains("usher");
-    assertThat(outcome.took()).as(society.told()).isLessThan(lost.multipliedBy(3).plus(WORK));
+    assertThat(outcome.took())
+        .as(society.told())
+        .isLessThan(lost.multipliedBy(5).plus(Society.BEFORE_THE_LAST_TRY).plus(WORK));
     assertThat(society.leftover()).isEmpty();
   }
 

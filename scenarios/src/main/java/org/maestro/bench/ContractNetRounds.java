@@ -21,7 +21,6 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Vector;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.maestro.agents.AgentTime;
@@ -54,17 +53,21 @@ public record ContractNetRounds(int agents, double ours, double plain) {
    *
    * @param devices whose agents answer, one each; each has a feature at least
    * @param files where JADE may write
-   * @param warmUp to let each of the two run before; two seconds are enough
+   * @param warmUpRounds to let each of the two run before: as many of ours as of the plain ones, as
+   *     both are slow until they are compiled
    * @param time to measure each of the two for
    */
   public static ContractNetRounds measure(
-      List<Device> devices, Path files, Duration warmUp, Duration time) {
+      List<Device> devices, Path files, int warmUpRounds, Duration time) {
     AgentContainer container = container(files);
     try (PacedClock clock = new PacedClock(1)) {
       Rounds ours = ours(container, devices, AgentTime.of(clock));
       Rounds plain = plain(container, devices.size());
-      run(ours, warmUp);
-      run(plain, warmUp);
+      for (Rounds rounds : List.of(ours, plain)) {
+        for (int i = 0; i < warmUpRounds; i++) {
+          one(rounds);
+        }
+      }
       return new ContractNetRounds(devices.size(), perSecond(ours, time), perSecond(plain, time));
     } catch (StaleProxyException e) {
       throw new SiteException("JADE ended while contract nets were measured.", e);
@@ -128,21 +131,25 @@ public record ContractNetRounds(int agents, double ours, double plain) {
 
   private static int run(Rounds rounds, Duration time) {
     long end = System.nanoTime() + time.toNanos();
-    Semaphore ended = new Semaphore(0);
     int count = 0;
     while (System.nanoTime() < end) {
-      rounds.begin(ended::release);
-      try {
-        if (!ended.tryAcquire(ROUND_WITHIN_SECONDS, TimeUnit.SECONDS)) {
-          throw new SiteException("A contract net did not end within 30 s.");
-        }
-      } catch (InterruptedException e) {
-        Thread.currentThread().interrupt();
-        throw new SiteException("Interrupted while contract nets were measured.", e);
-      }
+      one(rounds);
       count++;
     }
     return count;
+  }
+
+  private static void one(Rounds rounds) {
+    CountDownLatch ended = new CountDownLatch(1);
+    rounds.begin(ended::countDown);
+    try {
+      if (!ended.await(ROUND_WITHIN_SECONDS, TimeUnit.SECONDS)) {
+        throw new SiteException("A contract net did not end within 30 s.");
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new SiteException("Interrupted while contract nets were measured.", e);
+    }
   }
 
   private static AgentContainer container(Path files) {

@@ -35,7 +35,7 @@ import org.maestro.sl.SlParser;
 public final class CoordinationBench {
   private static final int SPEED = 20;
   private static final int WARM_UP = 12;
-  private static final Duration WARM_UP_TIME = Duration.ofSeconds(2);
+  private static final int WARM_UP_ROUNDS = 5_000;
   private static final Duration MEASURED_TIME = Duration.ofSeconds(5);
   private static final long PATIENCE_SECONDS = 120;
   private static final double BURST_LIMIT_SECONDS = 5;
@@ -87,7 +87,7 @@ public final class CoordinationBench {
     List<Device> devices = List.copyOf(new LargeHome(2, 0, 0).home().devices().values());
     Path files = temporaryDirectory();
     try {
-      rows.add(ContractNetRounds.measure(devices, files, WARM_UP_TIME, MEASURED_TIME).row());
+      rows.add(ContractNetRounds.measure(devices, files, WARM_UP_ROUNDS, MEASURED_TIME).row());
     } finally {
       delete(files);
     }

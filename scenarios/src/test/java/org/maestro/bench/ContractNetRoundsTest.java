@@ -16,7 +16,7 @@ class ContractNetRoundsTest {
     List<Device> devices = List.copyOf(new LargeHome(2, 0, 0).home().devices().values());
 
     ContractNetRounds rounds =
-        ContractNetRounds.measure(devices, files, Duration.ofMillis(50), Duration.ofMillis(200));
+        ContractNetRounds.measure(devices, files, 10, Duration.ofMillis(200));
 
     assertThat(rounds.agents()).isEqualTo(devices.size());
     assertThat(rounds.ours()).isPositive();
