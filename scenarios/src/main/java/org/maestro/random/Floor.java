@@ -17,6 +17,7 @@ import org.maestro.ontology.home.Segment;
 final class Floor {
   private static final double COVERED_SHARE = 0.97;
   private static final double SAMPLE_METRES = 0.2;
+  private static final double INSIDE = 0.01;
 
   private final Site site;
   private final Map<String, Polygon> zones = new TreeMap<>();
@@ -53,6 +54,21 @@ final class Floor {
   /** Where the light of each zone and desk is measured. */
   Map<String, Position> locations() {
     return Map.copyOf(locations);
+  }
+
+  /** The darkest places of a zone, of which a camera tells when it cannot see all of it. */
+  List<Position> corners(String zone) {
+    Point2 middle = zones.get(zone).centroid();
+    return zones.get(zone).corners().stream()
+        .map(corner -> Position.onFloor(between(corner, middle)))
+        .toList();
+  }
+
+  /** Just inside: nothing is seen through the corner of a wall. */
+  private static Point2 between(Point2 corner, Point2 middle) {
+    return new Point2(
+        corner.x() + INSIDE * (middle.x() - corner.x()),
+        corner.y() + INSIDE * (middle.y() - corner.y()));
   }
 
   Position location(String name) {

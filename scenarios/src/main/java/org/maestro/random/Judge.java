@@ -122,10 +122,14 @@ final class Judge {
     if (now.minus(lastFault).compareTo(NEWS.plus(slowest)) < 0) {
       return verdict(claim, Verdict.Kind.TOO_LATE_TO_KNOW, "");
     }
-    if (claim.reasons().stream().anyMatch(reason -> reason.startsWith("No plan and no proof"))) {
+    if (claim.reasons().stream().anyMatch(reason -> isGivenUp(reason))) {
       return verdict(claim, Verdict.Kind.GAVE_UP, "");
     }
     return verdict(claim, Verdict.Kind.FALSELY_IMPOSSIBLE, "it can be done with " + usable(now));
+  }
+
+  private static boolean isGivenUp(String reason) {
+    return reason.startsWith("No plan and no proof") || reason.startsWith("It was planned ");
   }
 
   private Possibilities possibilities(Duration now) {

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.function.ToDoubleFunction;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.FloorPlan;
 import org.maestro.ontology.home.Pose;
@@ -21,12 +20,14 @@ final class Lighting {
   private final Site site;
   private final Moment moment;
   private final FloorPlan plan;
+  private final FloorPlan shut;
   private final List<String> usableLamps;
 
   Lighting(Site site, Moment moment, List<String> usableLamps) {
     this.site = site;
     this.moment = moment;
     this.plan = site.floor().plan(moment.openDoors());
+    this.shut = site.floor().plan(List.of());
     this.usableLamps = usableLamps;
     check();
   }
@@ -79,8 +80,9 @@ final class Lighting {
       List<Truths.Constraint> constraints,
       List<Position> seen) {
     if (next == lamps.size()) {
-      ToDoubleFunction<String> lux = location -> lux(location, levels);
-      return constraints.stream().allMatch(c -> c.isMet(lux, levels))
+      return constraints.stream()
+              .allMatch(
+                  c -> c.isMet(location -> lux(location, counted(levels, location, c)), levels))
           && seen.stream().allMatch(place -> isVisible(place, levels));
     }
     for (double level : LEVELS) {
@@ -93,13 +95,38 @@ final class Lighting {
   }
 
   private boolean isVisible(Position place, Map<String, Double> levels) {
-    double lux = lux(place, site.floor().zoneAt(place.floor()).orElse(""), levels);
-    return lux >= Site.CAMERA_LEAST_LUX * (1 + Truths.CLOSE_LIGHT)
-        && lux <= Site.CAMERA_GREATEST_LUX * (1 - Truths.CLOSE_LIGHT);
+    String zone = site.floor().zoneAt(place.floor()).orElse("");
+    return lux(place, zone, counted(levels, place, true))
+            >= Site.CAMERA_LEAST_LUX * (1 + Truths.CLOSE_LIGHT)
+        && lux(place, zone, counted(levels, place, false))
+            <= Site.CAMERA_GREATEST_LUX * (1 - Truths.CLOSE_LIGHT);
   }
 
   private double lux(String location, Map<String, Double> levels) {
     return lux(site.floor().location(location), site.floor().zoneOf(location), levels);
+  }
+
+  private Map<String, Double> counted(
+      Map<String, Double> levels, String location, Truths.Constraint constraint) {
+    return counted(levels, site.floor().location(location), constraint.atLeast());
+  }
+
+  /**
+   * The levels that can be counted on there. Of light that comes through an open door nobody knows
+   * what it will do: it stays as it is, or changes for the worse.
+   */
+  private Map<String, Double> counted(
+      Map<String, Double> levels, Position place, boolean forLight) {
+    Map<String, Double> counted = new TreeMap<>(levels);
+    counted.replaceAll(
+        (lamp, level) -> {
+          if (!shut.isBlocked(site.pose(lamp).floor(), place.floor())) {
+            return level;
+          }
+          double now = moment.lampLevels().get(lamp);
+          return forLight ? Math.min(level, now) : Math.max(level, now);
+        });
+    return counted;
   }
 
   private double lux(Position point, String zone, Map<String, Double> levels) {

@@ -138,12 +138,12 @@ final class Possibilities {
     if (holder.isPresent()) {
       return usable.contains(holder.get());
     }
-    return moment.zone(thing).filter(zone -> canLook(zone, moment.place(thing))).isPresent();
+    return moment.zone(thing).filter(this::canLook).isPresent();
   }
 
-  private boolean canLook(String zone, Position place) {
+  private boolean canLook(String zone) {
     return site.cameras().stream().anyMatch(camera -> canLook(camera, zone))
-        && lighting.canMeet(fit(zone), List.of(place));
+        && lighting.canMeet(fit(zone), site.floor().corners(zone));
   }
 
   private boolean canLook(String camera, String zone) {
@@ -365,9 +365,7 @@ final class Possibilities {
             && site.cameras().stream().anyMatch(c -> camera.equals(c) && canLook(c, zone.get()));
     if (looked) {
       light.addAll(fit(zone.get()));
-      if (end.kind() == End.Kind.LEFT) {
-        seen.add(moment.place(thing));
-      }
+      seen.addAll(site.floor().corners(zone.get()));
     }
     return looked;
   }

@@ -10,7 +10,7 @@ import org.maestro.sl.Term;
 /**
  * Whether a goal is so in the simulated world at one moment. What the sensors cannot tell from true
  * counts as close: 15 cm for distances and borders (four times what two cameras err at 2.8 m), 4 %
- * for light.
+ * for light, and that a thing is nowhere in sight when it is shut away where it should not be.
  */
 final class Truths {
   static final double CLOSE_METRES = 0.15;
@@ -88,7 +88,8 @@ final class Truths {
               !isSo,
               site.floor().isZone(second)
                   && moment.holder(first).isEmpty()
-                  && site.floor().borderDistance(second, moment.place(first)) <= CLOSE_METRES);
+                  && (moment.isHidden(first)
+                      || site.floor().borderDistance(second, moment.place(first)) <= CLOSE_METRES));
       case "nextTo" ->
           Grade.of(
               !isSo,
