@@ -1,5 +1,6 @@
 package org.maestro.hal;
 
+import java.util.List;
 import java.util.OptionalInt;
 
 /** A dimmable lamp with white shades (M82). */
@@ -15,4 +16,7 @@ public interface DimmableLamp {
   double level();
 
   int whiteKelvin();
+
+  /** The shades of white that it has; kelvin. Setting another one fails. */
+  List<Integer> whites();
 }

@@ -14,6 +14,11 @@ import org.maestro.hal.MobileBase;
 import org.maestro.hal.Position;
 import org.maestro.hal.ShutterDrive;
 import org.maestro.hal.Surroundings;
+import org.maestro.hal.SwitchedLamp;
+import org.maestro.hal.wheels.DifferentialWheels;
+import org.maestro.hal.wheels.MecanumWheels;
+import org.maestro.hal.wheels.WheelGeometry;
+import org.maestro.hal.wheels.WheeledBase;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Glass;
 import org.maestro.ontology.home.Pose;
@@ -51,27 +56,39 @@ final class DriverFactory {
   Drivers drivers(Device device, String key, Random random) {
     Actuator actuator = new Actuator(device.id(), world, clock, random);
     return switch (key) {
-      case "lamp" -> lamp(device, actuator);
+      case "lamp" ->
+          lamp(device).with(DimmableLamp.class, new SimulatedLamp(actuator, parameters.lamp()));
+      case "switched-lamp" ->
+          lamp(device)
+              .with(
+                  DimmableLamp.class,
+                  new SwitchedLamp(
+                      new SimulatedSwitch(actuator, parameters.drives()),
+                      parameters.lamp().whiteKelvin()));
       case "camera" ->
           Drivers.none()
               .with(
                   Camera.class,
                   new SimulatedCamera(
                       actuator, parameters.camera(), pose(device), number(device, "viewAngle")));
-      case "light-sensor" -> {
-        Pose pose = pose(device);
-        Position place = new Position(pose.x(), pose.y(), pose.z());
-        yield Drivers.none()
-            .with(
-                IlluminationSensor.class,
-                new SimulatedSensor(actuator, parameters.sensor(), place));
-      }
+      case "light-sensor" ->
+          Drivers.none()
+              .with(
+                  IlluminationSensor.class,
+                  new SimulatedSensor(actuator, parameters.sensor(), place(device)));
+      case "tsl2561" ->
+          Drivers.none()
+              .with(
+                  IlluminationSensor.class,
+                  new SimulatedTsl2561(actuator, parameters.sensor(), place(device)));
       case "door" ->
           Drivers.none().with(DoorDrive.class, new SimulatedDoor(actuator, parameters.drives()));
       case "shutter" -> shutter(device, actuator);
-      case "mobile-robot" -> robot(device, actuator);
+      case "mobile-robot" -> robot(device, actuator, this::gliding);
+      case "mecanum-robot" -> robot(device, actuator, this::onMecanumWheels);
+      case "differential-robot" -> robot(device, actuator, this::onTwoWheels);
       case "mobile-robot-with-camera" ->
-          robot(device, actuator)
+          robot(device, actuator, this::gliding)
               .with(
                   Camera.class,
                   SimulatedCamera.onBoard(
@@ -85,12 +102,14 @@ final class DriverFactory {
                   + key
                   + " of "
                   + device.id()
-                  + " cannot be simulated; known are lamp, camera, light-sensor, door, shutter, mobile-robot,"
-                  + " mobile-robot-with-camera.");
+                  + " cannot be simulated; known are lamp, switched-lamp, camera, light-sensor, tsl2561, door,"
+                  + " shutter, mobile-robot, mobile-robot-with-camera, mecanum-robot,"
+                  + " differential-robot.");
     };
   }
 
-  private Drivers lamp(Device device, Actuator actuator) {
+  /** Puts its light into the world; what dims or switches it is still lacking. */
+  private Drivers lamp(Device device) {
     Scene.Entry entry = scene.of(device.id());
     OptionalDouble beam = FloorMap.number(device.individual(), "beamAngle");
     world.addLamp(
@@ -101,7 +120,7 @@ final class DriverFactory {
             beam.orElse(USUAL_BEAM_DEGREES),
             entry.strength().orElse(FULL_STRENGTH),
             entry.level().orElse(0)));
-    return Drivers.none().with(DimmableLamp.class, new SimulatedLamp(actuator, parameters.lamp()));
+    return Drivers.none();
   }
 
   private Drivers shutter(Device device, Actuator actuator) {
@@ -116,7 +135,48 @@ final class DriverFactory {
             SimulatedDaylightSensor.start(actuator, parameters.facade(), shaded));
   }
 
-  private Drivers robot(Device device, Actuator actuator) {
+  private interface Chassis {
+    MobileBase on(Actuator actuator, PhysicalParameters.BaseData base);
+  }
+
+  private MobileBase gliding(Actuator actuator, PhysicalParameters.BaseData base) {
+    return new SimulatedBase(actuator, base);
+  }
+
+  private MobileBase onMecanumWheels(Actuator actuator, PhysicalParameters.BaseData base) {
+    PhysicalParameters.WheelData wheels = parameters.wheels();
+    return onWheels(
+        actuator,
+        base,
+        new MecanumWheels(wheels.wheelRadius(), wheels.halfLength(), wheels.halfWidth()));
+  }
+
+  private MobileBase onTwoWheels(Actuator actuator, PhysicalParameters.BaseData base) {
+    PhysicalParameters.WheelData wheels = parameters.wheels();
+    return onWheels(
+        actuator, base, new DifferentialWheels(wheels.wheelRadius(), wheels.halfWidth()));
+  }
+
+  private MobileBase onWheels(
+      Actuator actuator, PhysicalParameters.BaseData base, WheelGeometry geometry) {
+    PhysicalParameters.WheelData data = parameters.wheels();
+    SimulatedWheels wheels = new SimulatedWheels(actuator, geometry, data.slip(), base.radius());
+    return new WheeledBase(
+        geometry,
+        wheels,
+        wheels,
+        actuator::after,
+        new WheeledBase.Limits(
+            base.speed(),
+            data.turnSpeed(),
+            base.radius(),
+            base.power(),
+            data.controlSeconds(),
+            data.nearMetres(),
+            data.aimRadians()));
+  }
+
+  private Drivers robot(Device device, Actuator actuator, Chassis chassis) {
     Body body =
         world
             .findBody(device.id())
@@ -135,9 +195,14 @@ final class DriverFactory {
     PhysicalParameters.ArmData arm =
         parameters.arm().lifting(truth.payload().orElse(parameters.arm().payload()));
     return Drivers.none()
-        .with(MobileBase.class, new SimulatedBase(actuator, base))
+        .with(MobileBase.class, chassis.on(actuator, base))
         .with(GripperArm.class, new SimulatedArm(actuator, arm))
         .with(Surroundings.class, new OnBoardMap(device.id(), world));
+  }
+
+  private static Position place(Device device) {
+    Pose pose = pose(device);
+    return new Position(pose.x(), pose.y(), pose.z());
   }
 
   private static Pose pose(Device device) {

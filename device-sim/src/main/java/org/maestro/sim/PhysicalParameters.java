@@ -16,6 +16,7 @@ public record PhysicalParameters(
     FacadeData facade,
     LampData lamp,
     BaseData base,
+    WheelData wheels,
     ArmData arm,
     DriveData drives) {
 
@@ -27,6 +28,7 @@ public record PhysicalParameters(
         FacadeData.USUAL,
         LampData.HUE,
         BaseData.YOUBOT,
+        WheelData.YOUBOT,
         ArmData.YOUBOT,
         DriveData.USUAL);
   }
@@ -90,6 +92,31 @@ public record PhysicalParameters(
   }
 
   /**
+   * How a base rolls on its wheels.
+   *
+   * @param wheelRadius KUKA youBot: 0.0475 m; so are the following
+   * @param halfLength half of 0.471 m between the axles
+   * @param halfWidth half of 0.300 m between the wheels of an axle
+   * @param turnSpeed youBot data sheet: 90 degrees a second
+   * @param slip share of each wheel's turning that is lost, standard deviation around none; assumed
+   * @param controlSeconds between two commands to the wheels; assumed
+   * @param nearMetres so near to a corner of its way it counts as reached; assumed
+   * @param aimRadians so well aimed, a base that turns first drives on; assumed
+   */
+  public record WheelData(
+      double wheelRadius,
+      double halfLength,
+      double halfWidth,
+      double turnSpeed,
+      double slip,
+      double controlSeconds,
+      double nearMetres,
+      double aimRadians) {
+    static final WheelData YOUBOT =
+        new WheelData(0.0475, 0.2355, 0.15, Math.PI / 2, 0.02, 0.1, 0.01, 0.05);
+  }
+
+  /**
    * @param leastLux TSL2561 data sheet: 0.1 lux; also its resolution here
    * @param greatestLux TSL2561 data sheet: 40,000 lux
    * @param integrationSeconds TSL2561 data sheet: nominal 402 ms
@@ -116,9 +143,15 @@ public record PhysicalParameters(
    * @param transitionSeconds Hue's usual transition time is 400 ms; the light jumps at its end
    *     (assumed)
    * @param whiteKelvin the white it starts with; assumed
+   * @param whites the shades that the spots have; paper 4.1: four, these assumed from what Hue
+   *     calls relax, read, concentrate and energize, within its 2,200 to 6,500 K
    */
-  public record LampData(double transitionSeconds, int whiteKelvin) {
-    static final LampData HUE = new LampData(0.4, 2700);
+  public record LampData(double transitionSeconds, int whiteKelvin, List<Integer> whites) {
+    static final LampData HUE = new LampData(0.4, 2700, List.of(2200, 2700, 4000, 6500));
+
+    public LampData {
+      whites = List.copyOf(whites);
+    }
   }
 
   /**
@@ -184,8 +217,9 @@ public record PhysicalParameters(
   /**
    * @param doorSeconds to open or close; assumed
    * @param shutterSeconds for the whole way; assumed
+   * @param relaySeconds until a switch has switched, over its radio; assumed
    */
-  public record DriveData(double doorSeconds, double shutterSeconds) {
-    static final DriveData USUAL = new DriveData(3, 8);
+  public record DriveData(double doorSeconds, double shutterSeconds, double relaySeconds) {
+    static final DriveData USUAL = new DriveData(3, 8, 0.1);
   }
 }

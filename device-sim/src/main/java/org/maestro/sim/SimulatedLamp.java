@@ -1,5 +1,6 @@
 package org.maestro.sim;
 
+import java.util.List;
 import java.util.OptionalInt;
 import org.maestro.hal.Completion;
 import org.maestro.hal.DimmableLamp;
@@ -19,6 +20,10 @@ final class SimulatedLamp implements DimmableLamp {
 
   @Override
   public void set(double level, OptionalInt white, Completion completion) {
+    if (white.isPresent() && !whites().contains(white.getAsInt())) {
+      completion.failed("it has no white of %d K".formatted(white.getAsInt()));
+      return;
+    }
     actuator.command(
         WorldEvent.Kind.ADJUST,
         data.transitionSeconds(),
@@ -34,6 +39,11 @@ final class SimulatedLamp implements DimmableLamp {
   @Override
   public double level() {
     return actuator.world().lampLevel(actuator.device());
+  }
+
+  @Override
+  public List<Integer> whites() {
+    return data.whites();
   }
 
   @Override

@@ -1,0 +1,5 @@
+/**
+ * Bases on wheels: a way to drive becomes velocities, velocities become wheel speeds by the
+ * geometry of the wheels (M80). Motors and localization may be hardware or simulated.
+ */
+package org.maestro.hal.wheels;
