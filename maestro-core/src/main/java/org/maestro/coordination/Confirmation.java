@@ -7,7 +7,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeMap;
+import org.maestro.knowledge.Belief;
 import org.maestro.knowledge.Snapshot;
+import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
@@ -23,31 +25,52 @@ import org.maestro.sl.TypedVariable;
  * What still has to be seen or measured before a goal may be called reached: the things of those
  * goal atoms that are only expected, though an observation of positions could decide them, and the
  * numbers that are only reckoned. For planning, "seen" and "measured" are synthetic predicates that
- * every sensing of the thing or number brings about.
+ * every sensing of the thing or number brings about, and "touched" is what becomes of a thing of
+ * which a step changes what could be seen: nothing is carried about only to be seen.
  */
 final class Confirmation {
   private static final String SEEN = "seen%";
   private static final String MEASURED = "measured%";
+  private static final String TOUCHED = "touched%";
 
   private final SortedSet<String> things;
   private final List<Expression.Fluent> numbers;
+  private final SortedSet<String> reporters;
+  private final List<Belief> objections;
 
-  private Confirmation(SortedSet<String> things, List<Expression.Fluent> numbers) {
-    this.things = things;
-    this.numbers = List.copyOf(numbers);
+  private Confirmation(OnlyExpected expected) {
+    this.things = expected.things();
+    this.numbers = List.copyOf(expected.numbers());
+    this.reporters = expected.reporters();
+    this.objections = expected.objections();
   }
 
   static Optional<Confirmation> needed(
-      Formula goal, Map<String, Term> binding, Snapshot snapshot, Vocabulary vocabulary) {
-    OnlyExpected expected = new OnlyExpected(snapshot, vocabulary);
+      Formula goal, Map<String, Term> binding, Snapshot snapshot, Home home) {
+    OnlyExpected expected = new OnlyExpected(snapshot, home);
     expected.collect(new Substitution(binding).apply(goal));
     return expected.things().isEmpty() && expected.numbers().isEmpty()
         ? Optional.empty()
-        : Optional.of(new Confirmation(expected.things(), expected.numbers()));
+        : Optional.of(new Confirmation(expected));
   }
 
   SortedSet<String> things() {
     return things;
+  }
+
+  /** Who says by the deeds reported that it is so; nobody else does. */
+  SortedSet<String> reporters() {
+    return reporters;
+  }
+
+  /** What others say against it, who are less sure. */
+  List<Belief> objections() {
+    return objections;
+  }
+
+  /** It was seen; but others go on to say otherwise. */
+  boolean isOnlyDisputed() {
+    return reporters.isEmpty() && !objections.isEmpty();
   }
 
   /** Numbers to be measured. */
@@ -59,7 +82,10 @@ final class Confirmation {
   Formula goal(Formula original) {
     List<Formula> parts = new ArrayList<>();
     parts.add(original);
-    things.forEach(thing -> parts.add(seen(new Term.Name(thing))));
+    for (String thing : things) {
+      parts.add(seen(new Term.Name(thing)));
+      parts.add(new Formula.Not(new Formula.Atom(TOUCHED, List.of(new Term.Name(thing)))));
+    }
     numbers.forEach(number -> parts.add(measured(number)));
     return new Formula.And(parts);
   }
@@ -79,8 +105,9 @@ final class Confirmation {
 
   static Vocabulary extend(Vocabulary vocabulary) {
     Map<String, PredicateDeclaration> predicates = new TreeMap<>(vocabulary.predicates());
-    predicates.put(
-        SEEN, synthetic(SEEN, "has been seen", List.of(new TypedVariable("x", Optional.empty()))));
+    List<TypedVariable> thing = List.of(new TypedVariable("x", Optional.empty()));
+    predicates.put(SEEN, synthetic(SEEN, "has been seen", thing));
+    predicates.put(TOUCHED, synthetic(TOUCHED, "is not as it was", thing));
     vocabulary.predicates().values().stream()
         .filter(declared -> declared.fluent() && declared.observable())
         .forEach(
@@ -112,9 +139,9 @@ final class Confirmation {
         Optional.empty());
   }
 
-  static PricedFeature extend(PricedFeature priced) {
+  static PricedFeature extend(PricedFeature priced, Vocabulary vocabulary) {
     FeatureType type = priced.type();
-    Effect extended = extend(type.effect());
+    Effect extended = extend(type.effect(), vocabulary);
     return extended.equals(type.effect())
         ? priced
         : new PricedFeature(
@@ -122,13 +149,13 @@ final class Confirmation {
   }
 
   /** What is sensed has been seen or measured; what is changed has to be measured again. */
-  private static Effect extend(Effect effect) {
+  private static Effect extend(Effect effect, Vocabulary vocabulary) {
     if (effect instanceof Effect.All all) {
-      return new Effect.All(all.effects().stream().map(Confirmation::extend).toList());
+      return new Effect.All(all.effects().stream().map(part -> extend(part, vocabulary)).toList());
     } else if (effect instanceof Effect.When when) {
-      return new Effect.When(when.condition(), extend(when.effect()));
+      return new Effect.When(when.condition(), extend(when.effect(), vocabulary));
     } else if (effect instanceof Effect.Forall forall) {
-      return new Effect.Forall(forall.variables(), extend(forall.effect()));
+      return new Effect.Forall(forall.variables(), extend(forall.effect(), vocabulary));
     } else if (effect instanceof Effect.SenseAtom sense) {
       Formula.Atom seen = new Formula.Atom(SEEN, sense.atom().arguments().subList(0, 1));
       return new Effect.All(List.of(effect, new Effect.Add(seen)));
@@ -136,7 +163,25 @@ final class Confirmation {
       return new Effect.All(List.of(effect, new Effect.Add(measured(sense.fluent()))));
     } else if (effect instanceof Effect.Change change) {
       return new Effect.All(List.of(effect, new Effect.Delete(measured(change.fluent()))));
+    } else if (effect instanceof Effect.Add add) {
+      return touching(effect, add.atom(), vocabulary);
+    } else if (effect instanceof Effect.Delete delete) {
+      return touching(effect, delete.atom(), vocabulary);
     }
     return effect;
+  }
+
+  /** What a step says of a thing that an observation could say too. */
+  private static Effect touching(Effect effect, Formula.Atom atom, Vocabulary vocabulary) {
+    boolean seeable =
+        vocabulary
+            .predicate(atom.predicate())
+            .flatMap(PredicateDeclaration::observedWhen)
+            .isPresent();
+    return seeable
+        ? new Effect.All(
+            List.of(
+                effect, new Effect.Add(new Formula.Atom(TOUCHED, atom.arguments().subList(0, 1)))))
+        : effect;
   }
 }

@@ -56,6 +56,10 @@ final class GoalEnding {
       story.confirming(needed.get());
       course.makePlan(Optional.empty());
     } else if (parts.underway().isEmpty() && parts.plan().remaining().isEmpty()) {
+      if (needed.get().isOnlyDisputed()) {
+        end(GoalState.ACHIEVED, false, binding, List.of(story.unconfirmed(needed.get())));
+        return;
+      }
       outlook.confirm(needed);
       course.makePlan(Optional.of("it was not seen"));
     } else {
@@ -103,8 +107,12 @@ final class GoalEnding {
   void noPlanToSeeIt() {
     Optional<Plan> reached = outlook.holds();
     if (reached.isPresent()) {
-      story.unconfirmed();
-      end(GoalState.ACHIEVED, false, reached.get().goalBinding(), List.of());
+      Map<String, Term> binding = reached.get().goalBinding();
+      outlook
+          .toBeSeen(binding)
+          .ifPresentOrElse(
+              needed -> end(GoalState.ACHIEVED, false, binding, List.of(story.unconfirmed(needed))),
+              () -> settle(binding));
     } else {
       outlook.confirm(Optional.empty());
       course.makePlan(Optional.of("it cannot be seen any more that the goal is reached"));

@@ -261,8 +261,34 @@ final class GoalStory {
     }
   }
 
-  void unconfirmed() {
-    tell(StoryEntry.Kind.CONFIRM, "Nobody can look there: the report is taken for it.");
+  /** Returns what is told: that it is not certain though it is said to be so. */
+  String unconfirmed(Confirmation needed) {
+    String told =
+        needed.isOnlyDisputed()
+            ? disputed(needed.objections())
+            : "It is done, as far as %s; nobody can confirm it."
+                .formatted(
+                    needed.reporters().isEmpty()
+                        ? "is known"
+                        : String.join(" and ", needed.reporters())
+                            + (needed.reporters().size() == 1 ? " says" : " say"));
+    tell(StoryEntry.Kind.CONFIRM, told);
+    return told;
+  }
+
+  private String disputed(List<Belief> objections) {
+    return "It is so by the surer source; it is not certain: "
+        + objections.stream()
+            .map(
+                said ->
+                    said.source().agent()
+                        + " has said since: "
+                        + sentences()
+                            .fact(
+                                SlParser.formula(
+                                    said.fact(), knowledge.home().vocabulary()::isFluent)))
+            .collect(Collectors.joining("; "))
+        + ".";
   }
 
   void ended(GoalOutcome outcome) {

@@ -1,41 +1,52 @@
 package org.maestro.coordination;
 
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import org.maestro.knowledge.AsClaimed;
 import org.maestro.knowledge.Belief;
+import org.maestro.knowledge.Dispute;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.knowledge.Source;
+import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Leaves;
+import org.maestro.sl.SlParser;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 import org.maestro.sl.TypedVariable;
 
 /**
- * What a goal that holds rests on without anybody having observed it: things whose place is only
- * expected, and observable numbers that are only reckoned.
+ * What a goal that holds rests on without anybody having observed it, or though somebody has said
+ * otherwise since: things whose place is only expected or disputed, and observable numbers that are
+ * only reckoned. Sources of numbers differ always a little; of these the surer counts.
  */
 final class OnlyExpected {
   private static final String POSITION = "position";
 
   private final Snapshot snapshot;
+  private final Home home;
   private final Vocabulary vocabulary;
   private final SortedSet<String> things = new TreeSet<>();
   private final List<Expression.Fluent> numbers = new ArrayList<>();
+  private final SortedSet<String> reporters = new TreeSet<>();
+  private final Set<Belief> objections = new LinkedHashSet<>();
 
-  OnlyExpected(Snapshot snapshot, Vocabulary vocabulary) {
+  OnlyExpected(Snapshot snapshot, Home home) {
     this.snapshot = snapshot;
-    this.vocabulary = vocabulary;
+    this.home = home;
+    this.vocabulary = home.vocabulary();
   }
 
   SortedSet<String> things() {
@@ -44,6 +55,16 @@ final class OnlyExpected {
 
   List<Expression.Fluent> numbers() {
     return numbers;
+  }
+
+  /** Whose deeds let it be expected. */
+  SortedSet<String> reporters() {
+    return reporters;
+  }
+
+  /** What others have said since what is believed, and what contradicts it. */
+  List<Belief> objections() {
+    return List.copyOf(objections);
   }
 
   /** Of alternatives the first that holds counts. */
@@ -63,11 +84,11 @@ final class OnlyExpected {
   }
 
   private void collect(Expression.Fluent number) {
+    Optional<Belief> expected = expected(snapshot.belief(number));
     boolean observable =
         vocabulary.predicate(number.name()).filter(PredicateDeclaration::observable).isPresent();
-    if (observable
-        && !numbers.contains(number)
-        && snapshot.belief(number).filter(OnlyExpected::isExpected).isPresent()) {
+    if (observable && !numbers.contains(number) && expected.isPresent()) {
+      reporters.add(expected.get().source().agent());
       numbers.add(number);
     }
   }
@@ -77,7 +98,9 @@ final class OnlyExpected {
         vocabulary
             .predicate(atom.predicate())
             .filter(declared -> declared.observedWhen().isPresent());
-    if (seeable.isPresent() && snapshot.belief(atom).filter(OnlyExpected::isExpected).isPresent()) {
+    Optional<Belief> expected = expected(snapshot.belief(atom));
+    if (seeable.isPresent() && expected.isPresent()) {
+      reporters.add(expected.get().source().agent());
       // Where a thing is, the thing tells when it is seen; nobody can see the place.
       int seen = seeable.get().functional() ? 1 : atom.arguments().size();
       for (Term argument : atom.arguments().subList(0, seen)) {
@@ -85,7 +108,45 @@ final class OnlyExpected {
           things.add(name.text());
         }
       }
+    } else if (seeable.isPresent()) {
+      collectObjections(atom);
     }
+  }
+
+  /**
+   * A surer source counts, also when another says otherwise since: but then it is time to look
+   * again. Of equally sure sources the later one is believed, and nothing is said since.
+   */
+  private void collectObjections(Formula.Atom atom) {
+    for (Dispute dispute : snapshot.disputes()) {
+      for (Dispute.Loser loser : dispute.losers()) {
+        Belief said = loser.belief();
+        boolean since =
+            dispute.believed().filter(b -> b.since().isBefore(said.since())).isPresent();
+        if (since
+            && !isExpected(said)
+            && !isExpected(dispute.believed().get())
+            && new AsClaimed(snapshot, home, said).contradicts(atom)) {
+          objections.add(said);
+          subject(said)
+              .filter(thing -> atom.arguments().contains(thing))
+              .ifPresent(thing -> things.add(thing.text()));
+        }
+      }
+    }
+  }
+
+  private Optional<Term.Name> subject(Belief belief) {
+    List<Term.Name> subjects = new ArrayList<>();
+    Leaves.of(
+        SlParser.formula(belief.fact(), vocabulary::isFluent),
+        atom -> {
+          if (atom.arguments().get(0) instanceof Term.Name name) {
+            subjects.add(name);
+          }
+        },
+        fluent -> {});
+    return subjects.stream().findFirst();
   }
 
   private boolean holds(Formula formula) {
@@ -119,6 +180,10 @@ final class OnlyExpected {
               }
               return declared.derivedWhen().map(new Substitution(bindings)::apply);
             });
+  }
+
+  private static Optional<Belief> expected(Optional<Belief> belief) {
+    return belief.filter(OnlyExpected::isExpected);
   }
 
   private static boolean isExpected(Belief belief) {

@@ -75,7 +75,7 @@ final class Outlook {
   /** What would have to be seen if the goal were called reached with these values. */
   Optional<Confirmation> toBeSeen(Map<String, Term> binding) {
     return Confirmation.needed(
-        goal, binding, ports.knowledge().snapshot(), ports.knowledge().home().vocabulary());
+        goal, binding, ports.knowledge().snapshot(), ports.knowledge().home());
   }
 
   /** The goal itself, by what is known now, without what would have to be seen. */

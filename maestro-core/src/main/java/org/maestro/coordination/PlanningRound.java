@@ -66,8 +66,8 @@ final class PlanningRound {
       return isOfSeeing() ? Confirmation.extend(home.vocabulary()) : home.vocabulary();
     }
 
-    PricedFeature feature(PricedFeature priced) {
-      return isOfSeeing() ? Confirmation.extend(priced) : priced;
+    PricedFeature feature(PricedFeature priced, Home home) {
+      return isOfSeeing() ? Confirmation.extend(priced, home.vocabulary()) : priced;
     }
   }
 
@@ -302,7 +302,7 @@ final class PlanningRound {
             device.features().stream()
                 .filter(type -> names.contains(type.name()))
                 .map(type -> new PricedFeature(member, type, type.cost(), Map.of()))
-                .forEach(f -> unavailable.add(new Unavailable(subject.feature(f), reason)));
+                .forEach(f -> unavailable.add(new Unavailable(subject.feature(f, home), reason)));
           }
         });
     return unavailable;
@@ -331,7 +331,8 @@ final class PlanningRound {
             features.add(
                 subject.feature(
                     new PricedFeature(
-                        device.id(), type, price, exactPrices.of(device.id(), type.name()))));
+                        device.id(), type, price, exactPrices.of(device.id(), type.name())),
+                    home));
           }
         }
       }

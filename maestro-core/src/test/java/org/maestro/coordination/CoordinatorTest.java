@@ -71,6 +71,29 @@ class CoordinatorTest {
 
     assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
     assertThat(outcome.confirmed()).isFalse();
+    assertThat(house.calls).noneMatch(call -> call.startsWith("place"));
+  }
+
+  /** The camera that could see it dies; the other one is elsewhere. */
+  @Test
+  void nothingIsCarriedAboutOnlyToBeSeen() {
+    house.ambientLux.put("zone-a", 100.0);
+    house.ambientLux.put("zone-b", 100.0);
+    house.beforeCall =
+        call -> {
+          if (call.equals("place rose")) {
+            house.coordinator.memberLost("cam-a", "no power");
+          }
+        };
+
+    GoalOutcome outcome = house.achieve("(nextTo Cup Bob)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(outcome.confirmed()).isFalse();
+    assertThat(outcome.reasons())
+        .containsExactly("It is done, as far as rose says; nobody can confirm it.");
+    assertThat(house.calls).filteredOn(call -> call.equals("pick rose")).hasSize(1);
+    assertThat(house.place).containsEntry("Cup", "zone-a");
   }
 
   @Test
