@@ -103,6 +103,11 @@ public final class World {
     return whereabouts.find(thing).flatMap(Body::holder);
   }
 
+  /** Of the circle around it on the floor; metres. */
+  public synchronized double radius(String name) {
+    return whereabouts.body(name).radius();
+  }
+
   /** Whether it is in a cupboard. */
   public synchronized boolean isHidden(String thing) {
     return whereabouts.body(thing).hidden();

@@ -1,9 +1,7 @@
 package org.maestro.launch;
 
-import java.io.PrintWriter;
 import java.net.URI;
 import java.util.concurrent.Callable;
-import java.util.concurrent.CountDownLatch;
 import org.maestro.agents.SupervisorAgent;
 import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.HomeLoader;
@@ -53,20 +51,14 @@ final class ContainerCommand implements Callable<Integer> {
             clock);
     container.host(
         handover.members(), link, new DescriptionReader(new HomeLoader().vocabulary())::read);
-    Runtime.getRuntime()
-        .addShutdownHook(
-            new Thread(
-                () -> {
-                  container.close();
-                  link.close();
-                },
-                "shutdown"));
-    PrintWriter out = spec.commandLine().getOut();
-    out.printf(
-        "The container %s runs here, with %s. Stop with Ctrl-C.%n",
-        name, String.join(", ", handover.members()));
-    out.flush();
-    new CountDownLatch(1).await();
+    UntilStopped.run(
+        spec.commandLine().getOut(),
+        "The container %s runs here, with %s."
+            .formatted(name, String.join(", ", handover.members())),
+        () -> {
+          container.close();
+          link.close();
+        });
     return ExitCode.DONE;
   }
 }

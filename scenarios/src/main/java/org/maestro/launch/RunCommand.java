@@ -6,16 +6,16 @@ import java.net.URI;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.concurrent.CountDownLatch;
 import java.util.regex.Pattern;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.Objective;
+import org.maestro.sim.Scene;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** A platform that stays until it is interrupted. */
@@ -25,34 +25,13 @@ final class RunCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec;
 
-  @Parameters(paramLabel = "HOME.ttl", description = "A home file, or a shipped home: bob, arena.")
-  private String home;
-
-  @Option(
-      names = "--scene",
-      paramLabel = "S.ttl",
-      description = "Ground truth of the simulated world: a file, or a shipped scene.")
-  private Optional<String> scene;
+  @Mixin private SimulationOptions simulation;
 
   @Option(names = "--no-sim", description = "No simulated devices: they come over the broker.")
   private boolean withoutSimulation;
 
   @Option(names = "--gui", description = "Show the JADE GUI.")
   private boolean gui;
-
-  @Option(
-      names = "--speed",
-      paramLabel = "N",
-      defaultValue = "1",
-      description = "Simulated seconds per second; default ${DEFAULT-VALUE}.")
-  private double speed;
-
-  @Option(
-      names = "--seed",
-      paramLabel = "N",
-      defaultValue = "1",
-      description = "Of all chance in the world; default ${DEFAULT-VALUE}.")
-  private long seed;
 
   @Option(
       names = "--broker",
@@ -93,6 +72,7 @@ final class RunCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException {
+    double speed = simulation.speed();
     check();
     RuntimeDirectory directory = RuntimeDirectory.ofUser();
     if (directory.running().stream().anyMatch(platform -> platform.name().equals(name))) {
@@ -101,20 +81,21 @@ final class RunCommand implements Callable<Integer> {
               + name
               + " runs already; stop it, or choose another --name and --port.");
     }
-    Home loaded = Shipped.home(home);
-    Optional<String> sceneName =
-        withoutSimulation ? Optional.empty() : scene.or(() -> Shipped.usualScene(home));
-    if (sceneName.isEmpty() && !withoutSimulation) {
-      throw CommandException.badInput(
-          "A home of your own needs --scene FILE for its simulated devices, or --no-sim for real ones.");
-    }
+    Home loaded = simulation.home();
+    Optional<Scene> scene =
+        withoutSimulation
+            ? Optional.empty()
+            : Optional.of(
+                simulation.scene(
+                    loaded,
+                    "A home of your own needs --scene FILE for its simulated devices, or --no-sim for real ones."));
     Optional<URI> bus = broker.map(Endpoint::broker);
     SiteSettings settings =
         new SiteSettings(
                 name,
                 loaded,
-                sceneName.map(s -> Shipped.scene(s, loaded)),
-                seed,
+                scene,
+                simulation.seed(),
                 bus,
                 port,
                 gui,
@@ -130,14 +111,12 @@ final class RunCommand implements Callable<Integer> {
             ProcessHandle.current().pid(),
             site.platform().port(),
             site.broker().map(URI::toString)));
-    Runtime.getRuntime().addShutdownHook(new Thread(() -> end(directory, site), "shutdown"));
-    announce(site);
-    new CountDownLatch(1).await();
+    UntilStopped.run(
+        spec.commandLine().getOut(), announcement(loaded, site), () -> end(directory, site));
     return ExitCode.DONE;
   }
 
   private void check() {
-    Speed.require(speed);
     if (!SLUG.matcher(name).matches()) {
       throw CommandException.badInput(
           "\"" + name + "\" is no name for a platform; use small letters, digits and hyphens.");
@@ -145,7 +124,7 @@ final class RunCommand implements Callable<Integer> {
     if (port < 0 || port > 65_535) {
       throw CommandException.badInput("--port is between 0 and 65535, not " + port + ".");
     }
-    if (withoutSimulation && scene.isPresent()) {
+    if (withoutSimulation && simulation.namesScene()) {
       throw CommandException.badInput("--scene and --no-sim exclude each other; leave one away.");
     }
     if (withoutSimulation && broker.isEmpty()) {
@@ -157,21 +136,25 @@ final class RunCommand implements Callable<Integer> {
     }
   }
 
-  private void announce(LocalSite site) {
+  private String announcement(Home loaded, LocalSite site) {
     PrintWriter out = spec.commandLine().getOut();
     StoryPrinter printer = new StoryPrinter(out, site.clock().now());
     site.platform().onStory(printer::print);
-    out.printf(
-        "The platform %s runs: %d agents, JADE on port %d, MQTT on %s.%n",
-        name,
-        site.platform().agents().size(),
-        site.platform().port(),
-        site.broker().map(URI::toString).orElse("no port"));
-    out.println(
-        data.map(kept -> "Goals and their stories are kept in " + kept + ".")
-            .orElse("Goals end with this process; --data DIR keeps them over a restart."));
-    out.println("In another terminal: ./maestro goal \"(nextTo Cup Bob)\"   Stop with Ctrl-C.");
-    out.flush();
+    String runs =
+        "The platform %s runs: %d agents, JADE on port %d, MQTT on %s."
+            .formatted(
+                name,
+                site.platform().agents().size(),
+                site.platform().port(),
+                site.broker().map(URI::toString).orElse("no port"));
+    String kept =
+        data.map(directory -> "Goals and their stories are kept in " + directory + ".")
+            .orElse("Goals end with this process; --data DIR keeps them over a restart.");
+    String next =
+        SuggestedGoal.of(loaded)
+            .map(goal -> "In another terminal: ./maestro goal \"" + goal + "\"  ")
+            .orElse("In another terminal, ./maestro goal --help tells how to state a goal.");
+    return String.join(System.lineSeparator(), runs, kept, next);
   }
 
   private void end(RuntimeDirectory directory, LocalSite site) {

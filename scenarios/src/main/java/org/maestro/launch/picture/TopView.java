@@ -41,6 +41,10 @@ public final class TopView {
   private static final int WIDTH = 1600;
   private static final double BRIGHT_LUX = 100;
   private static final double MOVED_METRES = 0.3;
+
+  /** What takes so much of the floor around it is drawn as somebody who stands or sits there. */
+  private static final double STANDS_METRES = 0.15;
+
   private static final int CLEAR_OF_WALL = 70;
 
   private final Home home;
@@ -212,7 +216,7 @@ public final class TopView {
             at,
             Symbols.LARGE,
             Texts.NORMAL);
-      } else if (individual.classes().contains("Person")) {
+      } else if (world.radius(name) >= STANDS_METRES) {
         Symbols.person(canvas, at);
         labels.add(name, at, Symbols.LARGE, Texts.NORMAL);
       } else {

@@ -1,0 +1,23 @@
+package org.maestro.launch;
+
+import java.io.PrintWriter;
+import java.util.concurrent.CountDownLatch;
+
+/** What the commands that stay have in common. */
+final class UntilStopped {
+
+  private UntilStopped() {}
+
+  /**
+   * Says what runs, and waits until the process is stopped.
+   *
+   * @param announcement its last words say how to stop
+   * @param end done when it is stopped
+   */
+  static void run(PrintWriter out, String announcement, Runnable end) throws InterruptedException {
+    Runtime.getRuntime().addShutdownHook(new Thread(end, "shutdown"));
+    out.println(announcement + " Stop with Ctrl-C.");
+    out.flush();
+    new CountDownLatch(1).await();
+  }
+}
