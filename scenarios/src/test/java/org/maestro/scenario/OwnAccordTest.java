@@ -2,6 +2,7 @@ package org.maestro.scenario;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import jade.lang.acl.ACLMessage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -14,12 +15,14 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.maestro.agents.Words;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.junit.Pursuit;
 import org.maestro.junit.Stage;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
+import org.maestro.platform.AgentRow;
 import org.maestro.sim.SceneLoader;
 
 /** Agents with goals of their own, held goals, and the death of the central agent. */
@@ -32,6 +35,15 @@ class OwnAccordTest {
         maestro:memberWhen "(inside ?member zone-b)" ;
         maestro:pursues "(keep (>= (illuminance zone-b) 72))" .
       """;
+
+  private static final String TEAM =
+      """
+
+      home:team a maestro:GroupAgent ; rdfs:label "all devices" ;
+        maestro:memberWhen "(Device ?member)" ; maestro:pursues "(nextTo Cup Bob)" .
+      """;
+  private static final String LAMP_WITH_A_WISH =
+      ":Lamp ; rdfs:label \"lamp B1\"@en ; maestro:pursues \"(nextTo Cup Bob)\" ;";
 
   @Test
   void aGroupKeepsItsRoomLitWithoutTheCentralAgent() {
@@ -85,15 +97,78 @@ class OwnAccordTest {
     }
   }
 
+  /** All devices as one group fetch the cup themselves; cancelled, Rose reaches for it no more. */
+  @Test
+  void withoutTheCentralAgentACancelledGoalEndsSafe() {
+    try (Stage stage = stage("team", TEAM)) {
+      stage.platform().endAgent(CENTRE);
+      List<StoryEntry> story = listen(stage);
+      stage.await(
+          "Rose reaches for the cup",
+          () ->
+              story.stream()
+                  .anyMatch(entry -> entry.text().matches("Step \\d+ of \\d+: rose picks up.*")));
+      stage.run(Duration.ofSeconds(2));
+      List<Integer> answers = new CopyOnWriteArrayList<>();
+      stage
+          .platform()
+          .desk()
+          .request(
+              ACLMessage.REQUEST,
+              "team",
+              Duration.ofSeconds(30),
+              reply -> answers.add(reply.getPerformative()),
+              Words.content("cancel", Words.named("goal", Words.name("team-1"))));
+
+      stage.await("it is cancelled", () -> !answers.isEmpty());
+      stage.await("Rose is in a safe state", () -> state(stage, "rose").equals("safe"));
+      Optional<String> zone = stage.world().zone("rose");
+      stage.run(Duration.ofSeconds(20));
+
+      assertThat(answers).containsExactly(ACLMessage.INFORM);
+      assertThat(stage.world().holder("Cup")).isEmpty();
+      assertThat(stage.world().zone("rose")).isEqualTo(zone);
+      assertThat(state(stage, "rose")).isEqualTo("safe");
+      assertThat(story).extracting(StoryEntry::goalId).containsOnly("team-1");
+    }
+  }
+
+  private static String state(Stage stage, String agent) {
+    return stage.platform().agents().stream()
+        .filter(row -> row.agent().equals(agent))
+        .map(AgentRow::state)
+        .findFirst()
+        .orElse("");
+  }
+
+  /** A lamp can neither see nor carry; it asks for what others are able to do (M14). */
+  @Test
+  void aLampHasTheCupBroughtToBob() {
+    try (Stage stage = stage("lamp", "", ":Lamp ; rdfs:label \"lamp B1\"@en ;", LAMP_WITH_A_WISH)) {
+      List<StoryEntry> story = listen(stage);
+      stage.await("the cup is with Bob", () -> stage.world().isNextTo("Cup", "Bob"));
+
+      assertThat(story)
+          .anyMatch(
+              entry ->
+                  entry.goalId().startsWith("G") && entry.text().startsWith("lamp-b1 asks for"));
+      assertThat(story).anyMatch(entry -> entry.text().contains("rose picks up"));
+    }
+  }
+
   @Test
   void theGoalsOfACentralAgentGoOnWithTheNextOne() {
     try (Stage stage = stage("heirs", "")) {
       Pursuit light = stage.begin("(keep (>= (illuminance zone-b) 72))");
       stage.await("the room is lit", () -> stage.world().lux("zone-b") >= 72);
-      Pursuit fetch = stage.begin("(nextTo Cup Bob)").awaitTelling("picks up");
+      Pursuit fetch = stage.begin("(nextTo Cup Bob)").awaitTelling(": rose picks up");
 
+      assertThat(stage.world().holder("Cup")).isEmpty();
       stage.platform().endAgent(CENTRE);
 
+      stage.await(
+          "what Rose is at is done to its end",
+          () -> stage.world().holder("Cup").equals(Optional.of("rose")));
       assertThat(fetch.await().reached()).isFalse();
       assertThat(light.await().explanation()).contains("no central coordination agent");
       assertThat(stage.goal("(nextTo Cup Bob)").explanation()).contains("revive");
