@@ -68,13 +68,16 @@ final class Actuator {
   void after(double seconds, Runnable effect) {
     if (world.isAlive(device)) {
       clock.schedule(
-          Duration.ofNanos(Math.round(seconds * NANOS)),
-          device,
-          () -> {
-            if (world.isAlive(device)) {
-              effect.run();
-            }
-          });
+          Duration.ofNanos(Math.round(seconds * NANOS)), device, () -> whenThawed(effect));
+    }
+  }
+
+  private void whenThawed(Runnable effect) {
+    Duration frozen = world.frozenFor(device);
+    if (!frozen.isZero()) {
+      clock.schedule(frozen, device, () -> whenThawed(effect));
+    } else if (world.isAlive(device)) {
+      effect.run();
     }
   }
 

@@ -1,5 +1,6 @@
 package org.maestro.sim;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
@@ -15,8 +16,12 @@ import java.util.TreeSet;
  */
 final class Faults {
 
+  private static final double MILLIS_PER_HOUR = 3_600_000;
+
   private final Set<String> dead = new TreeSet<>();
   private final Map<String, String> defects = new TreeMap<>();
+  private final Map<String, Duration> frozenUntil = new TreeMap<>();
+  private final Map<String, Distortion> distortions = new TreeMap<>();
   private final Map<String, Map<WorldEvent.Kind, List<Runnable>>> triggers = new TreeMap<>();
 
   /** Whether it had power until now. */
@@ -43,6 +48,32 @@ final class Faults {
 
   Optional<String> defect(String device) {
     return Optional.ofNullable(defects.get(device));
+  }
+
+  void freeze(String device, Duration until) {
+    frozenUntil.put(device, until);
+  }
+
+  /** How long still; none when it is not frozen. */
+  Duration frozenFor(String device, Duration now) {
+    Duration left = frozenUntil.getOrDefault(device, Duration.ZERO).minus(now);
+    return left.isNegative() ? Duration.ZERO : left;
+  }
+
+  void distort(String sensor, double factor, double sharePerHour, Duration since) {
+    distortions.put(sensor, new Distortion(factor, sharePerHour, since));
+  }
+
+  /** What a sensor's measurement is multiplied with. */
+  double distortion(String sensor, Duration now) {
+    Distortion distortion = distortions.get(sensor);
+    return distortion == null ? 1 : distortion.at(now);
+  }
+
+  private record Distortion(double factor, double sharePerHour, Duration since) {
+    double at(Duration now) {
+      return factor * (1 + sharePerHour * now.minus(since).toMillis() / MILLIS_PER_HOUR);
+    }
   }
 
   void when(String device, WorldEvent.Kind kind, Runnable action) {

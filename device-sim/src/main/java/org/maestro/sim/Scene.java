@@ -13,20 +13,25 @@ import org.maestro.hal.Position;
  * never reads it. Immutable.
  */
 public record Scene(
-    String name, Map<String, Entry> entries, Optional<SceneSky> sky, Map<String, Double> openings) {
+    String name,
+    Map<String, Entry> entries,
+    Optional<SceneSky> sky,
+    Map<String, Double> openings,
+    Course course) {
 
   /**
    * @param sky without it no light comes in by windows
    * @param openings how far shutters are open, 0 to 1; others are closed
+   * @param course what happens of its own accord
    */
   public Scene {
     entries = Collections.unmodifiableMap(new LinkedHashMap<>(entries));
     openings = Collections.unmodifiableMap(new TreeMap<>(openings));
   }
 
-  /** A scene without daylight. */
+  /** A scene without daylight, in which nothing happens of its own accord. */
   public Scene(String name, Map<String, Entry> entries) {
-    this(name, entries, Optional.empty(), Map.of());
+    this(name, entries, Optional.empty(), Map.of(), Course.NOTHING);
   }
 
   /** What the scene says of it; nothing when it is not mentioned. */
@@ -38,12 +43,12 @@ public record Scene(
   public Scene with(String thing, Entry entry) {
     Map<String, Entry> changed = new LinkedHashMap<>(entries);
     changed.put(thing, entry);
-    return new Scene(name, changed, sky, openings);
+    return new Scene(name, changed, sky, openings, course);
   }
 
   /** The same scene under another sky. */
   public Scene with(SceneSky other) {
-    return new Scene(name, entries, Optional.of(other), openings);
+    return new Scene(name, entries, Optional.of(other), openings, course);
   }
 
   /**

@@ -3,6 +3,7 @@ package org.maestro.sim;
 import java.io.InputStream;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -20,6 +21,7 @@ import org.apache.jena.riot.system.ErrorHandlerFactory;
 import org.apache.jena.sys.JenaSystem;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Pose;
 
 /**
@@ -50,8 +52,12 @@ public final class SceneLoader {
   public static Scene load(String name, InputStream turtle, Home home) {
     SceneLoader loader = new SceneLoader(name, home);
     loader.read(turtle);
+    Map<String, List<ScriptedFault>> faults = new TreeMap<>();
+    Map<String, List<Point2>> walks = new TreeMap<>();
+    loader.words.forEach((thing, said) -> loader.course(thing, said, faults, walks));
     Optional<SceneSky> sky =
         Optional.ofNullable(loader.words.remove(HOME))
+            .filter(said -> !said.isEmpty())
             .map(said -> SkyReader.read(said, loader::fault));
     Map<String, Scene.Entry> entries = new LinkedHashMap<>();
     Map<String, Double> openings = new TreeMap<>();
@@ -62,7 +68,7 @@ public final class SceneLoader {
               .ifPresent(opening -> openings.put(thing, opening));
           entries.put(thing, loader.entry(thing, said));
         });
-    return new Scene(name, entries, sky, openings);
+    return new Scene(name, entries, sky, openings, new Course(faults, walks));
   }
 
   private void read(InputStream turtle) {
@@ -95,6 +101,38 @@ public final class SceneLoader {
         throw fault("gives " + thing + " two values of scene:" + word);
       }
     }
+  }
+
+  private void course(
+      String thing,
+      Map<String, String> said,
+      Map<String, List<ScriptedFault>> faults,
+      Map<String, List<Point2>> walks) {
+    String scripted = said.remove("fault");
+    String walk = said.remove("walks");
+    try {
+      if (scripted != null) {
+        faults.put(thing, Arrays.stream(scripted.split(";")).map(ScriptedFault::parse).toList());
+      }
+      if (walk != null) {
+        walks.put(thing, corners(walk));
+      }
+    } catch (IllegalArgumentException e) {
+      throw fault(
+          "does not say what happens to "
+              + (thing.isEmpty() ? "the home" : thing)
+              + ": "
+              + e.getMessage());
+    }
+    if (walk != null && !said.containsKey("position")) {
+      throw fault("lets " + thing + " walk, but does not say from where; add a scene:position");
+    }
+  }
+
+  private static List<Point2> corners(String walk) {
+    return Arrays.stream(walk.split(","))
+        .map(corner -> Pose.parse(corner.strip() + " 0").floor())
+        .toList();
   }
 
   private String thing(String iri) {
@@ -134,7 +172,7 @@ public final class SceneLoader {
               + new TreeSet<>(left.keySet()).first()
               + " of "
               + thing
-              + "; known are position, hidden, radius, mass, level, strength, ambientLux, open, opening, dead, speed, payload, diesWhen");
+              + "; known are position, hidden, radius, mass, level, strength, ambientLux, open, opening, dead, speed, payload, diesWhen, fault, walks");
     }
     return entry;
   }

@@ -104,6 +104,8 @@ public final class SimulatedHome implements AutoCloseable {
         .filter(simulated.world::isAlive)
         .forEach(simulated::startMember);
     simulated.world.listen(simulated::follow);
+    new CourseRunner(simulated.world, setup.clock(), new Random(~setup.seed()))
+        .start(setup.scene().course());
     return simulated;
   }
 

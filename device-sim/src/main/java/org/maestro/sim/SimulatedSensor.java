@@ -24,7 +24,10 @@ final class SimulatedSensor implements IlluminationSensor {
         listener::failed,
         () ->
             listener.measured(
-                reading(actuator.world().lux(place) * (1 + actuator.error(data.noise())))));
+                reading(
+                    actuator.world().lux(place)
+                        * actuator.world().distortion(actuator.device())
+                        * (1 + actuator.error(data.noise())))));
   }
 
   private double reading(double lux) {

@@ -29,7 +29,10 @@ final class SimulatedTsl2561 implements IlluminationSensor {
   }
 
   private void count(Listener listener) {
-    double lux = actuator.world().lux(place) * (1 + actuator.error(data.noise()));
+    double lux =
+        actuator.world().lux(place)
+            * actuator.world().distortion(actuator.device())
+            * (1 + actuator.error(data.noise()));
     Range fitting = fitting(lux);
     if (counts(lux, range) >= range.mostCounts() && fitting != range) {
       range = fitting;

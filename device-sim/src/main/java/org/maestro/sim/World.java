@@ -1,5 +1,6 @@
 package org.maestro.sim;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -11,7 +12,6 @@ import org.maestro.hal.Surroundings.Obstacle;
 import org.maestro.ontology.home.FloorPlan;
 import org.maestro.ontology.home.Glass;
 import org.maestro.ontology.home.Home;
-import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Segment;
 import org.maestro.rats.time.Clock;
 import org.maestro.sim.sky.Clouds;
@@ -25,9 +25,6 @@ public final class World {
 
   /** Two things are next to each other up to this horizontal distance; metres. */
   public static final double NEXT_TO_METRES = 0.6;
-
-  private static final double DROP_METRES = 0.1;
-  private static final int DROP_DIRECTIONS = 8;
 
   private final Clock clock;
   private final FloorMap map;
@@ -240,18 +237,50 @@ public final class World {
    * leaves the bus without goodbye.
    */
   public void die(String device) {
-    Optional<String> dropped;
     synchronized (this) {
       if (!faults.die(device)) {
         return;
       }
       whereabouts.stop(device);
-      dropped = held(device);
-      dropped.ifPresent(thing -> whereabouts.put(whereabouts.body(thing).at(besideRobot(device))));
       light.changed();
     }
-    dropped.ifPresent(thing -> tell(WorldEvent.Kind.DROPPED, device, Optional.of(thing)));
+    drop(device);
     tell(WorldEvent.Kind.DIED, device, Optional.empty());
+  }
+
+  /** What the robot holds falls to the floor beside it. */
+  public void drop(String robot) {
+    Optional<String> dropped;
+    synchronized (this) {
+      dropped = held(robot);
+      dropped.ifPresent(
+          thing ->
+              whereabouts.put(
+                  whereabouts
+                      .body(thing)
+                      .at(
+                          LandingSpot.beside(
+                              position(robot).orElseThrow().floor(),
+                              body(robot).radius(),
+                              obstacles(robot),
+                              map,
+                              plan))));
+    }
+    dropped.ifPresent(thing -> tell(WorldEvent.Kind.DROPPED, robot, Optional.of(thing)));
+  }
+
+  /** Commands to the device take effect after so many seconds only. */
+  public synchronized void freeze(String device, double seconds) {
+    faults.freeze(device, clock.now().plusMillis(Math.round(1e3 * seconds)));
+  }
+
+  /**
+   * From now on what a sensor measures is so many times the truth, and by a share more every hour.
+   *
+   * @param factor 1 is the truth
+   */
+  public synchronized void distort(String sensor, double factor, double sharePerHour) {
+    faults.distort(sensor, factor, sharePerHour, clock.now());
   }
 
   /** The device has power again; a lamp then is off. */
@@ -316,6 +345,16 @@ public final class World {
 
   synchronized Optional<String> defect(String device) {
     return faults.defect(device);
+  }
+
+  /** How long the device is frozen still; none when it is not. */
+  synchronized Duration frozenFor(String device) {
+    return faults.frozenFor(device, clock.now());
+  }
+
+  /** By how much a sensor's measurement differs from the truth; 1 when it does not. */
+  synchronized double distortion(String sensor) {
+    return faults.distortion(sensor, clock.now());
   }
 
   synchronized void addLamp(String name, LampLight lamp) {
@@ -383,28 +422,5 @@ public final class World {
 
   synchronized void stop(String robot) {
     whereabouts.stop(robot);
-  }
-
-  /**
-   * Where something lands that a robot lets go of: beside it, where it is free and no wall is
-   * between.
-   */
-  private Position besideRobot(String robot) {
-    Point2 middle = position(robot).orElseThrow().floor();
-    double distance = body(robot).radius() + DROP_METRES;
-    for (int i = 0; i < DROP_DIRECTIONS; i++) {
-      double angle = 2 * Math.PI * i / DROP_DIRECTIONS;
-      Point2 place =
-          new Point2(
-              middle.x() + distance * Math.cos(angle), middle.y() + distance * Math.sin(angle));
-      boolean free =
-          obstacles(robot).stream()
-              .allMatch(
-                  obstacle -> obstacle.middle().distance(place) > obstacle.radius() + DROP_METRES);
-      if (free && map.areaAt(place).isPresent() && !plan.isBlocked(middle, place)) {
-        return Position.onFloor(place);
-      }
-    }
-    return Position.onFloor(middle);
   }
 }
