@@ -1,5 +1,6 @@
 package org.maestro.knowledge;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,6 +14,9 @@ import org.maestro.sl.Term;
 
 /** What the result of a feature teaches. */
 final class Lesson {
+
+  /** By which share two readings of the same number may differ: five deviations of 1 %. */
+  private static final double NOISE = 0.05;
 
   private final World world;
   private final Snapshot present;
@@ -44,9 +48,17 @@ final class Lesson {
       bindings.putAll(run.outputs());
       Snapshot read = feature.learns().isPresent() ? present : before;
       Effect effect = feature.learns().orElse(feature.effect());
-      return EffectReader.facts(effect, bindings, read, present).stream()
-          .filter(fact -> !isMeasuredAlready(fact, before))
-          .toList();
+      List<Fact> facts = new ArrayList<>();
+      for (Fact fact : EffectReader.facts(effect, bindings, read, present)) {
+        switch (meanwhile(fact, before)) {
+          case NOTHING -> facts.add(fact);
+          case SHARE -> {
+            // To add it again would count it twice.
+          }
+          case MORE -> forget.accept(world.declarations().spokenOf(fact));
+        }
+      }
+      return facts;
     }
     EffectReader.touched(feature.effect(), bindings, before).stream()
         .filter(atom -> isUncertain(atom.predicate()))
@@ -56,16 +68,22 @@ final class Lesson {
     return run.refs().stream().map(ref -> FactReader.read(ref, run.member())).toList();
   }
 
-  /**
-   * Whether an expected number is one that a sensor, reading while the step ran, already shows:
-   * then to add the step's share again would count it twice. A reading that shows less than half of
-   * the share was taken before the step had its effect.
-   */
-  private boolean isMeasuredAlready(Fact fact, Snapshot before) {
+  /** What a sensor, reading while the step ran, shows of the step's share of a number. */
+  private enum Meanwhile {
+    /** It read before the step had its effect, or not at all. */
+    NOTHING,
+    /** The share is in it. */
+    SHARE,
+    /** Others have changed the number too: nobody can tell how much of the share is in it. */
+    MORE
+  }
+
+  /** A reading that shows less than half of the share was taken before the step had its effect. */
+  private Meanwhile meanwhile(Fact fact, Snapshot before) {
     if (!(fact instanceof Fact.Equation equation)
         || !(equation.value() instanceof Term.Number expected)
         || run.feature().learns().isPresent()) {
-      return false;
+      return Meanwhile.NOTHING;
     }
     Optional<Belief> measured =
         present
@@ -75,11 +93,17 @@ final class Lesson {
     OptionalDouble then = before.number(equation.fluent());
     OptionalDouble now = present.number(equation.fluent());
     if (measured.isEmpty() || then.isEmpty() || now.isEmpty()) {
-      return false;
+      return Meanwhile.NOTHING;
     }
     double share = expected.value() - now.getAsDouble();
     double shown = now.getAsDouble() - then.getAsDouble();
-    return share * shown > 0 && Math.abs(shown) >= Math.abs(share) / 2;
+    if (share * shown <= 0 || Math.abs(shown) < Math.abs(share) / 2) {
+      return Meanwhile.NOTHING;
+    }
+    double more = Math.abs(shown) - Math.abs(share);
+    return more > Math.abs(share) / 2 && more > NOISE * Math.abs(now.getAsDouble())
+        ? Meanwhile.MORE
+        : Meanwhile.SHARE;
   }
 
   /** Whether a step that failed leaves it open; plain closed-world facts stay as they are. */

@@ -163,6 +163,17 @@ class LearningTest {
     assertThat(home.number("(illuminance zone-b)")).hasValue(111);
   }
 
+  @Test
+  void whatOthersChangedMeanwhileLeavesOpenWhatTheLampDid() {
+    Snapshot before = home.knowledge.snapshot();
+    home.state(new Source(Source.Kind.OBSERVED, "lux-b"), "(= (illuminance zone-b) 200)");
+
+    lit(before);
+
+    assertThat(home.number("(illuminance zone-b)")).isEmpty();
+    assertThat(home.number("(level lamp-b1)")).hasValue(1);
+  }
+
   private void lit(Snapshot before) {
     home.knowledge.learn(
         new FeatureRun(

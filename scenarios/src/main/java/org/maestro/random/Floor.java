@@ -71,6 +71,13 @@ final class Floor {
         corner.y() + INSIDE * (middle.y() - corner.y()));
   }
 
+  /** All places of which the light is judged. */
+  List<Position> litPlaces() {
+    List<Position> places = new ArrayList<>(locations.values());
+    zones.keySet().forEach(zone -> places.addAll(corners(zone)));
+    return places;
+  }
+
   Position location(String name) {
     return locations.get(name);
   }

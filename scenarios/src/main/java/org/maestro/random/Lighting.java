@@ -1,16 +1,18 @@
 package org.maestro.random;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.FloorPlan;
+import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Pose;
 
 /**
- * What light can be made with the lamps that can be used, all others staying as they are: every
- * combination of levels is tried.
+ * What light can be made with the lamps and the shutter that can be used, all others staying as
+ * they are: every combination of levels is tried.
  */
 final class Lighting {
   private static final List<Double> LEVELS = List.of(0.0, 0.25, 0.5, 1.0);
@@ -21,9 +23,9 @@ final class Lighting {
   private final Moment moment;
   private final FloorPlan plan;
   private final FloorPlan shut;
-  private final List<String> usableLamps;
+  private final Collection<String> usableLamps;
 
-  Lighting(Site site, Moment moment, List<String> usableLamps) {
+  Lighting(Site site, Moment moment, Collection<String> usableLamps) {
     this.site = site;
     this.moment = moment;
     this.plan = site.floor().plan(moment.openDoors());
@@ -35,7 +37,7 @@ final class Lighting {
   /** The judge's own light has to be that of the world, or he judges nothing. */
   private void check() {
     for (String location : site.floor().locations().keySet()) {
-      double own = lux(location, moment.lampLevels());
+      double own = lux(location, moment.levels());
       if (Math.abs(own - moment.light(location)) > SAME_LUX) {
         throw new IllegalStateException(
             "The judge computes %s lux at %s, and the world %s"
@@ -64,7 +66,7 @@ final class Lighting {
         lamps.add(lamp);
       }
     }
-    return search(lamps, 0, new TreeMap<>(moment.lampLevels()), constraints, seen);
+    return search(lamps, 0, new TreeMap<>(moment.levels()), constraints, seen);
   }
 
   private boolean matters(String lamp, Truths.Constraint constraint) {
@@ -120,27 +122,37 @@ final class Lighting {
     Map<String, Double> counted = new TreeMap<>(levels);
     counted.replaceAll(
         (lamp, level) -> {
-          if (!shut.isBlocked(site.pose(lamp).floor(), place.floor())) {
+          if (isInRoom(lamp, place)) {
             return level;
           }
-          double now = moment.lampLevels().get(lamp);
+          double now = moment.levels().get(lamp);
           return forLight ? Math.min(level, now) : Math.max(level, now);
         });
     return counted;
   }
 
+  private boolean isInRoom(String lamp, Position place) {
+    Point2 from =
+        site.shutters().contains(lamp) ? site.insideOfWindow(lamp) : site.pose(lamp).floor();
+    return !shut.isBlocked(from, place.floor());
+  }
+
   private double lux(Position point, String zone, Map<String, Double> levels) {
     double lux = zone.isEmpty() ? 0 : site.ambient(zone);
     for (Map.Entry<String, Double> lamp : levels.entrySet()) {
-      if (lamp.getValue() > 0 && moment.isAlive(lamp.getKey())) {
+      boolean shines = moment.isAlive(lamp.getKey()) || site.shutters().contains(lamp.getKey());
+      if (lamp.getValue() > 0 && shines) {
         lux += lamp.getValue() * share(lamp.getKey(), point);
       }
     }
     return lux;
   }
 
-  /** What the lamp adds there at full level. */
+  /** What the lamp adds there at full level, or the shutter when it is open. */
   private double share(String lamp, Position point) {
+    if (site.shutters().contains(lamp)) {
+      return moment.daylight(point);
+    }
     Pose pose = site.pose(lamp);
     double height = pose.z() - point.z();
     if (pose.angleTo(point.x(), point.y(), point.z()) > site.number(lamp, "beamAngle") / 2

@@ -1,6 +1,7 @@
 package org.maestro.random;
 
 import java.time.Duration;
+import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -14,6 +15,8 @@ import org.maestro.sim.World;
  *
  * @param places of all bodies; a held one is where its holder is
  * @param luxByThing light where each body is
+ * @param levels of lamps, and how far shutters are open
+ * @param daylight at all places of which the light is judged
  * @param luxByLocation light at the reference point of each zone and desk
  */
 record Moment(
@@ -26,7 +29,8 @@ record Moment(
     Set<String> alive,
     Map<String, Double> luxByThing,
     Map<String, Double> luxByLocation,
-    Map<String, Double> lampLevels) {
+    Map<String, Double> levels,
+    Map<Position, Double> daylight) {
 
   static Moment of(World world, Site site, Duration at) {
     Map<String, Position> places = new TreeMap<>();
@@ -52,8 +56,25 @@ record Moment(
     alive.removeIf(device -> !world.isAlive(device));
     Map<String, Double> levels = new TreeMap<>();
     site.lamps().forEach(lamp -> levels.put(lamp, world.lampLevel(lamp)));
+    Map<Position, Double> daylight = new HashMap<>();
+    if (!site.shutters().isEmpty()) {
+      site.shutters().forEach(shutter -> levels.put(shutter, world.opening(shutter)));
+      site.floor()
+          .litPlaces()
+          .forEach(place -> daylight.put(place, world.daylightWithOpenShutters(place)));
+    }
     return new Moment(
-        at, places, zones, holders, hidden, openDoors, alive, luxByThing, luxByLocation, levels);
+        at,
+        places,
+        zones,
+        holders,
+        hidden,
+        openDoors,
+        alive,
+        luxByThing,
+        luxByLocation,
+        levels,
+        daylight);
   }
 
   Position place(String thing) {
@@ -74,6 +95,11 @@ record Moment(
 
   boolean isAlive(String device) {
     return alive.contains(device);
+  }
+
+  /** What comes in there by the window, its shutter open. */
+  double daylight(Position place) {
+    return daylight.get(place);
   }
 
   double lux(String thing) {

@@ -53,7 +53,8 @@ final class Possibilities {
     this.moment = moment;
     this.usable = usable;
     this.lighting =
-        new Lighting(site, moment, site.lamps().stream().filter(usable::contains).toList());
+        new Lighting(
+            site, moment, moment.levels().keySet().stream().filter(usable::contains).toList());
     for (String door : site.floor().doors()) {
       if (moment.openDoors().contains(door)
           || usable.contains(door) && !site.isTrue(door, "locked")) {

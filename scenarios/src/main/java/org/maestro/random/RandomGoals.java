@@ -25,6 +25,21 @@ final class RandomGoals {
     return goals;
   }
 
+  /** What is asked where the sun shines in. */
+  List<String> drawLight() {
+    List<String> goals = new ArrayList<>();
+    goals.add(
+        chance.happens(0.25)
+            ? "(keep " + brightness() + ")"
+            : chance.happens(0.3)
+                ? "(and " + brightness() + " " + brightness() + ")"
+                : brightness());
+    if (chance.happens(0.25)) {
+      goals.add(plain());
+    }
+    return goals;
+  }
+
   private String goal() {
     if (chance.happens(0.08)) {
       return "(keep " + brightness() + ")";

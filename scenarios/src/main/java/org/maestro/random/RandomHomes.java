@@ -41,16 +41,49 @@ public final class RandomHomes {
 
   /** The home of a seed: the same seed, the same home. */
   public static RandomHome of(long seed) {
+    return new RandomHomes(seed).drawn(seed);
+  }
+
+  /**
+   * A home of a seed with a window and a shutter before it, under a sky that stays as it is; what
+   * is asked there is light.
+   */
+  public static RandomHome withWindow(long seed) {
     RandomHomes draft = new RandomHomes(seed);
-    draft.map();
-    draft.devices();
-    draft.bodies();
+    draft.window();
+    RandomHome home = draft.drawn(seed);
     return new RandomHome(
         seed,
-        draft.home.toString(),
-        draft.scene.toString(),
-        new RandomGoals(draft.chance, draft.cast, draft.floor).draw(),
-        new RandomFaults(draft.chance, draft.cast, draft.floor).draw());
+        home.homeText(),
+        home.sceneText(),
+        new RandomGoals(draft.chance, draft.cast, draft.floor).drawLight(),
+        home.faults());
+  }
+
+  private RandomHome drawn(long seed) {
+    map();
+    devices();
+    bodies();
+    return new RandomHome(
+        seed,
+        home.toString(),
+        scene.toString(),
+        new RandomGoals(chance, cast, floor).draw(),
+        new RandomFaults(chance, cast, floor).draw());
+  }
+
+  /** In the lower wall of the first room. */
+  private void window() {
+    FloorDraft.Room room = floor.rooms().get(0);
+    double x = round(room.x() + chance.number(0.3, 1.2));
+    home(
+        "window a maestro:Window ; maestro:glassFrom \"%s 0 0.9\" ; maestro:glassTo \"%s 0 %s\"",
+        number(x), number(round(x + chance.number(0.6, 1.4))), number(chance.number(1.6, 2.4)));
+    device(cast.shutters, "shutter", ":Shutter", "maestro:shades home:window");
+    scene("shutter> scene:opening %s", chance.oneOf(List.of("0", "0.5", "1")));
+    scene.append(
+        "<> scene:latitude 49 ; scene:dayOfYear %d ; scene:solarTime \"%02d:00\" ; scene:north 90 ; scene:cloudCover 1 ; scene:cloudChange 0 ; scene:cloudMinutes 60 .\n"
+            .formatted(chance.whole(60, 300), chance.whole(6, 18)));
   }
 
   private void begin(long seed) {
@@ -298,6 +331,7 @@ public final class RandomHomes {
     final List<String> doors = new ArrayList<>();
     final List<String> cameras = new ArrayList<>();
     final List<String> lamps = new ArrayList<>();
+    final List<String> shutters = new ArrayList<>();
     final List<String> sensors = new ArrayList<>();
     final List<String> robots = new ArrayList<>();
     final List<String> persons = new ArrayList<>();

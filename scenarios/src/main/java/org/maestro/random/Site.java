@@ -49,6 +49,23 @@ final class Site {
     return of("Lamp");
   }
 
+  List<String> shutters() {
+    return of("Shutter");
+  }
+
+  /** A step behind the glass before which the shutter hangs. */
+  Point2 insideOfWindow(String shutter) {
+    String window =
+        values(shutter, "shades").stream()
+            .filter(Term.Name.class::isInstance)
+            .map(term -> ((Term.Name) term).text())
+            .findFirst()
+            .orElseThrow();
+    Position from = position(window, "glassFrom");
+    Position to = position(window, "glassTo");
+    return new Point2((from.x() + to.x()) / 2, (from.y() + to.y()) / 2 + 0.1);
+  }
+
   List<String> robots() {
     return of("MobileRobot");
   }

@@ -71,7 +71,7 @@ final class Truths {
     double number =
         constraint.isOfLight()
             ? moment.light(constraint.subject())
-            : moment.lampLevels().get(constraint.subject());
+            : moment.levels().get(constraint.subject());
     double slack = constraint.isOfLight() ? CLOSE_LIGHT * constraint.number() : 0;
     double over =
         constraint.atLeast() ? number - constraint.number() : constraint.number() - number;

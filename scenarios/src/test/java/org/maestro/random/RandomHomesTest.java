@@ -51,6 +51,20 @@ class RandomHomesTest {
     assertThat(run.agrees()).as(run.text()).isTrue();
   }
 
+  static LongStream someSeedsWithWindow() {
+    return Long.getLong(SEED) == null
+        ? LongStream.of(9, 18, 27, 28, 33, 46)
+        : LongStream.of(Long.getLong(SEED));
+  }
+
+  @ParameterizedTest(name = "seed {0} with a window")
+  @MethodSource("someSeedsWithWindow")
+  void claimsNothingOfDaylightThatIsNotSo(long seed) {
+    RandomRun run = RandomRun.withoutAgents(RandomHomes.withWindow(seed));
+
+    assertThat(run.agrees()).as(run.text()).isTrue();
+  }
+
   @Test
   void tellsTheSameStoryTwiceForTheSameSeed() {
     RandomRun first = RandomRun.withoutAgents(RandomHomes.of(42));
@@ -88,6 +102,19 @@ class RandomHomesTest {
       softly.assertThat(counts).as("both ends are met").containsKey(Verdict.Kind.ACHIEVED);
       softly.assertThat(counts).containsKey(Verdict.Kind.IMPOSSIBLE);
     }
+    softly.assertAll();
+  }
+
+  @Test
+  @Tag("full")
+  void claimsNothingOfDaylightThatIsNotSoInAHundredHomes() {
+    SoftAssertions softly = new SoftAssertions();
+    seeds(1, 100)
+        .forEach(
+            seed -> {
+              RandomRun run = RandomRun.withoutAgents(RandomHomes.withWindow(seed));
+              softly.assertThat(run.agrees()).as(run.text()).isTrue();
+            });
     softly.assertAll();
   }
 
