@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import org.maestro.knowledge.FeatureRun;
 import org.maestro.planning.StepKey;
 
 /**
@@ -33,15 +34,16 @@ final class FailureMemory {
 
   /**
    * @param problem what its member says
+   * @param taught what it teaches
    */
-  void note(StepKey step, String facts, String problem) {
+  void note(StepKey step, String facts, String problem, List<FeatureRun.Learnt> taught) {
     String said = problem.endsWith(".") ? problem.substring(0, problem.length() - 1) : problem;
     JournalEntry.Failed before = failures.get(step);
     remember(
         before != null && before.facts().equals(facts)
             ? new JournalEntry.Failed(
-                goalId, step, facts, before.count() + 1, before.chances(), said)
-            : new JournalEntry.Failed(goalId, step, facts, 1, CHANCES, said));
+                goalId, step, facts, before.count() + 1, before.chances(), said, taught)
+            : new JournalEntry.Failed(goalId, step, facts, 1, CHANCES, said, taught));
   }
 
   private void remember(JournalEntry.Failed failed) {
@@ -87,7 +89,8 @@ final class FailureMemory {
               failed.facts(),
               failed.count(),
               CHANCES + 1,
-              failed.problem()));
+              failed.problem(),
+              failed.taught()));
     }
     return !given.isEmpty();
   }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.maestro.knowledge.FeatureRun;
 import org.maestro.planning.StepKey;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
@@ -83,8 +84,16 @@ public sealed interface JournalEntry {
    * @param count how often it failed with these facts
    * @param chances how often it may
    * @param problem what its member said last
+   * @param taught what the failure has taught
    */
-  record Failed(String goalId, StepKey step, String facts, int count, int chances, String problem)
+  record Failed(
+      String goalId,
+      StepKey step,
+      String facts,
+      int count,
+      int chances,
+      String problem,
+      List<FeatureRun.Learnt> taught)
       implements OfGoal {}
 
   /**

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import org.maestro.knowledge.FeatureRun;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.Plan;
@@ -145,8 +146,8 @@ final class Outlook {
         ports.knowledge().snapshot(), ports.knowledge().home().vocabulary());
   }
 
-  void failed(Step step, String factsBefore, String problem) {
-    failures.note(step.key(), factsBefore, problem);
+  void failed(Step step, String factsBefore, String problem, List<FeatureRun.Learnt> taught) {
+    failures.note(step.key(), factsBefore, problem, taught);
   }
 
   /** Returns whether any barred step had no last chance before. */

@@ -9,6 +9,7 @@ import java.util.OptionalDouble;
 import java.util.function.Predicate;
 import org.maestro.coordination.JournalEntry;
 import org.maestro.coordination.SearchReport;
+import org.maestro.knowledge.FeatureRun;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
@@ -32,6 +33,15 @@ final class MemoryCodec {
       line.put("count", failed.count());
       line.put("chances", failed.chances());
       line.put("problem", failed.problem());
+      ArrayNode taught = line.putArray("taught");
+      failed
+          .taught()
+          .forEach(
+              learnt ->
+                  taught
+                      .addObject()
+                      .put("fact", learnt.fact())
+                      .put("value", SlPrinter.print(learnt.value())));
     } else if (entry instanceof JournalEntry.LookedInVain vain) {
       JournalCodec.step(JournalCodec.event(line, "looked-in-vain", vain.goalId()), vain.step());
       line.put("sought", SlPrinter.print(vain.atom()));
@@ -71,7 +81,8 @@ final class MemoryCodec {
               line.path("facts").asText(),
               line.path("count").asInt(),
               line.path("chances").asInt(),
-              line.path("problem").asText());
+              line.path("problem").asText(),
+              taught(line.path("taught")));
       case "looked-in-vain" ->
           new JournalEntry.LookedInVain(
               goal,
@@ -93,6 +104,16 @@ final class MemoryCodec {
               SlParser.formula(line.path("effect").asText(), fluents));
       default -> throw new IllegalArgumentException("nobody knows the event '" + event + "'");
     };
+  }
+
+  private static List<FeatureRun.Learnt> taught(JsonNode list) {
+    List<FeatureRun.Learnt> taught = new ArrayList<>();
+    for (JsonNode node : list) {
+      taught.add(
+          new FeatureRun.Learnt(
+              node.path("fact").asText(), SlParser.term(node.path("value").asText())));
+    }
+    return taught;
   }
 
   private List<JournalEntry.Setting> settings(JsonNode list) {

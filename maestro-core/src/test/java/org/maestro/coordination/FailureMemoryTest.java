@@ -2,6 +2,7 @@ package org.maestro.coordination;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.maestro.planning.StepKey;
@@ -13,7 +14,7 @@ class FailureMemoryTest {
       new StepKey("cam-b", "observeObject", Map.of("object", new Term.Name("Cup")));
 
   private void failsWith(String facts) {
-    memory.note(look, facts, "It cannot see.");
+    memory.note(look, facts, "It cannot see.", List.of());
   }
 
   @Test

@@ -41,6 +41,7 @@ final class PretendHouse implements Market, Crew {
   final Set<String> dead = new TreeSet<>();
   final List<String> calls = new ArrayList<>();
   final Set<String> weak = new TreeSet<>();
+  final Set<String> heavy = new TreeSet<>();
   Predicate<String> declines = feature -> false;
   Consumer<String> beforeCall = call -> {};
   Duration stepTakes = Duration.ofMillis(500);
@@ -112,9 +113,13 @@ final class PretendHouse implements Market, Crew {
             }));
   }
 
+  Recovery recovery() {
+    return journal.recovery();
+  }
+
   /** The coordinator ends, and another goes on; to be called while no step is under way. */
   void restart(Consumer<GoalOutcome> ended) {
-    Recovery recovery = journal.recovery();
+    Recovery recovery = recovery();
     coordinator = coordinator();
     coordinator.resume(recovery, Duration.ofSeconds(10), ended);
     recovery.members().forEach(coordinator::memberPresent);
@@ -276,6 +281,11 @@ final class PretendHouse implements Market, Crew {
         place.put(step.member(), name(step, "to"));
         return succeeded(Map.of());
       case "pick":
+        if (heavy.contains(object)) {
+          return failed(
+              "too heavy",
+              List.of(new FeatureRun.Learnt("(mass %s)".formatted(object), new Term.Number(3))));
+        }
         place.put(object, step.member());
         return succeeded(Map.of());
       case "place":

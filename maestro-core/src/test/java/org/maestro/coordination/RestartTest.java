@@ -50,6 +50,32 @@ class RestartTest {
   }
 
   @Test
+  void whatAFailureHasTaughtIsKnownAfterARestart() {
+    house.heavy.add("Cup");
+    house.ambientLux.put("zone-b", 100.0);
+    List<Recovery> left = new ArrayList<>();
+    house.beforeCall =
+        call -> {
+          if (call.equals("pick rose") && left.isEmpty()) {
+            house.clock.schedule(Duration.ofMillis(5), "the end", () -> left.add(house.recovery()));
+          }
+        };
+    submit("(in Cup rose)", Optional.empty());
+    await(() -> !left.isEmpty());
+    PretendHouse next = new PretendHouse(home);
+    next.heavy.add("Cup");
+    next.ambientLux.put("zone-b", 100.0);
+    outcomes.clear();
+
+    next.coordinator.resume(left.get(0), Duration.ofSeconds(10), outcomes::add);
+    next.clock.runUntil(() -> !outcomes.isEmpty(), Duration.ofMinutes(5));
+
+    assertThat(outcomes.get(0).state()).isEqualTo(GoalState.FAILED);
+    assertThat(String.join(" ", outcomes.get(0).reasons())).contains("mass of Cup");
+    assertThat(next.calls).doesNotContain("pick rose");
+  }
+
+  @Test
   void aDeadlineGoesOnToCount() {
     house.stepTakes = Duration.ofSeconds(40);
     submit("(nextTo Cup Bob)", Optional.of(Duration.ofSeconds(60)));

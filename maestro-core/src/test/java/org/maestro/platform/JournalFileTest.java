@@ -30,6 +30,7 @@ import org.maestro.coordination.JournalImage;
 import org.maestro.coordination.Recovery;
 import org.maestro.coordination.Resource;
 import org.maestro.coordination.SearchReport;
+import org.maestro.knowledge.FeatureRun;
 import org.maestro.planning.StepKey;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.time.PacedClock;
@@ -162,8 +163,16 @@ class JournalFileTest {
         new JournalEntry.Submitted("rose-1", request("(keep (>= (level lamp) 0.5))")),
         new JournalEntry.Became("rose-1", GoalState.HOLDING, "", new GoalEffort(0, 0, 0)),
         new JournalEntry.Became("rose-1", GoalState.WAITING, "", new GoalEffort(0, 0, 0)),
-        new JournalEntry.Failed("rose-1", look, "(in Cup b)=UNKNOWN", 1, 2, "too \"dark\""),
-        new JournalEntry.Failed("rose-1", look, "(in Cup b)=UNKNOWN", 2, 3, "still too dark"),
+        new JournalEntry.Failed(
+            "rose-1", look, "(in Cup b)=UNKNOWN", 1, 2, "too \"dark\"", List.of()),
+        new JournalEntry.Failed(
+            "rose-1",
+            look,
+            "(in Cup b)=UNKNOWN",
+            2,
+            3,
+            "still too dark",
+            List.of(new FeatureRun.Learnt("(mass Cup)", new Term.Number(2.5)))),
         new JournalEntry.LookedInVain(
             "rose-1",
             look,
