@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import org.maestro.coordination.Story;
 import org.maestro.ontology.home.Group;
@@ -34,7 +35,10 @@ public final class GroupAgent extends MaestroAgent {
   private final transient Mind mind;
   private final transient Group group;
   private final transient OwnGoals goals;
-  private final transient Set<String> present = new TreeSet<>();
+
+  /** The life in which a member that is there is known: its agent may come to live elsewhere. */
+  private final transient Map<String, String> present = new TreeMap<>();
+
   private transient volatile Set<String> called = Set.of();
   private transient Clock.Timer rollCall = () -> {};
   private transient Clock.Timer start = () -> {};
@@ -86,7 +90,7 @@ public final class GroupAgent extends MaestroAgent {
 
   private void callRoll() {
     Set<String> members = members();
-    for (String gone : new TreeSet<>(present)) {
+    for (String gone : new TreeSet<>(present.keySet())) {
       if (!members.contains(gone)) {
         present.remove(gone);
         goals.memberLost(gone, "it is none of this group any more");
@@ -145,13 +149,18 @@ public final class GroupAgent extends MaestroAgent {
       return;
     }
     if (words.string("phase").filter("ready"::equals).isPresent()) {
-      if (present.add(member)) {
+      String life = words.string("life").orElse("");
+      String former = present.put(member, life);
+      if (former != null && !former.equals(life)) {
+        goals.memberLost(member, "it or its agent was started again");
+      }
+      if (!life.equals(former)) {
         goals.memberPresent(member, message.getSender(), words.string("life"));
       }
-      if (present.containsAll(called)) {
+      if (present.keySet().containsAll(called)) {
         startToPursue();
       }
-    } else if (present.remove(member)) {
+    } else if (present.remove(member) != null) {
       goals.memberLost(member, words.string("reason").orElse("lost"));
     }
   }

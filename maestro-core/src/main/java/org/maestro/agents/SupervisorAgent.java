@@ -30,6 +30,9 @@ public final class SupervisorAgent extends MaestroAgent {
      */
     Optional<Handover> release(String topic);
 
+    /** Why the topic's container has to stay here, in a sentence; empty when it need not. */
+    Optional<String> tie(String topic);
+
     List<String> topics();
 
     /** Starts the central agent again; returns false when it is there. */
@@ -112,6 +115,11 @@ public final class SupervisorAgent extends MaestroAgent {
   /** Ending a container waits for JADE, which an agent must not. */
   private void handOver(ACLMessage message, Words words) {
     String topic = words.string("topic").orElse("");
+    Optional<String> tie = containers.tie(topic);
+    if (tie.isPresent()) {
+      refuse(message, ACLMessage.REFUSE, tie.get());
+      return;
+    }
     Thread hand =
         new Thread(
             () -> {

@@ -2,6 +2,7 @@ package org.maestro.platform;
 
 import jade.lang.acl.ACLMessage;
 import jade.wrapper.AgentContainer;
+import jade.wrapper.ControllerException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,11 +13,12 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.BiFunction;
+import java.util.function.Function;
 import org.maestro.agents.AgentTime;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.GenericAgent;
-import org.maestro.agents.MaestroAgent;
 import org.maestro.agents.SupervisorAgent;
 import org.maestro.agents.Words;
 import org.maestro.ontology.home.Device;
@@ -30,12 +32,21 @@ import org.maestro.sl.Content;
  */
 public final class JoinedContainer implements AutoCloseable {
   private static final Duration ANSWER_WITHIN = Duration.ofSeconds(20);
+  private static final Duration BETWEEN_TRIES = Duration.ofMillis(500);
+  private static final int MOST_TRIES = 10;
 
+  private final Function<String, AgentContainer> newContainer;
   private final AgentContainer container;
   private final DeskAgent desk;
   private final AgentTime time;
+  private Optional<AgentContainer> ofTopic = Optional.empty();
 
-  private JoinedContainer(AgentContainer container, DeskAgent desk, AgentTime time) {
+  private JoinedContainer(
+      Function<String, AgentContainer> newContainer,
+      AgentContainer container,
+      DeskAgent desk,
+      AgentTime time) {
+    this.newContainer = newContainer;
     this.container = container;
     this.desk = desk;
     this.time = time;
@@ -54,12 +65,13 @@ public final class JoinedContainer implements AutoCloseable {
   public static JoinedContainer join(
       Optional<String> platform, String host, int port, String name, Clock clock) {
     JadeRuntime.requirePlatform(host, port);
-    AgentContainer container = JadeRuntime.join(platform, host, port, name, temporaryDirectory());
+    Function<String, AgentContainer> newContainer =
+        called -> JadeRuntime.join(platform, host, port, called, temporaryDirectory());
+    AgentContainer container = newContainer.apply(name);
     AgentTime time = AgentTime.of(clock);
     DeskAgent desk = new DeskAgent(time);
-    JoinedContainer joined = new JoinedContainer(container, desk, time);
-    joined.accept(name + "-desk", desk);
-    return joined;
+    JadeRuntime.start(container, name + "-desk", desk);
+    return new JoinedContainer(newContainer, container, desk, time);
   }
 
   public DeskAgent desk() {
@@ -114,18 +126,52 @@ public final class JoinedContainer implements AutoCloseable {
         words.string("broker").orElseThrow(), words.string("site").orElseThrow(), members);
   }
 
-  /** Starts the generic agents of the members here. */
+  /**
+   * Starts the generic agents of a topic's members here, in a container of the topic's name. To be
+   * called once.
+   */
   public void host(
-      List<String> members, RatsLink link, BiFunction<String, String, Device> describedBy) {
-    members.forEach(member -> accept(member, new GenericAgent(time, link, member, describedBy)));
+      String topic,
+      List<String> members,
+      RatsLink link,
+      BiFunction<String, String, Device> describedBy) {
+    AgentContainer home = named(topic);
+    synchronized (this) {
+      ofTopic = Optional.of(home);
+    }
+    for (String member : members) {
+      JadeRuntime.start(home, member, new GenericAgent(time, link, member, describedBy));
+    }
   }
 
-  private void accept(String name, MaestroAgent agent) {
-    JadeRuntime.start(container, name, agent);
+  /**
+   * JADE lets go of the name of a container that ended a moment late, and gives one that comes too
+   * early another name. That one is ended, and the next one may have the name; after some tries any
+   * name will do.
+   */
+  private AgentContainer named(String topic) {
+    AgentContainer joined = newContainer.apply(topic);
+    for (int attempt = 0; attempt < MOST_TRIES && !name(joined).equals(topic); attempt++) {
+      JadeRuntime.end(joined);
+      LockSupport.parkNanos(BETWEEN_TRIES.toNanos());
+      joined = newContainer.apply(topic);
+    }
+    return joined;
+  }
+
+  private static String name(AgentContainer container) {
+    try {
+      return container.getContainerName();
+    } catch (ControllerException e) {
+      throw new PlatformStartException("The container ended while it joined.", e);
+    }
   }
 
   @Override
   public void close() {
+    synchronized (this) {
+      ofTopic.ifPresent(JadeRuntime::end);
+    }
     JadeRuntime.end(container);
   }
 

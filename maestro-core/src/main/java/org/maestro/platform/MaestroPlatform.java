@@ -331,6 +331,11 @@ public final class MaestroPlatform implements AutoCloseable {
     return port;
   }
 
+  /** Topics whose containers are of this process. */
+  public List<String> topics() {
+    return topics.topics();
+  }
+
   public List<AgentRow> agents() {
     Map<String, RatsLink.Member> members = new TreeMap<>();
     link.members().forEach(member -> members.put(member.id(), member));
@@ -382,6 +387,21 @@ public final class MaestroPlatform implements AutoCloseable {
     @Override
     public Optional<SupervisorAgent.Handover> release(String topic) {
       return settings.brokerUri().flatMap(broker -> release(topic, broker));
+    }
+
+    @Override
+    public Optional<String> tie(String topic) {
+      List<String> groups =
+          topics.places().entrySet().stream()
+              .filter(place -> place.getValue().equals(topic))
+              .map(Map.Entry::getKey)
+              .filter(knowledge.home().groups()::containsKey)
+              .toList();
+      return groups.isEmpty()
+          ? Optional.empty()
+          : Optional.of(
+              "The container %s stays where the collective knowledge is, which its agents that stand for groups pursue goals with: %s; take another, or give them a container of their own in the home file (maestro:container)."
+                  .formatted(topic, String.join(", ", groups)));
     }
 
     private Optional<SupervisorAgent.Handover> release(String topic, String broker) {

@@ -50,9 +50,18 @@ final class TopicContainers {
   }
 
   /**
-   * Ends the topic's container here, so that another process can take its members; returns them.
+   * Ends the topic's container here, so that another process can take its members, and its name;
+   * returns them. JADE may take some seconds to end it.
    */
-  synchronized Optional<List<String>> release(String topic) {
+  Optional<List<String>> release(String topic) {
+    Optional<Released> released = giveUp(topic);
+    released.ifPresent(gone -> JadeRuntime.endNow(gone.container()));
+    return released.map(Released::members);
+  }
+
+  private record Released(AgentContainer container, List<String> members) {}
+
+  private synchronized Optional<Released> giveUp(String topic) {
     AgentContainer container = containerByTopic.remove(topic);
     if (container == null) {
       return Optional.empty();
@@ -73,9 +82,8 @@ final class TopicContainers {
       }
     }
     topicsElsewhere.add(topic);
-    JadeRuntime.end(container);
     members.forEach(member -> topicByMemberElsewhere.put(member, topic));
-    return Optional.of(members);
+    return Optional.of(new Released(container, List.copyOf(members)));
   }
 
   /**

@@ -39,7 +39,8 @@ final class ContainerCommand implements Callable<Integer> {
   public Integer call() throws InterruptedException {
     Endpoint at = Endpoint.parse(main);
     PacedClock clock = new PacedClock(1);
-    JoinedContainer container = JoinedContainer.join(at.host(), at.port(), name, clock);
+    JoinedContainer container =
+        JoinedContainer.join(at.host(), at.port(), name + "-hand-over", clock);
     SupervisorAgent.Handover handover = container.take(name);
     URI broker = Endpoint.broker(handover.brokerUri());
     String controller = "container-" + name;
@@ -50,7 +51,7 @@ final class ContainerCommand implements Callable<Integer> {
             new PahoTransport(broker, handover.site() + "-" + controller),
             clock);
     container.host(
-        handover.members(), link, new DescriptionReader(new HomeLoader().vocabulary())::read);
+        name, handover.members(), link, new DescriptionReader(new HomeLoader().vocabulary())::read);
     UntilStopped.run(
         spec.commandLine().getOut(),
         "The container %s runs here, with %s."

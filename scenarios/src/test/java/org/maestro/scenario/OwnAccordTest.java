@@ -28,7 +28,7 @@ import org.maestro.sim.SceneLoader;
 /** Agents with goals of their own, held goals, and the death of the central agent. */
 class OwnAccordTest {
   private static final String CENTRE = "CCA";
-  private static final String KEEPER =
+  static final String KEEPER =
       """
 
       home:keeper a maestro:GroupAgent ; rdfs:label "the keeper of B's light" ;
@@ -196,7 +196,7 @@ class OwnAccordTest {
     return Stage.stepped(site(name, more, instead, by, Optional.empty()));
   }
 
-  private static SiteSettings site(
+  static SiteSettings site(
       String name, String more, String instead, String by, Optional<Path> data) {
     Home home =
         new HomeLoader().load(text("/homes/bob.ttl").replace(instead, by) + more, "bob.ttl");
