@@ -24,6 +24,7 @@ final class HeldCrew implements Crew {
   @Override
   public Performance perform(Order order, Consumer<Report> reported) {
     Snapshot before = knowledge.snapshot();
+    noteSetting(order, before);
     Performance[] performance = new Performance[1];
     performance[0] =
         crew.perform(
@@ -44,7 +45,17 @@ final class HeldCrew implements Crew {
   private void done(Order order, Snapshot before, Performance performance) {
     if (watch.concerns(order.step().feature(), knowledge.home())) {
       watch.keep(order.step(), performance, knowledge.snapshot(), knowledge.home());
-    } else if (!order.step().feature().continuous()) {
+    } else {
+      noteSetting(order, before);
+    }
+  }
+
+  /**
+   * Noted before the call is sent too, so that it is known as the goal's own whoever hears the
+   * call's end; a setting that is not made after all is forgotten when settings are compared.
+   */
+  private void noteSetting(Order order, Snapshot before) {
+    if (!order.step().feature().continuous()) {
       settings.done(order.step(), before);
     }
   }

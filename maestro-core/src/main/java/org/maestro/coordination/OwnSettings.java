@@ -98,7 +98,7 @@ final class OwnSettings {
     return steps;
   }
 
-  /** The step is done; these were the facts when it began. */
+  /** The step is begun or done; these were the facts when it began. */
   void done(Step step, Facts before) {
     Set<Expression.Fluent> assigned = assigned(step);
     for (Change change : FactsAfter.changes(before, step)) {
