@@ -106,7 +106,33 @@ final class BudgetedSearch {
       beyond = Math.min(beyond, useful.beyond());
     }
     Pruning.Pruned pruned = Pruning.pruned(problem, task.objective());
-    return new Round(pruned.problem(), beyond, search(pruned, mostStates, budget));
+    List<Sought> sought = Sought.of(pruned.problem());
+    return new Round(
+        pruned.problem(),
+        beyond,
+        weighingSearches && Sought.hasManyPlaces(sought)
+            ? amongManyPlaces(pruned, sought, beyond, budget)
+            : search(pruned, mostStates, budget));
+  }
+
+  /**
+   * Where something may be in many places, a plan that counts on finding it in the cheapest one is
+   * of little use, and hard to find among many like ones: where it is likeliest comes first.
+   */
+  private OptimalSearch.Outcome amongManyPlaces(
+      Pruning.Pruned pruned, List<Sought> sought, double beyond, double budget) {
+    boolean mayWait = Double.isFinite(beyond);
+    if (mayWait && sought.stream().anyMatch(grounder.chances()::isLikelierOutOfView)) {
+      return new OptimalSearch.Outcome.TooDear(budget);
+    }
+    Supposition likeliest = Supposition.likeliest(sought, grounder.chances());
+    OptimalSearch.Outcome outcome =
+        search(Pruning.pruned(likeliest.appliedTo(pruned.problem())), mostStates, budget);
+    pruned.problem().placed();
+    boolean none =
+        outcome instanceof OptimalSearch.Outcome.Exhausted
+            || outcome instanceof OptimalSearch.Outcome.BoundReached;
+    return none && !mayWait ? search(pruned, mostStates, budget) : outcome;
   }
 
   private static OptimalSearch.Outcome search(
@@ -126,9 +152,6 @@ final class BudgetedSearch {
     }
     ExpectedCostSearch search =
         new ExpectedCostSearch(round.problem(), grounder.chances(), this::cheapest, operators);
-    if (search.worthBeforeWeighing() >= round.beyond()) {
-      return Optional.empty();
-    }
     Plan plan = search.plan();
     return worthLookingAt(plan) < round.beyond()
         ? Optional.of(new PlanningResult.Found(plan))

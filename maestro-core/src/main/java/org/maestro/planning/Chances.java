@@ -26,6 +26,8 @@ final class Chances {
   /** Part of the cases in which a thing is where it is expected first. Stated assumption. */
   static final double EXPECTED_FIRST = 0.8;
 
+  private static final double SAME = 1e-9;
+
   private final Signature signature;
   private final StaticFacts facts;
   private final ConditionCompiler conditions;
@@ -58,6 +60,29 @@ final class Chances {
     double alike = 1.0 / chances.size();
     chances.replaceAll((value, chance) -> all > 0 ? chance / all : alike);
     return chances;
+  }
+
+  /** Which of the values that can be looked at is likeliest; the first among equals. */
+  int likeliest(Sought sought) {
+    Map<Term, Double> chanceOf = of(sought.variable(), sought.terms());
+    int best = 0;
+    for (int i = 1; i < sought.values().size(); i++) {
+      if (chanceOf.getOrDefault(sought.terms().get(i), 0.0)
+          > chanceOf.getOrDefault(sought.terms().get(best), 0.0) + SAME) {
+        best = i;
+      }
+    }
+    return sought.values().get(best);
+  }
+
+  /** Whether something is likelier to be where nobody can look than anywhere else. */
+  boolean isLikelierOutOfView(Sought sought) {
+    List<Term> inView = sought.terms();
+    Map<Term, Double> chanceOf = of(sought.variable(), inView);
+    double likeliest =
+        inView.stream().mapToDouble(v -> chanceOf.getOrDefault(v, 0.0)).max().orElse(0);
+    return chanceOf.entrySet().stream()
+        .anyMatch(place -> !inView.contains(place.getKey()) && place.getValue() > likeliest + SAME);
   }
 
   private double still(Variable variable, Term value) {

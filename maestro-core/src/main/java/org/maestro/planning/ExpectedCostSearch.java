@@ -65,68 +65,12 @@ final class ExpectedCostSearch {
 
   /** The plan to begin with; the optimistic one where there is nothing to choose. */
   Plan plan() {
-    if (hasManyPlaces()) {
-      beginWhereLikeliest();
-    }
     for (Sought sought : List.copyOf(choice.keySet())) {
       if (choice.get(sought) >= 0) {
         weigh(sought);
       }
     }
     return best.plan().withSearches(searches);
-  }
-
-  private boolean hasManyPlaces() {
-    return Sought.hasManyPlaces(choice.keySet());
-  }
-
-  /**
-   * What a plan may cost that looks first where the thing is likeliest, if nobody can look there
-   * yet; the cost of the optimistic plan where somebody can.
-   */
-  double worthBeforeWeighing() {
-    double worth = best.plan().cost();
-    for (Map.Entry<Sought, Integer> chosen : choice.entrySet()) {
-      Sought sought = chosen.getKey();
-      List<Term> inView = sought.terms();
-      Map<Term, Double> chanceOf = chances.of(sought.variable(), inView);
-      double likeliest = inView.stream().mapToDouble(chanceOf::get).max().orElse(0);
-      double beyond =
-          chanceOf.entrySet().stream()
-              .filter(place -> !inView.contains(place.getKey()))
-              .mapToDouble(Map.Entry::getValue)
-              .max()
-              .orElse(0);
-      if (beyond > likeliest) {
-        double look = split(best, sought, chosen.getValue()).orElseThrow().look();
-        worth = Math.max(worth, best.plan().cost() - look + look * beyond / likeliest);
-      }
-    }
-    return worth;
-  }
-
-  /**
-   * The optimistic plan finds all in one place, whichever. Where there are many places, to begin
-   * with the likeliest ones is nearer to the best, so that fewer plans need to be made.
-   */
-  private void beginWhereLikeliest() {
-    Map<Sought, Integer> likeliest = new LinkedHashMap<>();
-    choice.forEach((sought, present) -> likeliest.put(sought, likeliest(sought, present)));
-    if (!likeliest.equals(choice)) {
-      candidate(likeliest).ifPresent(this::choose);
-    }
-  }
-
-  /** Among equals the present one. */
-  private int likeliest(Sought sought, int present) {
-    Map<Term, Double> chanceOf = chances.of(sought.variable(), sought.terms());
-    int best = sought.values().indexOf(present);
-    for (int i = 0; i < sought.values().size(); i++) {
-      if (chanceOf.get(sought.terms().get(i)) > chanceOf.get(sought.terms().get(best)) + SAME) {
-        best = i;
-      }
-    }
-    return sought.values().get(best);
   }
 
   /**
@@ -321,44 +265,10 @@ final class ExpectedCostSearch {
   }
 
   private Optional<Candidate> candidate(Map<Sought, Integer> chosen) {
-    GroundProblem smaller =
-        problem.with(
-            problem.operators().stream().map(operator -> restricted(operator, chosen)).toList());
+    GroundProblem smaller = new Supposition(chosen).appliedTo(problem);
     return solver
         .solve(smaller)
         .map(found -> new Candidate(found, PlanBuilder.plan(smaller.placed(), found)));
-  }
-
-  /**
-   * Other looks are of use only once the place is known. Then they find nothing new: saying so
-   * makes the estimates of large problems sharper, by which few states have to be seen.
-   */
-  private Operator restricted(Operator operator, Map<Sought, Integer> chosen) {
-    List<Condition> conditions = new ArrayList<>();
-    List<Change> kept = new ArrayList<>();
-    for (Change change : operator.changes()) {
-      boolean elsewhere = change instanceof Change.Find find && isElsewhere(find, chosen);
-      if (elsewhere) {
-        Change.Find find = (Change.Find) change;
-        conditions.add(
-            new Condition.Literal(find.variable(), find.value(), Condition.Question.NOT_UNKNOWN));
-      }
-      if (!elsewhere || !hasManyPlaces()) {
-        kept.add(change);
-      }
-    }
-    if (conditions.isEmpty()) {
-      return operator;
-    }
-    conditions.add(0, operator.precondition());
-    return operator.withPrecondition(Condition.all(conditions)).withChanges(kept);
-  }
-
-  private static boolean isElsewhere(Change.Find find, Map<Sought, Integer> chosen) {
-    return chosen.entrySet().stream()
-        .anyMatch(
-            entry ->
-                entry.getKey().variable() == find.variable() && entry.getValue() != find.value());
   }
 
   /** Empty when the plan does not look there. */

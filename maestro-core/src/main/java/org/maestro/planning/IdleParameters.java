@@ -72,7 +72,30 @@ final class IdleParameters {
   boolean mayBeIdle(String parameter) {
     Parts parts = partsByParameter.get(parameter);
     return parts != null
-        && parts.effects().stream().allMatch(effect -> effect instanceof Effect.When);
+        && parts.effects().stream()
+            .allMatch(effect -> effect instanceof Effect.When && namesAlways(effect, parameter));
+  }
+
+  /** Whether all that the effect changes is named by the parameter, so that who wants it asks. */
+  private static boolean namesAlways(Effect effect, String parameter) {
+    if (effect instanceof Effect.All all) {
+      return all.effects().stream().allMatch(part -> namesAlways(part, parameter));
+    } else if (effect instanceof Effect.When when) {
+      return namesAlways(when.effect(), parameter);
+    } else if (effect instanceof Effect.Forall forall) {
+      return namesAlways(forall.effect(), parameter);
+    }
+    Term variable = new Term.Variable(parameter);
+    if (effect instanceof Effect.Add add) {
+      return add.atom().arguments().contains(variable);
+    } else if (effect instanceof Effect.Delete delete) {
+      return delete.atom().arguments().contains(variable);
+    } else if (effect instanceof Effect.SenseAtom sense) {
+      return sense.atom().arguments().contains(variable);
+    } else if (effect instanceof Effect.SenseNumber sense) {
+      return sense.fluent().arguments().contains(variable);
+    }
+    return ((Effect.Change) effect).fluent().arguments().contains(variable);
   }
 
   /**
