@@ -61,6 +61,11 @@ final class LandmarkCut {
         : Integer.MAX_VALUE;
   }
 
+  /** The settings of the problem, and the sums of them. */
+  SettingAnalysis settings() {
+    return relaxed.settings();
+  }
+
   /** Never more than the true cost; infinite when the goal is out of reach. */
   double estimate(State state) {
     boolean[] truths = relaxed.truths(state);

@@ -78,7 +78,7 @@ final class OptimalSearch {
     this.heuristic = heuristic;
     this.mostStates = mostStates;
     this.mostCost = mostCost;
-    this.sums = new SettledSums(problem);
+    this.sums = new SettledSums(heuristic.settings(), problem.initial().numbers());
   }
 
   Outcome run() {

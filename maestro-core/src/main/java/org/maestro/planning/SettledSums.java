@@ -11,9 +11,9 @@ final class SettledSums {
   private final Collection<SettingSum> sums;
   private final NumberVector initial;
 
-  SettledSums(GroundProblem problem) {
-    this.sums = new SettingAnalysis(problem).sums().values();
-    this.initial = problem.initial().numbers();
+  SettledSums(SettingAnalysis settings, NumberVector initial) {
+    this.sums = settings.sums().values();
+    this.initial = initial;
   }
 
   /** The same state when there is nothing to settle. */
