@@ -1,6 +1,7 @@
 package org.maestro.random;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -66,7 +67,89 @@ final class Lighting {
         lamps.add(lamp);
       }
     }
-    return search(lamps, 0, new TreeMap<>(moment.levels()), constraints, seen);
+    List<Demand> demands = new ArrayList<>();
+    constraints.forEach(constraint -> demands.add(demand(lamps, constraint)));
+    for (Position place : seen) {
+      demands.add(demand(lamps, place, Site.CAMERA_LEAST_LUX * (1 + Truths.CLOSE_LIGHT), true));
+      demands.add(demand(lamps, place, Site.CAMERA_GREATEST_LUX * (1 - Truths.CLOSE_LIGHT), false));
+    }
+    return search(lamps.size(), 0, demands);
+  }
+
+  /**
+   * A sum over lamps that has to be at least a limit, or at most; all of it negated when at most.
+   *
+   * @param shares by lamp and level
+   * @param best what the lamps from each one on can add at most
+   */
+  private record Demand(double[][] shares, double[] best, double missing) {
+    static Demand of(double[][] shares, double missing) {
+      double[] best = new double[shares.length + 1];
+      for (int lamp = shares.length - 1; lamp >= 0; lamp--) {
+        best[lamp] = best[lamp + 1] + Arrays.stream(shares[lamp]).max().orElseThrow();
+      }
+      return new Demand(shares, best, missing);
+    }
+
+    Demand with(int lamp, int level) {
+      return new Demand(shares, best, missing - shares[lamp][level]);
+    }
+
+    boolean canBeMet(int nextLamp) {
+      return best[nextLamp] >= missing - SAME_LUX;
+    }
+  }
+
+  private Demand demand(List<String> lamps, Truths.Constraint constraint) {
+    double sign = constraint.atLeast() ? 1 : -1;
+    if (constraint.isOfLight()) {
+      double margin = sign * Truths.CLOSE_LIGHT * constraint.number();
+      return demand(
+          lamps,
+          site.floor().location(constraint.subject()),
+          constraint.number() + margin,
+          constraint.atLeast());
+    }
+    double[][] shares = new double[lamps.size()][LEVELS.size()];
+    boolean settable = lamps.contains(constraint.subject());
+    for (int level = 0; level < LEVELS.size() && settable; level++) {
+      shares[lamps.indexOf(constraint.subject())][level] = sign * LEVELS.get(level);
+    }
+    double fixed = settable ? 0 : moment.levels().get(constraint.subject());
+    return Demand.of(shares, sign * (constraint.number() - fixed));
+  }
+
+  private Demand demand(List<String> lamps, Position place, double limit, boolean atLeast) {
+    double sign = atLeast ? 1 : -1;
+    Map<String, Double> others = new TreeMap<>(moment.levels());
+    others.keySet().removeAll(lamps);
+    String zone = site.floor().zoneAt(place.floor()).orElse("");
+    double[][] shares = new double[lamps.size()][LEVELS.size()];
+    for (int lamp = 0; lamp < lamps.size(); lamp++) {
+      String name = lamps.get(lamp);
+      double share = share(name, place);
+      for (int level = 0; level < LEVELS.size(); level++) {
+        shares[lamp][level] = sign * share * counted(name, LEVELS.get(level), place, atLeast);
+      }
+    }
+    return Demand.of(shares, sign * (limit - lux(place, zone, others)));
+  }
+
+  private static boolean search(int lamps, int next, List<Demand> demands) {
+    if (!demands.stream().allMatch(demand -> demand.canBeMet(next))) {
+      return false;
+    }
+    if (next == lamps) {
+      return true;
+    }
+    for (int level = 0; level < LEVELS.size(); level++) {
+      int chosen = level;
+      List<Demand> left = demands.stream().map(demand -> demand.with(next, chosen)).toList();
+      if (search(lamps, next + 1, left)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private boolean matters(String lamp, Truths.Constraint constraint) {
@@ -75,60 +158,20 @@ final class Lighting {
         : lamp.equals(constraint.subject());
   }
 
-  private boolean search(
-      List<String> lamps,
-      int next,
-      Map<String, Double> levels,
-      List<Truths.Constraint> constraints,
-      List<Position> seen) {
-    if (next == lamps.size()) {
-      return constraints.stream()
-              .allMatch(
-                  c -> c.isMet(location -> lux(location, counted(levels, location, c)), levels))
-          && seen.stream().allMatch(place -> isVisible(place, levels));
-    }
-    for (double level : LEVELS) {
-      levels.put(lamps.get(next), level);
-      if (search(lamps, next + 1, levels, constraints, seen)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  private boolean isVisible(Position place, Map<String, Double> levels) {
-    String zone = site.floor().zoneAt(place.floor()).orElse("");
-    return lux(place, zone, counted(levels, place, true))
-            >= Site.CAMERA_LEAST_LUX * (1 + Truths.CLOSE_LIGHT)
-        && lux(place, zone, counted(levels, place, false))
-            <= Site.CAMERA_GREATEST_LUX * (1 - Truths.CLOSE_LIGHT);
-  }
-
   private double lux(String location, Map<String, Double> levels) {
     return lux(site.floor().location(location), site.floor().zoneOf(location), levels);
   }
 
-  private Map<String, Double> counted(
-      Map<String, Double> levels, String location, Truths.Constraint constraint) {
-    return counted(levels, site.floor().location(location), constraint.atLeast());
-  }
-
   /**
-   * The levels that can be counted on there. Of light that comes through an open door nobody knows
+   * The level that can be counted on there. Of light that comes through an open door nobody knows
    * what it will do: it stays as it is, or changes for the worse.
    */
-  private Map<String, Double> counted(
-      Map<String, Double> levels, Position place, boolean forLight) {
-    Map<String, Double> counted = new TreeMap<>(levels);
-    counted.replaceAll(
-        (lamp, level) -> {
-          if (isInRoom(lamp, place)) {
-            return level;
-          }
-          double now = moment.levels().get(lamp);
-          return forLight ? Math.min(level, now) : Math.max(level, now);
-        });
-    return counted;
+  private double counted(String lamp, double level, Position place, boolean forLight) {
+    if (isInRoom(lamp, place)) {
+      return level;
+    }
+    double now = moment.levels().get(lamp);
+    return forLight ? Math.min(level, now) : Math.max(level, now);
   }
 
   private boolean isInRoom(String lamp, Position place) {

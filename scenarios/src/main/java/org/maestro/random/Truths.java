@@ -1,8 +1,6 @@
 package org.maestro.random;
 
 import java.util.List;
-import java.util.Map;
-import java.util.function.ToDoubleFunction;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
@@ -177,12 +175,6 @@ final class Truths {
 
     boolean isOfLight() {
       return fluent.equals("illuminance");
-    }
-
-    boolean isMet(ToDoubleFunction<String> lux, Map<String, Double> levels) {
-      double now = isOfLight() ? lux.applyAsDouble(subject) : levels.get(subject);
-      double margin = isOfLight() ? CLOSE_LIGHT * number : 0;
-      return atLeast ? now >= number + margin : now <= number - margin;
     }
   }
 }
