@@ -62,7 +62,7 @@ final class FeatureTemplate {
       Map<Formula, Map<List<Term>, Boolean>> staticAnswers) {
     this.feature = feature;
     this.conditions = conditions;
-    this.idle = new IdleParameters(feature, conditions, effects);
+    this.idle = new IdleParameters(feature, signature, conditions, effects);
     Set<String> mentioned = mentioned(feature);
     for (List<Parameter> parameters : List.of(feature.type().inputs(), feature.type().binds())) {
       for (Parameter parameter : parameters) {

@@ -25,12 +25,18 @@ final class IdleParameters {
   private record Parts(List<Formula> conditions, List<Effect> effects) {}
 
   private final PricedFeature feature;
+  private final Signature signature;
   private final ConditionCompiler conditions;
   private final EffectCompiler effects;
   private final Map<String, Parts> partsByParameter = new LinkedHashMap<>();
 
-  IdleParameters(PricedFeature feature, ConditionCompiler conditions, EffectCompiler effects) {
+  IdleParameters(
+      PricedFeature feature,
+      Signature signature,
+      ConditionCompiler conditions,
+      EffectCompiler effects) {
     this.feature = feature;
+    this.signature = signature;
     this.conditions = conditions;
     this.effects = effects;
     Set<String> priced =
@@ -77,25 +83,30 @@ final class IdleParameters {
   }
 
   /** Whether all that the effect changes is named by the parameter, so that who wants it asks. */
-  private static boolean namesAlways(Effect effect, String parameter) {
+  private boolean namesAlways(Effect effect, String parameter) {
     if (effect instanceof Effect.All all) {
       return all.effects().stream().allMatch(part -> namesAlways(part, parameter));
     } else if (effect instanceof Effect.When when) {
       return namesAlways(when.effect(), parameter);
     } else if (effect instanceof Effect.Forall forall) {
       return namesAlways(forall.effect(), parameter);
-    }
-    Term variable = new Term.Variable(parameter);
-    if (effect instanceof Effect.Add add) {
-      return add.atom().arguments().contains(variable);
+    } else if (effect instanceof Effect.Add add) {
+      return names(add.atom(), parameter);
     } else if (effect instanceof Effect.Delete delete) {
-      return delete.atom().arguments().contains(variable);
+      return names(delete.atom(), parameter);
     } else if (effect instanceof Effect.SenseAtom sense) {
-      return sense.atom().arguments().contains(variable);
+      return names(sense.atom(), parameter);
     } else if (effect instanceof Effect.SenseNumber sense) {
-      return sense.fluent().arguments().contains(variable);
+      return sense.fluent().arguments().contains(new Term.Variable(parameter));
     }
-    return ((Effect.Change) effect).fluent().arguments().contains(variable);
+    return ((Effect.Change) effect).fluent().arguments().contains(new Term.Variable(parameter));
+  }
+
+  /** The value of a functional predicate is no part of its name. */
+  private boolean names(Formula.Atom atom, String parameter) {
+    List<Term> arguments = atom.arguments();
+    int named = signature.isFunctional(atom) ? arguments.size() - 1 : arguments.size();
+    return arguments.subList(0, named).contains(new Term.Variable(parameter));
   }
 
   /**

@@ -67,6 +67,12 @@ final class Signature {
     return vocabulary.predicate(predicate);
   }
 
+  /** Whether the last argument is the value of a variable that the others name. */
+  boolean isFunctional(Formula.Atom atom) {
+    return atom.arguments().size() > 1
+        && declaration(atom.predicate()).map(PredicateDeclaration::functional).orElse(false);
+  }
+
   /** The definition of a derived predicate. */
   Optional<Formula> definition(String predicate) {
     return declaration(predicate).flatMap(PredicateDeclaration::derivedWhen);

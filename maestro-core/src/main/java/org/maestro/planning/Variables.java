@@ -34,7 +34,7 @@ final class Variables {
 
   Variable variable(Formula.Atom atom) {
     Optional<PredicateDeclaration> declaration = signature.declaration(atom.predicate());
-    boolean functional = isFunctional(atom);
+    boolean functional = signature.isFunctional(atom);
     List<Term> arguments =
         functional ? withoutLast(atom.arguments()) : canonical(atom, declaration);
     Key key = new Key(atom.predicate(), arguments);
@@ -53,14 +53,6 @@ final class Variables {
     return variable.functional()
         ? variable.indexOf(atom.arguments().get(atom.arguments().size() - 1))
         : 0;
-  }
-
-  private boolean isFunctional(Formula.Atom atom) {
-    return atom.arguments().size() > 1
-        && signature
-            .declaration(atom.predicate())
-            .map(PredicateDeclaration::functional)
-            .orElse(false);
   }
 
   private List<Term> canonical(Formula.Atom atom, Optional<PredicateDeclaration> declaration) {

@@ -16,6 +16,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteException;
@@ -34,6 +36,7 @@ import org.maestro.sl.SlParser;
  */
 public final class CoordinationBench {
   private static final int SPEED = 20;
+  private static final Pattern QUESTIONS = Pattern.compile("Exact prices asked: (\\d+)");
   private static final int WARM_UP = 12;
   private static final int WARM_UP_ROUNDS = 5_000;
   private static final Duration MEASURED_TIME = Duration.ofSeconds(5);
@@ -57,28 +60,33 @@ public final class CoordinationBench {
   }
 
   public BenchReport run() {
-    Home home = large.home();
-    SiteSettings settings =
-        new SiteSettings(
-            "bench-coordination",
-            home,
-            Optional.of(large.scene(home)),
-            1,
-            Optional.empty(),
-            0,
-            false,
-            Optional.empty());
-    progress.accept(
-        "A site of %d devices, %d of them robots, starts."
-            .formatted(home.devices().size(), large.robots()));
     contractNet();
-    try (LocalSite site = LocalSite.paced(settings, SPEED)) {
-      sequence(site);
+    progress.accept(
+        "A site with %d robots whose prices are asked, then one whose prices are stated."
+            .formatted(large.robots()));
+    try (LocalSite site = LocalSite.paced(settings(large), SPEED)) {
+      sequence(site, ", prices asked");
     }
-    try (LocalSite site = LocalSite.paced(settings, 1)) {
+    try (LocalSite site = LocalSite.paced(settings(large.withStatedPrices()), SPEED)) {
+      sequence(site, ", prices stated");
+    }
+    try (LocalSite site = LocalSite.paced(settings(large.withStatedPrices()), 1)) {
       burst(site);
     }
     return new BenchReport("coordination", BenchReport.thisMachine(), rows);
+  }
+
+  private static SiteSettings settings(LargeHome large) {
+    Home home = large.home();
+    return new SiteSettings(
+        "bench-coordination",
+        home,
+        Optional.of(large.scene(home)),
+        1,
+        Optional.empty(),
+        0,
+        false,
+        Optional.empty());
   }
 
   /** Ten agents, as many as a home has. */
@@ -109,7 +117,17 @@ public final class CoordinationBench {
     }
   }
 
-  private void sequence(LocalSite site) {
+  private void sequence(LocalSite site, String prices) {
+    Map<String, Integer> questions = new ConcurrentHashMap<>();
+    site.platform()
+        .onStory(
+            entry -> {
+              Matcher asked = QUESTIONS.matcher(entry.text());
+              if (asked.find()) {
+                questions.merge(entry.goalId(), Integer.parseInt(asked.group(1)), Integer::sum);
+              }
+            });
+    List<Integer> ofFetches = new ArrayList<>();
     List<Double> quick = new ArrayList<>();
     List<Double> fetch = new ArrayList<>();
     int fetches = Math.max(1, large.robots() / 2);
@@ -122,10 +140,18 @@ public final class CoordinationBench {
       note(ask(site, quickGoal(i, 0)), quick);
     }
     for (int i = 0; i < fetches; i++) {
-      note(ask(site, fetchGoal(i, 1)), fetch);
+      GoalReport report = ask(site, fetchGoal(i, 1));
+      note(report, fetch);
+      report.id().ifPresent(id -> ofFetches.add(questions.getOrDefault(id, 0)));
     }
-    add("decision, observe and illuminate", quick);
-    add("decision, fetch", fetch);
+    add("decision, observe and illuminate" + prices, quick);
+    add("decision, fetch" + prices, fetch);
+    List<Integer> sorted = ofFetches.stream().sorted().toList();
+    rows.add(
+        BenchReport.Row.of(
+            "exact prices asked for a fetch" + prices + ", median",
+            sorted.get(sorted.size() / 2),
+            "questions"));
   }
 
   private void add(String name, List<Double> millis) {

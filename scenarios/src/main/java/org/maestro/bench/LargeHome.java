@@ -16,10 +16,29 @@ import org.maestro.sim.SceneLoader;
  * @param rooms from 1
  * @param robots one to a room, at most as many as rooms
  * @param thingsPerRoom from 0 to 5
+ * @param robotsState whether robots state their prices as formulas and numbers; otherwise they have
+ *     to be asked for each
  */
-public record LargeHome(int rooms, int robots, int thingsPerRoom) {
+public record LargeHome(int rooms, int robots, int thingsPerRoom, boolean robotsState) {
   private static final int ROOMS_PER_ROW = 5;
   private static final double SIDE_METRES = 3;
+
+  /** Prices of robots that state them: the way at full speed, and what arms take at least. */
+  private static final String STATED_PRICES =
+      """
+       ;
+        maestro:offers [ a :move ; maestro:cost "(+ 0.5 (/ (pathLength ?from ?to) (speed ?self)))" ] ,
+          [ a :pick ; maestro:cost "6" ] , [ a :place ; maestro:cost "5" ]""";
+
+  /** One whose robots have to be asked for each price. */
+  public LargeHome(int rooms, int robots, int thingsPerRoom) {
+    this(rooms, robots, thingsPerRoom, false);
+  }
+
+  /** The same home with robots that state their prices. */
+  public LargeHome withStatedPrices() {
+    return new LargeHome(rooms, robots, thingsPerRoom, true);
+  }
 
   /** Names of the zones are {@code z0}, {@code z1} ... */
   public String zone(int room) {
@@ -106,9 +125,9 @@ public record LargeHome(int rooms, int robots, int thingsPerRoom) {
           format(
               """
               home:robot-%d a :MobileRobot ; maestro:order %d ; :colour "orange" ;
-                :size "0.58 0.38 0.4" ; :speed 0.8 ; :payload 0.5 .
+                :size "0.58 0.38 0.4" ; :speed 0.8 ; :payload 0.5%s .
               """,
-              room, order + 5));
+              room, order + 5, robotsState ? STATED_PRICES : ""));
     }
     for (int thing = 0; thing < thingsPerRoom; thing++) {
       text.append(
