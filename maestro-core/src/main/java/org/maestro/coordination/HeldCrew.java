@@ -24,14 +24,21 @@ final class HeldCrew implements Crew {
   @Override
   public Performance perform(Order order, Consumer<Report> reported) {
     Snapshot before = knowledge.snapshot();
-    noteSetting(order, before);
+    boolean sets =
+        !order.step().feature().continuous()
+            && !watch.concerns(order.step().feature(), knowledge.home());
+    if (sets) {
+      settings.begun(order.step(), before);
+    }
     Performance[] performance = new Performance[1];
     performance[0] =
         crew.perform(
             order,
             report -> {
               if (report.succeeded()) {
-                done(order, before, performance[0]);
+                done(order, before, performance[0], sets);
+              } else if (sets) {
+                settings.failed(order.step());
               }
               reported.accept(report);
             });
@@ -42,21 +49,11 @@ final class HeldCrew implements Crew {
     };
   }
 
-  private void done(Order order, Snapshot before, Performance performance) {
-    if (watch.concerns(order.step().feature(), knowledge.home())) {
-      watch.keep(order.step(), performance, knowledge.snapshot(), knowledge.home());
-    } else {
-      noteSetting(order, before);
-    }
-  }
-
-  /**
-   * Noted before the call is sent too, so that it is known as the goal's own whoever hears the
-   * call's end; a setting that is not made after all is forgotten when settings are compared.
-   */
-  private void noteSetting(Order order, Snapshot before) {
-    if (!order.step().feature().continuous()) {
+  private void done(Order order, Snapshot before, Performance performance, boolean sets) {
+    if (sets) {
       settings.done(order.step(), before);
+    } else if (watch.concerns(order.step().feature(), knowledge.home())) {
+      watch.keep(order.step(), performance, knowledge.snapshot(), knowledge.home());
     }
   }
 

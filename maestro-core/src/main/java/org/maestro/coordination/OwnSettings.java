@@ -32,6 +32,7 @@ final class OwnSettings {
   private final String goalId;
   private final Journal journal;
   private final Map<Expression.Fluent, Setting> settings = new LinkedHashMap<>();
+  private final Map<Expression.Fluent, Optional<Setting>> underWay = new LinkedHashMap<>();
   private List<JournalEntry.Setting> written = List.of();
 
   /**
@@ -98,8 +99,39 @@ final class OwnSettings {
     return steps;
   }
 
-  /** The step is begun or done; these were the facts when it began. */
+  /**
+   * The step is begun: what it sets is known as the goal's own from now on, whoever hears its end.
+   */
+  void begun(Step step, Facts before) {
+    for (Expression.Fluent fluent : assigned(step)) {
+      underWay.putIfAbsent(fluent, Optional.ofNullable(settings.get(fluent)));
+    }
+    noteAll(step, before);
+  }
+
+  /** The step is done; these were the facts when it began. */
   void done(Step step, Facts before) {
+    restore(step);
+    noteAll(step, before);
+  }
+
+  /** The step has failed: what was set before it stands. */
+  void failed(Step step) {
+    restore(step);
+    writeDown();
+  }
+
+  private void restore(Step step) {
+    for (Expression.Fluent fluent : assigned(step)) {
+      Optional<Setting> former = underWay.remove(fluent);
+      if (former != null) {
+        settings.remove(fluent);
+        former.ifPresent(setting -> settings.put(fluent, setting));
+      }
+    }
+  }
+
+  private void noteAll(Step step, Facts before) {
     Set<Expression.Fluent> assigned = assigned(step);
     for (Change change : FactsAfter.changes(before, step)) {
       if (change instanceof Change.OfNumber number
@@ -122,15 +154,16 @@ final class OwnSettings {
     }
   }
 
-  /** Forgets what is no longer as it was set. */
+  /** Forgets what is no longer as it was set; what is being set is not so yet. */
   void compare(Facts now) {
     settings
         .entrySet()
         .removeIf(
             setting -> {
               OptionalDouble present = now.number(setting.getKey());
-              return present.isEmpty()
-                  || Math.abs(present.getAsDouble() - setting.getValue().value()) > SAME;
+              return !underWay.containsKey(setting.getKey())
+                  && (present.isEmpty()
+                      || Math.abs(present.getAsDouble() - setting.getValue().value()) > SAME);
             });
     writeDown();
   }
