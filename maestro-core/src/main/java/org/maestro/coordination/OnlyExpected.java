@@ -75,6 +75,8 @@ final class OnlyExpected {
       or.operands().stream().filter(this::holds).findFirst().ifPresent(this::collect);
     } else if (formula instanceof Formula.Exists exists) {
       witness(exists.variables(), exists.body()).ifPresent(this::collect);
+    } else if (formula instanceof Formula.Forall forall) {
+      instances(forall.variables(), forall.body()).forEach(this::collect);
     } else if (formula instanceof Formula.Comparison comparison) {
       Leaves.of(comparison, atom -> {}, this::collect);
     } else if (formula instanceof Formula.Atom atom && atom.isGround()) {
@@ -165,6 +167,19 @@ final class OnlyExpected {
         .map(value -> new Substitution(Map.of(first.name(), value)).apply(body))
         .flatMap(bound -> witness(others, bound).stream())
         .findFirst();
+  }
+
+  /** The body with each choice of values. */
+  private List<Formula> instances(List<TypedVariable> variables, Formula body) {
+    if (variables.isEmpty()) {
+      return List.of(body);
+    }
+    TypedVariable first = variables.get(0);
+    List<TypedVariable> others = variables.subList(1, variables.size());
+    return snapshot.individuals(first.className().orElse("")).stream()
+        .map(value -> new Substitution(Map.of(first.name(), value)).apply(body))
+        .flatMap(bound -> instances(others, bound).stream())
+        .toList();
   }
 
   /** What a derived atom says in the words that it is derived from. */

@@ -7,6 +7,7 @@ import java.util.Collection;
 import java.util.Deque;
 import java.util.List;
 import org.maestro.hal.Position;
+import org.maestro.ontology.home.FloorPlan;
 import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Polygon;
 import org.maestro.ontology.home.Segment;
@@ -28,6 +29,7 @@ final class FreeFloor {
   private record Disc(Point2 middle, double radius) {}
 
   private final Floor floor;
+  private final FloorPlan plan;
   private final List<Segment> walls;
   private final List<Disc> bodies = new ArrayList<>();
   private final BitSet reached = new BitSet();
@@ -36,7 +38,8 @@ final class FreeFloor {
 
   FreeFloor(Site site, Moment moment, String robot, Collection<String> openDoors) {
     this.floor = site.floor();
-    this.walls = floor.plan(openDoors).walls();
+    this.plan = floor.plan(openDoors);
+    this.walls = plan.walls();
     double right = 0;
     double top = 0;
     for (String zone : floor.zones()) {
@@ -125,7 +128,7 @@ final class FreeFloor {
 
   /** Whether its hand reaches what lies there. */
   boolean reaches(Position place) {
-    return around(place.floor(), REACH).stream().anyMatch(this::isReached);
+    return reachesOver(place.floor());
   }
 
   /** Whether it can put something down beside what stands there. */
@@ -133,7 +136,13 @@ final class FreeFloor {
     double distance = Math.max(BESIDE, radius + HAND_CLEARANCE);
     return around(place.floor(), distance).stream()
         .filter(spot -> floor.zoneAt(spot).isPresent() && isFree(spot, HAND_CLEARANCE))
-        .anyMatch(spot -> around(spot, REACH).stream().anyMatch(this::isReached));
+        .anyMatch(this::reachesOver);
+  }
+
+  /** No hand goes through a wall. */
+  private boolean reachesOver(Point2 spot) {
+    return around(spot, REACH).stream()
+        .anyMatch(point -> isReached(point) && !plan.isBlocked(point, spot));
   }
 
   private static List<Point2> around(Point2 middle, double distance) {
