@@ -12,8 +12,11 @@ final class LimitedSearch {
   /** Of the limit's distance from the bound, from one search to the next. */
   private static final double GROWTH = 2;
 
+  /** Of the bound: by so much the limit grows at first, at least. */
+  private static final double FIRST_STEP = 0.02;
+
   /** Then all operators are taken. */
-  private static final int MOST_ROUNDS = 6;
+  private static final int MOST_ROUNDS = 8;
 
   private static final double ROUNDING = 1e-6;
 
@@ -56,7 +59,8 @@ final class LimitedSearch {
           outcome instanceof OptimalSearch.Outcome.TooDear dear
               ? Math.min(dear.atLeast(), useful.beyond())
               : useful.beyond();
-      limit = Math.max(next, bounds.least() + GROWTH * (limit - bounds.least()));
+      double step = Math.max(GROWTH * (limit - bounds.least()), FIRST_STEP * bounds.least());
+      limit = Math.max(next, bounds.least() + step);
     }
     return new OptimalSearch.Outcome.TooDear(limit);
   }
