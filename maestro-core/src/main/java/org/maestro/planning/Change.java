@@ -7,6 +7,9 @@ sealed interface Change {
 
   Condition condition();
 
+  /** The {@link Variable} or {@link NumberVariable} that is changed. */
+  Object target();
+
   /** The value becomes known. */
   record Put(Condition condition, Variable variable, int value) implements OfVariable {}
 
@@ -28,18 +31,20 @@ sealed interface Change {
     Variable variable();
 
     int value();
+
+    @Override
+    default Object target() {
+      return variable();
+    }
   }
 
   /** A change of a number. */
   sealed interface OfNumber extends Change permits Measure, Adjust {
     NumberVariable variable();
-  }
 
-  /** The {@link Variable} or {@link NumberVariable} that is changed. */
-  default Object target() {
-    if (this instanceof OfVariable change) {
-      return change.variable();
+    @Override
+    default Object target() {
+      return variable();
     }
-    return ((OfNumber) this).variable();
   }
 }

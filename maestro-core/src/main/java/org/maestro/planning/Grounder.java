@@ -211,7 +211,13 @@ final class Grounder {
   }
 
   private static boolean changes(Operator operator, Object target) {
-    return operator.changes().stream().anyMatch(change -> change.target() == target);
+    List<Change> changes = operator.changes();
+    for (int i = 0; i < changes.size(); i++) {
+      if (changes.get(i).target() == target) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private List<Operator> made(int template, Map<String, Term> bindings) {

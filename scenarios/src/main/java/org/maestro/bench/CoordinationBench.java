@@ -37,6 +37,10 @@ import org.maestro.sl.SlParser;
 public final class CoordinationBench {
   private static final int SPEED = 20;
   private static final Pattern QUESTIONS = Pattern.compile("Exact prices asked: (\\d+)");
+
+  /** Then the story names what the goal waits for, and who has it. */
+  private static final String QUEUED = "Waits: ";
+
   private static final int WARM_UP = 12;
   private static final int WARM_UP_ROUNDS = 5_000;
   private static final Duration MEASURED_TIME = Duration.ofSeconds(5);
@@ -180,7 +184,9 @@ public final class CoordinationBench {
     site.platform()
         .onStory(
             entry -> {
-              if (entry.kind() == StoryEntry.Kind.PLAN || entry.kind() == StoryEntry.Kind.END) {
+              if (entry.kind() == StoryEntry.Kind.PLAN
+                  || entry.kind() == StoryEntry.Kind.END
+                  || entry.text().startsWith(QUEUED)) {
                 awardedNanos.putIfAbsent(entry.goalId(), System.nanoTime());
               }
             });

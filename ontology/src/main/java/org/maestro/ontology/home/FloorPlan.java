@@ -33,7 +33,12 @@ public final class FloorPlan {
   /** Whether a wall stands between both points. */
   public boolean isBlocked(Point2 from, Point2 to) {
     Segment way = new Segment(from, to);
-    return walls.stream().anyMatch(way::intersects);
+    for (Segment wall : walls) {
+      if (way.mayTouch(wall) && way.intersects(wall)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private static List<Segment> without(Segment edge, List<Segment> openings) {

@@ -4,10 +4,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.concurrent.atomic.AtomicReferenceArray;
+import java.util.stream.IntStream;
 
 /**
  * Shortest ways on the floor: straight where nothing stands between, else by the openings and
- * around corners.
+ * around corners. Safe for threads.
  */
 final class WayFinder {
 
@@ -18,6 +20,7 @@ final class WayFinder {
 
   private final FloorPlan plan;
   private final List<Point2> turns = new ArrayList<>();
+  private final AtomicReferenceArray<int[]> seen;
 
   WayFinder(FloorPlan plan, List<Polygon> solid, List<Segment> openings) {
     this.plan = plan;
@@ -29,6 +32,7 @@ final class WayFinder {
         around(corner);
       }
     }
+    this.seen = new AtomicReferenceArray<>(turns.size());
   }
 
   /** Points beside a corner where one could turn. */
@@ -40,27 +44,41 @@ final class WayFinder {
   }
 
   OptionalDouble length(Point2 from, Point2 to) {
-    List<Point2> points = new ArrayList<>(turns);
-    points.add(from);
-    points.add(to);
-    int start = points.size() - 2;
-    int end = points.size() - 1;
-    double[] lengths = new double[points.size()];
+    int start = turns.size();
+    int end = start + 1;
+    double[] lengths = new double[end + 1];
     Arrays.fill(lengths, Double.POSITIVE_INFINITY);
-    boolean[] done = new boolean[points.size()];
+    boolean[] done = new boolean[lengths.length];
     lengths[start] = 0;
     for (int next = start; next >= 0 && next != end; next = nearest(lengths, done)) {
       done[next] = true;
-      for (int other = 0; other < points.size(); other++) {
-        double length = lengths[next] + points.get(next).distance(points.get(other));
-        if (!done[other]
-            && length < lengths[other]
-            && !plan.isBlocked(points.get(next), points.get(other))) {
-          lengths[other] = length;
-        }
+      Point2 here = next == start ? from : turns.get(next);
+      for (int other : next == start ? seenFrom(from) : seenFromTurn(next)) {
+        lengths[other] = Math.min(lengths[other], lengths[next] + here.distance(turns.get(other)));
+      }
+      double last = lengths[next] + here.distance(to);
+      if (last < lengths[end] && !plan.isBlocked(here, to)) {
+        lengths[end] = last;
       }
     }
     return Double.isFinite(lengths[end]) ? OptionalDouble.of(lengths[end]) : OptionalDouble.empty();
+  }
+
+  /** Walls do not move, so that it is found out once for each turn that a way leads over. */
+  private int[] seenFromTurn(int turn) {
+    int[] known = seen.get(turn);
+    if (known == null) {
+      known = seenFrom(turns.get(turn));
+      seen.set(turn, known);
+    }
+    return known;
+  }
+
+  /** The turns to which one can go straight. */
+  private int[] seenFrom(Point2 point) {
+    return IntStream.range(0, turns.size())
+        .filter(turn -> !plan.isBlocked(point, turns.get(turn)))
+        .toArray();
   }
 
   /** The point not yet done that is nearest to the start; -1 when none can be reached. */
