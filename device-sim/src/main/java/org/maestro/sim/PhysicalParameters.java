@@ -33,6 +33,22 @@ public record PhysicalParameters(
         DriveData.USUAL);
   }
 
+  public PhysicalParameters with(CameraData other) {
+    return new PhysicalParameters(other, turn, sensor, facade, lamp, base, wheels, arm, drives);
+  }
+
+  public PhysicalParameters with(SensorData other) {
+    return new PhysicalParameters(camera, turn, other, facade, lamp, base, wheels, arm, drives);
+  }
+
+  public PhysicalParameters with(BaseData other) {
+    return new PhysicalParameters(camera, turn, sensor, facade, lamp, other, wheels, arm, drives);
+  }
+
+  public PhysicalParameters with(ArmData other) {
+    return new PhysicalParameters(camera, turn, sensor, facade, lamp, base, wheels, other, drives);
+  }
+
   /**
    * @param frameRate frames a second; paper 4.1: 30
    * @param minimumLux paper 5.1: about 72 lux is the critical threshold
@@ -57,6 +73,17 @@ public record PhysicalParameters(
       double lightError) {
     static final CameraData LIFECAM = new CameraData(30, 72, 2000, 69, 0.75, 20, 0.01, 0.005);
     private static final double WASHED_OUT_HALF = 1.1;
+
+    /**
+     * The same camera with other errors, both relative standard deviations.
+     *
+     * @param position per metre of distance
+     * @param light of the light estimated from images
+     */
+    public CameraData withErrors(double position, double light) {
+      return new CameraData(
+          frameRate, minimumLux, maximumLux, halfLux, slopeLux, washedOutSlopeLux, position, light);
+    }
 
     /** The chance that one frame shows a visible object in so much light. */
     double detectability(double lux) {
@@ -125,6 +152,13 @@ public record PhysicalParameters(
   public record SensorData(
       double leastLux, double greatestLux, double integrationSeconds, double noise) {
     static final SensorData TSL2561 = new SensorData(0.1, 40_000, 0.402, 0.01);
+
+    /**
+     * @param other standard deviation, relative
+     */
+    public SensorData withNoise(double other) {
+      return new SensorData(leastLux, greatestLux, integrationSeconds, other);
+    }
   }
 
   /**
@@ -163,7 +197,8 @@ public record PhysicalParameters(
   public record BaseData(double speed, double radius, double power, double checkSeconds) {
     static final BaseData YOUBOT = new BaseData(0.8, 0.347, 80, 0.25);
 
-    BaseData atSpeed(double other) {
+    /** The same base at another speed; metres a second. */
+    public BaseData atSpeed(double other) {
       return new BaseData(other, radius, power, checkSeconds);
     }
   }
@@ -202,6 +237,23 @@ public record PhysicalParameters(
           foldSeconds,
           graspTolerance,
           placingError,
+          power);
+    }
+
+    /**
+     * The same arm with another standard deviation of where things come to stand; metres, each
+     * axis.
+     */
+    public ArmData withPlacingError(double other) {
+      return new ArmData(
+          reach,
+          payload,
+          extendSeconds,
+          graspSeconds,
+          releaseSeconds,
+          foldSeconds,
+          graspTolerance,
+          other,
           power);
     }
 

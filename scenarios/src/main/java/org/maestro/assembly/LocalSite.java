@@ -137,13 +137,14 @@ public final class LocalSite implements AutoCloseable {
                 scene ->
                     SimulatedHome.start(
                         new SimulatedHome.Setup(
-                            settings.home(),
-                            scene,
-                            clock,
-                            settings.seed(),
-                            transports,
-                            settings.name(),
-                            new DescriptionWriter(settings.home())::write)));
+                                settings.home(),
+                                scene,
+                                clock,
+                                settings.seed(),
+                                transports,
+                                settings.name(),
+                                new DescriptionWriter(settings.home())::write)
+                            .with(settings.physics())));
     simulated.ifPresent(parts::opened);
     BusLink link =
         BusLink.connect(CONTROLLER, settings.name(), transports.apply(CONTROLLER), clock);

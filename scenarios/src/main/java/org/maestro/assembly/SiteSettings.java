@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.Objective;
+import org.maestro.sim.PhysicalParameters;
 import org.maestro.sim.Scene;
 
 /**
@@ -19,6 +20,7 @@ import org.maestro.sim.Scene;
  * @param dataDirectory where goals and what was known of the past are kept, to be taken up after a
  *     restart; empty: they end with the site
  * @param allocation what plans are to be best in
+ * @param physics of the simulated world
  */
 public record SiteSettings(
     String name,
@@ -30,7 +32,8 @@ public record SiteSettings(
     boolean gui,
     Optional<Path> storyDirectory,
     Optional<Path> dataDirectory,
-    Objective allocation) {
+    Objective allocation,
+    PhysicalParameters physics) {
 
   /** Of a site that allocates steps so that they cost least. */
   public SiteSettings(
@@ -53,12 +56,39 @@ public record SiteSettings(
         gui,
         storyDirectory,
         dataDirectory,
-        Objective.CHEAPEST);
+        Objective.CHEAPEST,
+        PhysicalParameters.standard());
   }
 
   public SiteSettings withAllocation(Objective other) {
     return new SiteSettings(
-        name, home, scene, seed, broker, jadePort, gui, storyDirectory, dataDirectory, other);
+        name,
+        home,
+        scene,
+        seed,
+        broker,
+        jadePort,
+        gui,
+        storyDirectory,
+        dataDirectory,
+        other,
+        physics);
+  }
+
+  /** The same in a world of other physics. */
+  public SiteSettings with(PhysicalParameters other) {
+    return new SiteSettings(
+        name,
+        home,
+        scene,
+        seed,
+        broker,
+        jadePort,
+        gui,
+        storyDirectory,
+        dataDirectory,
+        allocation,
+        other);
   }
 
   /** Of a site that remembers nothing. */

@@ -31,6 +31,7 @@ class PackageRulesTest {
     "org.maestro.launch..",
     "org.maestro.junit..",
     "org.maestro.experiment..",
+    "org.maestro.picture..",
     "org.maestro.bench.."
   };
 

@@ -1,4 +1,4 @@
-package org.maestro.launch.picture;
+package org.maestro.picture;
 
 import java.awt.Shape;
 import java.awt.geom.Ellipse2D;

@@ -1,4 +1,4 @@
-package org.maestro.launch.picture;
+package org.maestro.picture;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

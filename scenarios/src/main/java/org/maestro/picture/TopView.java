@@ -1,4 +1,4 @@
-package org.maestro.launch.picture;
+package org.maestro.picture;
 
 import java.awt.AlphaComposite;
 import java.awt.BasicStroke;

@@ -2,4 +2,4 @@
  * The picture of what happened: a home from above. A home and its simulated world flow in, a PNG
  * file flows out. It draws, and decides nothing.
  */
-package org.maestro.launch.picture;
+package org.maestro.picture;
