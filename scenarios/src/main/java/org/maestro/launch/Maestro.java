@@ -30,6 +30,7 @@ import picocli.CommandLine.Spec;
       StopCommand.class,
       ReviveCommand.class,
       CheckCommand.class,
+      PlanCommand.class,
       BenchCommand.class
     },
     exitCodeListHeading = "%nExit codes:%n",

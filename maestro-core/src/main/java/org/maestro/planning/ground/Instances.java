@@ -1,0 +1,267 @@
+package org.maestro.planning.ground;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.Deque;
+import java.util.List;
+import org.maestro.planning.ground.Relation.Matches;
+
+/**
+ * The operators that can be reached when nothing that once held ceases to, and that may matter:
+ * facts are taken one by one, each joined with those before it, so that every operator is found
+ * once.
+ */
+final class Instances {
+  /** A schema and its parameters' objects. */
+  record Instance(int schema, int[] binding) {}
+
+  private record Fact(int symbol, int[] objects) {}
+
+  private final LiftedTask task;
+  private final Relation[] relations;
+  private final boolean[] changing;
+  private final RelevantAtoms relevant;
+  private final Patience patience;
+  private final Patterns seen = new Patterns();
+  private final Deque<Fact> queue = new ArrayDeque<>();
+  private final List<Instance> instances = new ArrayList<>();
+  private final List<Schema> schemas;
+
+  private Schema schema;
+  private int schemaNumber;
+  private List<Atom> atoms = List.of();
+  private boolean[] joined = {};
+  private int[] binding = {};
+  private int trigger;
+  private int triggerFact;
+
+  /**
+   * @param relations of each predicate the tuples: those that never change are whole
+   * @param changing the predicates that change
+   */
+  Instances(
+      LiftedTask task,
+      Relation[] relations,
+      boolean[] changing,
+      RelevantAtoms relevant,
+      Patience patience) {
+    this.task = task;
+    this.relations = relations;
+    this.changing = changing;
+    this.relevant = relevant;
+    this.patience = patience;
+    this.schemas = new ArrayList<>(task.schemas());
+    schemas.add(task.goal());
+  }
+
+  /** All instances; those of the goal have the number after the last schema's. */
+  List<Instance> find() {
+    for (Atom atom : task.initial()) {
+      if (changing[atom.symbol()]) {
+        reach(atom.symbol(), atom.terms());
+      }
+    }
+    for (int number = 0; number < schemas.size(); number++) {
+      if (schemas.get(number).conditions().stream().noneMatch(this::isChanging)) {
+        start(number, -1, -1);
+        extend(0);
+      }
+    }
+    while (!queue.isEmpty()) {
+      Fact fact = queue.remove();
+      int index = relations[fact.symbol()].add(fact.objects());
+      for (int number = 0; number < schemas.size(); number++) {
+        List<Literal> conditions = schemas.get(number).conditions();
+        int position = 0;
+        for (Literal literal : conditions) {
+          if (literal.positive()) {
+            if (literal.atom().symbol() == fact.symbol()) {
+              start(number, position, index);
+              int[] trail = match(atoms.get(position), fact.objects());
+              if (trail != null) {
+                joined[position] = true;
+                extend(1);
+              }
+            }
+            position++;
+          }
+        }
+      }
+    }
+    return instances;
+  }
+
+  private boolean isChanging(Literal literal) {
+    return literal.positive() && changing[literal.atom().symbol()];
+  }
+
+  private void reach(int symbol, int[] objects) {
+    if ((relevant.mayHaveToHold(symbol, objects) || relevant.mayHaveToLack(symbol, objects))
+        && seen.add(new Atom(symbol, objects))) {
+      queue.add(new Fact(symbol, objects));
+    }
+  }
+
+  private void start(int number, int position, int fact) {
+    if (schema != schemas.get(number)) {
+      schema = schemas.get(number);
+      schemaNumber = number;
+      atoms = schema.conditions().stream().filter(Literal::positive).map(Literal::atom).toList();
+      joined = new boolean[atoms.size()];
+      binding = new int[schema.domains().size()];
+    }
+    Arrays.fill(joined, false);
+    Arrays.fill(binding, Patterns.ANY);
+    trigger = position;
+    triggerFact = fact;
+  }
+
+  /** Binds the atom's parameters to the objects; what was bound, or null when they do not fit. */
+  private int[] match(Atom atom, int[] objects) {
+    int[] terms = atom.terms();
+    int bound = 0;
+    int[] trail = new int[terms.length];
+    for (int i = 0; i < terms.length; i++) {
+      int term = terms[i];
+      if (term >= 0) {
+        if (term != objects[i]) {
+          return undo(trail, bound);
+        }
+        continue;
+      }
+      int parameter = Atom.parameterOf(term);
+      if (binding[parameter] == Patterns.ANY && schema.domains().get(parameter).get(objects[i])) {
+        binding[parameter] = objects[i];
+        trail[bound++] = parameter;
+      } else if (binding[parameter] != objects[i]) {
+        return undo(trail, bound);
+      }
+    }
+    if (!differencesHold()) {
+      return undo(trail, bound);
+    }
+    return Arrays.copyOf(trail, bound);
+  }
+
+  private int[] undo(int[] trail, int bound) {
+    for (int i = 0; i < bound; i++) {
+      binding[trail[i]] = Patterns.ANY;
+    }
+    return null;
+  }
+
+  private boolean differencesHold() {
+    for (Schema.Sameness sameness : schema.differences()) {
+      int first = Atom.value(sameness.first(), binding);
+      int second = Atom.value(sameness.second(), binding);
+      if (first >= 0 && second >= 0 && (first == second) != sameness.same()) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Joins the atom with the fewest matches next. */
+  private void extend(int done) {
+    patience.check();
+    if (done == atoms.size()) {
+      bindOthers(0);
+      return;
+    }
+    int best = -1;
+    Matches fewest = null;
+    for (int i = 0; i < joined.length; i++) {
+      if (!joined[i]) {
+        Atom atom = atoms.get(i);
+        Matches matches = relations[atom.symbol()].matching(atom.ground(binding));
+        if (fewest == null || matches.size() < fewest.size()) {
+          fewest = matches;
+          best = i;
+          if (matches.size() == 0) {
+            return;
+          }
+        }
+      }
+    }
+    Atom atom = atoms.get(best);
+    Relation relation = relations[atom.symbol()];
+    boolean beforeTrigger =
+        trigger >= 0 && best < trigger && atom.symbol() == atoms.get(trigger).symbol();
+    joined[best] = true;
+    int count = fewest.size();
+    int[] numbers = fewest.numbers();
+    for (int i = 0; i < count; i++) {
+      // The newest fact stands in the first of all places that it could stand in.
+      if (beforeTrigger && numbers[i] == triggerFact) {
+        continue;
+      }
+      int[] trail = match(atom, relation.tuple(numbers[i]));
+      if (trail != null) {
+        extend(done + 1);
+        undo(trail, trail.length);
+      }
+    }
+    joined[best] = false;
+  }
+
+  /** Parameters that no atom names may be any object of their types. */
+  private void bindOthers(int from) {
+    for (int parameter = from; parameter < binding.length; parameter++) {
+      if (binding[parameter] == Patterns.ANY) {
+        BitSet domain = schema.domains().get(parameter);
+        for (int object = domain.nextSetBit(0);
+            object >= 0;
+            object = domain.nextSetBit(object + 1)) {
+          binding[parameter] = object;
+          if (differencesHold()) {
+            bindOthers(parameter + 1);
+          }
+        }
+        binding[parameter] = Patterns.ANY;
+        return;
+      }
+    }
+    finish();
+  }
+
+  private void finish() {
+    for (Literal literal : schema.conditions()) {
+      Atom atom = literal.atom();
+      if (!literal.positive()
+          && !changing[atom.symbol()]
+          && relations[atom.symbol()].number(atom.ground(binding)) >= 0) {
+        return;
+      }
+    }
+    if (!differencesHold() || schemaNumber < task.schemas().size() && !isRelevant()) {
+      return;
+    }
+    instances.add(new Instance(schemaNumber, binding.clone()));
+    for (Atom atom : schema.additions()) {
+      reach(atom.symbol(), atom.ground(binding));
+    }
+  }
+
+  private boolean isRelevant() {
+    for (Atom atom : schema.additions()) {
+      if (relevant.mayHaveToHold(atom.symbol(), atom.ground(binding))) {
+        return true;
+      }
+    }
+    for (Atom atom : schema.deletions()) {
+      if (relevant.mayHaveToLack(atom.symbol(), atom.ground(binding))) {
+        return true;
+      }
+    }
+    for (Schema.Increase increase : schema.increases()) {
+      Atom function = increase.function();
+      if (relevant.mayHaveToHold(
+          relevant.symbolOfFunction(function.symbol()), function.ground(binding))) {
+        return true;
+      }
+    }
+    return false;
+  }
+}

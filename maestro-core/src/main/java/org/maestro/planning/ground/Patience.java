@@ -1,0 +1,65 @@
+package org.maestro.planning.ground;
+
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+
+/**
+ * How long planning may go on: until a moment, or until somebody cancels it. It is asked often,
+ * from the planning thread; who cancels may be any thread.
+ */
+public final class Patience {
+  private static final int ASKED_BETWEEN = 256;
+
+  private final long end;
+  private final BooleanSupplier cancelled;
+  private int asked;
+
+  private Patience(long end, BooleanSupplier cancelled) {
+    this.end = end;
+    this.cancelled = cancelled;
+  }
+
+  /** Without an end. */
+  public static Patience endless() {
+    return new Patience(Long.MAX_VALUE, () -> false);
+  }
+
+  /**
+   * Until some seconds from now have passed.
+   *
+   * @param seconds infinite for no end
+   */
+  public static Patience seconds(double seconds, BooleanSupplier cancelled) {
+    double nanos = seconds * 1e9;
+    return new Patience(
+        nanos > Long.MAX_VALUE / 4 ? Long.MAX_VALUE : System.nanoTime() + (long) nanos, cancelled);
+  }
+
+  /** Until a part of the time that is left has passed. */
+  public Patience part(double share) {
+    return end == Long.MAX_VALUE
+        ? this
+        : new Patience(System.nanoTime() + (long) (share * (end - System.nanoTime())), cancelled);
+  }
+
+  /** Until then, and for so many seconds from now at most. */
+  public Patience atMost(double seconds) {
+    long then = System.nanoTime() + (long) (seconds * 1e9);
+    return new Patience(end == Long.MAX_VALUE ? then : Math.min(end, then), cancelled);
+  }
+
+  public boolean isOver() {
+    return cancelled.getAsBoolean() || end != Long.MAX_VALUE && System.nanoTime() - end >= 0;
+  }
+
+  /**
+   * Looks at the clock now and then; cheap enough for innermost loops.
+   *
+   * @throws CancellationException when it is over
+   */
+  public void check() {
+    if (++asked % ASKED_BETWEEN == 0 && isOver()) {
+      throw new CancellationException("Planning was stopped.");
+    }
+  }
+}

@@ -1,0 +1,272 @@
+package org.maestro.planning.ground;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * What could matter for a task's goal, found backwards from it without enumerating operators: an
+ * object that no condition on the way to the goal can name does not appear. Functions follow the
+ * predicates in the numbering of symbols.
+ */
+final class RelevantAtoms {
+  /** So many bindings of static conditions are told apart. */
+  private static final int MOST_SPLITS = 48;
+
+  private final LiftedTask task;
+  private final Relation[] statics;
+  private final Spokes spokes;
+  private final Patterns holding = new Patterns();
+  private final Patterns lacking = new Patterns();
+  private final Patterns entered = new Patterns();
+  private final List<Waiting> waiting = new ArrayList<>();
+  private final Deque<Runnable> open = new ArrayDeque<>();
+  private final Set<List<Integer>> used = new HashSet<>();
+  private final Map<Schema, Integer> numberOf = new IdentityHashMap<>();
+  private final List<Atom> released = new ArrayList<>();
+
+  /** A schema that leaves a spoke, in case that the spoke is entered. */
+  private record Waiting(Schema schema, int[] binding, Atom spoke) {}
+
+  /**
+   * @param statics the tuples of predicates that never change; null for the others
+   */
+  RelevantAtoms(LiftedTask task, Relation[] statics) {
+    this.task = task;
+    this.statics = statics;
+    this.spokes = new Spokes(task);
+    task.schemas().forEach(schema -> numberOf.put(schema, numberOf.size()));
+    for (Atom atom : task.initial()) {
+      if (spokes.isSpoke(atom.symbol())) {
+        entered.add(atom);
+      }
+    }
+    List<Atom> initiallyEntered =
+        task.initial().stream().filter(atom -> spokes.isSpoke(atom.symbol())).toList();
+    need(task.goal(), unbound(task.goal()));
+    initiallyEntered.forEach(atom -> open.add(() -> release(atom)));
+    while (!open.isEmpty()) {
+      open.remove().run();
+    }
+  }
+
+  /** Whether it may matter that the ground atom holds. */
+  boolean mayHaveToHold(int symbol, int[] objects) {
+    return holding.matches(symbol, objects);
+  }
+
+  /** Whether it may matter that the ground atom does not hold. */
+  boolean mayHaveToLack(int symbol, int[] objects) {
+    return lacking.matches(symbol, objects);
+  }
+
+  /** The symbol of a function's value. */
+  int symbolOfFunction(int function) {
+    return task.predicates().size() + function;
+  }
+
+  private static int[] unbound(Schema schema) {
+    int[] binding = new int[schema.domains().size()];
+    Arrays.fill(binding, Patterns.ANY);
+    return binding;
+  }
+
+  private static Atom pattern(Atom atom, int[] binding) {
+    return new Atom(atom.symbol(), atom.ground(binding));
+  }
+
+  /** All that the schema's condition needs for a binding becomes relevant. */
+  private void need(Schema schema, int[] binding) {
+    split(schema, binding, 0);
+  }
+
+  /** Binds parameters by static conditions that leave few choices, and then adds the rest. */
+  private void split(Schema schema, int[] binding, int depth) {
+    Atom best = null;
+    int fewest = MOST_SPLITS + 1;
+    for (Literal literal : schema.conditions()) {
+      Atom atom = literal.atom();
+      if (!literal.positive() || statics[atom.symbol()] == null) {
+        continue;
+      }
+      int[] pattern = atom.ground(binding);
+      boolean open = Arrays.stream(pattern).anyMatch(object -> object < 0);
+      boolean bound = Arrays.stream(pattern).anyMatch(object -> object >= 0);
+      if (bound) {
+        int count = count(statics[atom.symbol()], pattern);
+        if (count == 0) {
+          return;
+        }
+        if (open && count < fewest) {
+          fewest = count;
+          best = atom;
+        }
+      }
+    }
+    if (best == null || depth > 0 && fewest > MOST_SPLITS >> depth) {
+      addConditions(schema, binding);
+      return;
+    }
+    Relation.Matches matches = statics[best.symbol()].matching(best.ground(binding));
+    for (int i = 0; i < matches.size(); i++) {
+      int[] bound = bind(schema, binding, best, statics[best.symbol()].tuple(matches.numbers()[i]));
+      if (bound != null) {
+        split(schema, bound, fewest == 1 ? depth : depth + 1);
+      }
+    }
+  }
+
+  private static int count(Relation relation, int[] pattern) {
+    Relation.Matches matches = relation.matching(pattern);
+    if (matches.size() > MOST_SPLITS) {
+      return matches.size();
+    }
+    int count = 0;
+    for (int i = 0; i < matches.size(); i++) {
+      int[] tuple = relation.tuple(matches.numbers()[i]);
+      boolean agrees = true;
+      for (int place = 0; place < pattern.length; place++) {
+        agrees &= pattern[place] < 0 || pattern[place] == tuple[place];
+      }
+      count += agrees ? 1 : 0;
+    }
+    return count;
+  }
+
+  /** The binding with the atom's parameters bound to the objects; null when they do not fit. */
+  private static int[] bind(Schema schema, int[] binding, Atom atom, int[] objects) {
+    int[] bound = binding.clone();
+    for (int i = 0; i < objects.length; i++) {
+      int term = atom.terms()[i];
+      int object = objects[i];
+      if (object == Patterns.ANY) {
+        continue;
+      }
+      if (!Atom.isParameter(term)) {
+        if (term != object) {
+          return null;
+        }
+        continue;
+      }
+      int parameter = Atom.parameterOf(term);
+      if (bound[parameter] == Patterns.ANY && schema.domains().get(parameter).get(object)) {
+        bound[parameter] = object;
+      } else if (bound[parameter] != object) {
+        return null;
+      }
+    }
+    return bound;
+  }
+
+  private void addConditions(Schema schema, int[] binding) {
+    for (Literal literal : schema.conditions()) {
+      if (statics[literal.atom().symbol()] == null) {
+        Atom pattern = pattern(literal.atom(), binding);
+        Patterns patterns = literal.positive() ? holding : lacking;
+        if (patterns.add(pattern)) {
+          open.add(() -> achieve(pattern, literal.positive()));
+        }
+      }
+    }
+    for (Comparison comparison : schema.comparisons()) {
+      addAmount(comparison.left(), binding);
+      addAmount(comparison.right(), binding);
+    }
+    for (Atom added : schema.additions()) {
+      if (spokes.isSpoke(added.symbol())) {
+        Atom pattern = pattern(added, binding);
+        if (entered.add(pattern)) {
+          open.add(() -> release(pattern));
+        }
+      }
+    }
+  }
+
+  private void addAmount(Amount amount, int[] binding) {
+    if (amount instanceof Amount.Operation operation) {
+      addAmount(operation.left(), binding);
+      addAmount(operation.right(), binding);
+    } else if (amount instanceof Amount.Value value) {
+      Atom pattern = pattern(value.function(), binding);
+      Atom shifted = new Atom(symbolOfFunction(pattern.symbol()), pattern.terms());
+      if (holding.add(shifted)) {
+        open.add(() -> change(pattern));
+      }
+    }
+  }
+
+  /** Every schema that can make the atoms of the pattern hold, or lack, matters. */
+  private void achieve(Atom pattern, boolean positive) {
+    for (Schema schema : task.schemas()) {
+      for (Atom effect : positive ? schema.additions() : schema.deletions()) {
+        if (effect.symbol() == pattern.symbol()) {
+          int[] bound = bind(schema, unbound(schema), effect, pattern.terms());
+          if (bound != null) {
+            use(schema, bound, effect, positive);
+          }
+        }
+      }
+    }
+  }
+
+  private void change(Atom function) {
+    for (Schema schema : task.schemas()) {
+      for (Schema.Increase increase : schema.increases()) {
+        if (increase.function().symbol() == function.symbol()) {
+          int[] bound = bind(schema, unbound(schema), increase.function(), function.terms());
+          if (bound != null) {
+            need(schema, bound);
+          }
+        }
+      }
+    }
+  }
+
+  private void use(Schema schema, int[] binding, Atom effect, boolean positive) {
+    Atom left = positive ? spokes.left(schema, effect).orElse(null) : null;
+    if (left == null) {
+      needOnce(schema, binding);
+      return;
+    }
+    Waiting late = new Waiting(schema, binding, left);
+    waiting.add(late);
+    enteredOf(left.symbol()).forEach(atom -> tryRelease(late, atom));
+  }
+
+  private List<Atom> enteredOf(int symbol) {
+    return released.stream().filter(atom -> atom.symbol() == symbol).toList();
+  }
+
+  private void release(Atom spoke) {
+    released.add(spoke);
+    for (Waiting late : List.copyOf(waiting)) {
+      if (late.spoke().symbol() == spoke.symbol()) {
+        tryRelease(late, spoke);
+      }
+    }
+  }
+
+  private void tryRelease(Waiting late, Atom spoke) {
+    int[] bound = bind(late.schema(), late.binding(), late.spoke(), spoke.terms());
+    if (bound != null) {
+      needOnce(late.schema(), bound);
+    }
+  }
+
+  private void needOnce(Schema schema, int[] binding) {
+    List<Integer> key = new ArrayList<>(binding.length + 1);
+    key.add(numberOf.get(schema));
+    for (int object : binding) {
+      key.add(object);
+    }
+    if (used.add(key)) {
+      need(schema, binding);
+    }
+  }
+}

@@ -1,0 +1,47 @@
+package org.maestro.planning.pddl;
+
+import java.util.List;
+
+/** A word or a list in parentheses, and where it stands. */
+sealed interface Expression {
+  Position position();
+
+  /** Line and column are counted from 1. */
+  record Position(String source, int line, int column) {
+    PddlException error(String problem, Object... values) {
+      return new PddlException(source, line, column, problem.formatted(values));
+    }
+  }
+
+  /** PDDL knows no case: the text is in small letters. */
+  record Word(Position position, String text) implements Expression {
+    boolean isVariable() {
+      return text.startsWith("?");
+    }
+  }
+
+  record Group(Position position, List<Expression> items) implements Expression {
+    /** The first word, by which lists are told apart; empty when there is none. */
+    String head() {
+      return !items.isEmpty() && items.get(0) instanceof Word word ? word.text() : "";
+    }
+
+    List<Expression> rest() {
+      return items.subList(1, items.size());
+    }
+  }
+
+  default Word word(String expected) {
+    if (this instanceof Word word) {
+      return word;
+    }
+    throw position().error("Expected %s, found a list.", expected);
+  }
+
+  default Group group(String expected) {
+    if (this instanceof Group group) {
+      return group;
+    }
+    throw position().error("Expected %s, found %s.", expected, ((Word) this).text());
+  }
+}

@@ -1,0 +1,295 @@
+package org.maestro.planning.pddl;
+
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.math.BigDecimal;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.zip.GZIPInputStream;
+import org.maestro.planning.ground.Atom;
+import org.maestro.planning.ground.LiftedTask;
+import org.maestro.planning.ground.Schema;
+import org.maestro.planning.pddl.Expression.Group;
+import org.maestro.planning.pddl.Expression.Word;
+
+/**
+ * Reads a domain and a problem: STRIPS with types, negative and existential conditions, equality,
+ * action costs, and functions that are only increased and decreased by constant amounts.
+ */
+public final class PddlReader {
+  private static final Set<String> REQUIREMENTS =
+      Set.of(
+          ":strips",
+          ":typing",
+          ":negative-preconditions",
+          ":equality",
+          ":action-costs",
+          ":existential-preconditions",
+          ":fluents",
+          ":numeric-fluents");
+
+  private final Symbols symbols = new Symbols();
+  private final List<Group> actions = new ArrayList<>();
+  private String domainName = "";
+
+  private PddlReader() {}
+
+  /**
+   * Reads both files, which may be compressed with gzip.
+   *
+   * @throws IOException when a file cannot be read
+   * @throws PddlException when its text is not understood
+   */
+  public static LiftedTask read(Path domain, Path problem) throws IOException {
+    return parse(domain.toString(), text(domain), problem.toString(), text(problem));
+  }
+
+  /**
+   * Reads both texts.
+   *
+   * @param domainSource what errors call the domain's text
+   * @param problemSource what errors call the problem's text
+   * @throws PddlException when a text is not understood
+   */
+  public static LiftedTask parse(
+      String domainSource, String domain, String problemSource, String problem) {
+    PddlReader reader = new PddlReader();
+    reader.domain(ExpressionReader.read(domainSource, domain));
+    return reader.problem(ExpressionReader.read(problemSource, problem));
+  }
+
+  private static String text(Path file) throws IOException {
+    try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {
+      in.mark(2);
+      boolean compressed = in.read() == 0x1f && in.read() == 0x8b;
+      in.reset();
+      InputStream plain = compressed ? new GZIPInputStream(in) : in;
+      return new String(plain.readAllBytes(), StandardCharsets.UTF_8);
+    }
+  }
+
+  private void domain(Group text) {
+    domainName = name(text, "domain");
+    List<Group> sections = sections(text);
+    for (Group section : sections) {
+      switch (section.head()) {
+        case ":requirements" -> checkRequirements(section);
+        case ":types" -> symbols.addTypes(section.rest());
+        case ":constants", ":predicates", ":functions" -> {}
+        case ":action" -> actions.add(section);
+        default -> throw unsupported(section);
+      }
+    }
+    for (Group section : sections) {
+      switch (section.head()) {
+        case ":constants" -> symbols.addObjects(section.rest());
+        case ":predicates" ->
+            section.rest().forEach(item -> symbols.addPredicate(item.group("a predicate")));
+        case ":functions" -> addFunctions(section);
+        default -> {}
+      }
+    }
+  }
+
+  private static PddlException unsupported(Group section) {
+    return section
+        .position()
+        .error(
+            section.head().isEmpty()
+                ? "Expected a section such as (:action ...)."
+                : "(" + section.head() + " ...) is not supported.");
+  }
+
+  private static void checkRequirements(Group section) {
+    for (Expression item : section.rest()) {
+      Word requirement = item.word("a requirement");
+      if (!REQUIREMENTS.contains(requirement.text())) {
+        throw requirement
+            .position()
+            .error("The requirement %s is not supported.", requirement.text());
+      }
+    }
+  }
+
+  private void addFunctions(Group section) {
+    List<Expression> items = section.rest();
+    for (int i = 0; i < items.size(); i++) {
+      if (items.get(i) instanceof Word word && word.text().equals("-")) {
+        Word type = ++i < items.size() ? items.get(i).word("number") : word;
+        if (!type.text().equals("number")) {
+          throw type.position().error("Functions have to be numbers, found %s.", type.text());
+        }
+      } else {
+        symbols.addFunction(items.get(i).group("a function"));
+      }
+    }
+  }
+
+  private LiftedTask problem(Group text) {
+    name(text, "problem");
+    List<Group> sections = sections(text);
+    Map<Integer, BigDecimal> metric = Map.of();
+    for (Group section : sections) {
+      switch (section.head()) {
+        case ":domain" -> checkDomain(section);
+        case ":requirements" -> checkRequirements(section);
+        case ":objects" -> symbols.addObjects(section.rest());
+        case ":metric" -> metric = metric(section);
+        case ":init", ":goal" -> {}
+        default -> throw unsupported(section);
+      }
+    }
+    List<Schema> schemas = actions.stream().map(this::schema).toList();
+    List<Atom> initial = new ArrayList<>();
+    Map<Atom, BigDecimal> values = new LinkedHashMap<>();
+    Schema goal = null;
+    for (Group section : sections) {
+      if (section.head().equals(":init")) {
+        section.rest().forEach(item -> addInitial(item, initial, values));
+      } else if (section.head().equals(":goal")) {
+        if (section.items().size() != 2) {
+          throw section.position().error("Expected one condition in (:goal ...).");
+        }
+        SchemaReader reader = new SchemaReader(symbols, "goal");
+        reader.condition(section.items().get(1));
+        goal = reader.done();
+      }
+    }
+    if (goal == null) {
+      throw text.position().error("The problem has no (:goal ...).");
+    }
+    return new LiftedTask(
+        symbols.objectNames(),
+        List.copyOf(symbols.predicates.keySet()),
+        List.copyOf(symbols.functions.keySet()),
+        schemas,
+        initial,
+        values,
+        goal,
+        metric);
+  }
+
+  private void checkDomain(Group section) {
+    Word name =
+        section.items().size() == 2
+            ? section.items().get(1).word("the domain's name")
+            : new Word(section.position(), "");
+    if (!name.text().equals(domainName)) {
+      throw name.position()
+          .error("The problem is of the domain %s, not of %s.", name.text(), domainName);
+    }
+  }
+
+  private Schema schema(Group section) {
+    if (section.items().size() < 2) {
+      throw section.position().error("Expected an action's name.");
+    }
+    SchemaReader reader =
+        new SchemaReader(symbols, section.items().get(1).word("an action's name").text());
+    Map<String, Expression> parts = new LinkedHashMap<>();
+    for (int i = 2; i < section.items().size(); i += 2) {
+      Word key = section.items().get(i).word("a part such as :effect");
+      if (!Set.of(":parameters", ":precondition", ":effect").contains(key.text())) {
+        throw key.position().error("%s is not supported in an action.", key.text());
+      }
+      if (i + 1 == section.items().size()) {
+        throw key.position().error("Expected something after %s.", key.text());
+      }
+      parts.put(key.text(), section.items().get(i + 1));
+    }
+    if (parts.get(":parameters") != null) {
+      reader.parameters(parts.get(":parameters").group("a list of parameters"));
+    }
+    if (parts.get(":precondition") != null) {
+      reader.condition(parts.get(":precondition"));
+    }
+    if (parts.get(":effect") != null) {
+      reader.effect(parts.get(":effect"));
+    }
+    return reader.done();
+  }
+
+  private void addInitial(Expression item, List<Atom> initial, Map<Atom, BigDecimal> values) {
+    Group group = item.group("a fact");
+    SchemaReader reader = new SchemaReader(symbols, "init");
+    switch (group.head()) {
+      case "=" -> {
+        if (group.items().size() != 3) {
+          throw group.position().error("Expected (= function number).");
+        }
+        Word number = group.items().get(2).word("a number");
+        if (!SchemaReader.isNumber(number.text())) {
+          throw number.position().error("Expected a number, found %s.", number.text());
+        }
+        values.put(reader.groundFunction(group.items().get(1)), new BigDecimal(number.text()));
+      }
+      case "at" -> {
+        boolean timed =
+            !symbols.predicates.containsKey("at")
+                || group.items().size() == 3 && group.items().get(2) instanceof Group;
+        if (timed) {
+          throw group.position().error("Timed facts are not supported.");
+        }
+        initial.add(reader.fact(group));
+      }
+      case "not" -> {
+        // What is not said to hold does not hold.
+      }
+      case "" -> throw group.position().error("Expected a fact.");
+      default -> initial.add(reader.fact(group));
+    }
+  }
+
+  private Map<Integer, BigDecimal> metric(Group section) {
+    if (section.items().size() != 3) {
+      throw section.position().error("Expected (:metric minimize (function)).");
+    }
+    Word direction = section.items().get(1).word("minimize");
+    if (!direction.text().equals("minimize")) {
+      throw direction.position().error("Only minimize is supported, found %s.", direction.text());
+    }
+    Map<Integer, BigDecimal> factors = new LinkedHashMap<>();
+    addMetric(section.items().get(2), BigDecimal.ONE, factors);
+    return factors;
+  }
+
+  private void addMetric(
+      Expression expression, BigDecimal factor, Map<Integer, BigDecimal> factors) {
+    if (expression instanceof Group group && group.head().equals("+")) {
+      group.rest().forEach(item -> addMetric(item, factor, factors));
+    } else if (expression instanceof Group group
+        && group.head().equals("*")
+        && group.items().size() == 3
+        && group.items().get(1) instanceof Word number
+        && SchemaReader.isNumber(number.text())) {
+      addMetric(group.items().get(2), factor.multiply(new BigDecimal(number.text())), factors);
+    } else {
+      Atom function = new SchemaReader(symbols, "metric").groundFunction(expression);
+      factors.merge(function.symbol(), factor, BigDecimal::add);
+    }
+  }
+
+  private static String name(Group text, String kind) {
+    if (text.head().equals("define")
+        && text.items().size() > 1
+        && text.items().get(1) instanceof Group group
+        && group.head().equals(kind)
+        && group.items().size() == 2) {
+      return group.items().get(1).word("a name").text();
+    }
+    throw text.position().error("Expected (define (%s NAME) ...).", kind);
+  }
+
+  private static List<Group> sections(Group text) {
+    return text.items().subList(2, text.items().size()).stream()
+        .map(item -> item.group("a section such as (:init ...)"))
+        .toList();
+  }
+}

@@ -1,0 +1,263 @@
+package org.maestro.planning.pddl;
+
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.maestro.planning.ground.Amount;
+import org.maestro.planning.ground.Atom;
+import org.maestro.planning.ground.Comparison;
+import org.maestro.planning.ground.Comparison.Relation;
+import org.maestro.planning.ground.Literal;
+import org.maestro.planning.ground.Schema;
+import org.maestro.planning.pddl.Expression.Group;
+import org.maestro.planning.pddl.Expression.Word;
+import org.maestro.planning.pddl.Symbols.Signature;
+
+/** Reads the parameters, condition and effect of one action, or a goal. */
+final class SchemaReader {
+  private static final Map<String, Relation> RELATIONS =
+      Map.of(
+          "<", Relation.LESS,
+          "<=", Relation.AT_MOST,
+          "=", Relation.EQUAL,
+          ">=", Relation.AT_LEAST,
+          ">", Relation.MORE);
+
+  private final Symbols symbols;
+  private final String name;
+  private final List<BitSet> domains = new ArrayList<>();
+  private final Map<String, Integer> scope = new HashMap<>();
+  private final List<Literal> conditions = new ArrayList<>();
+  private final List<Schema.Sameness> differences = new ArrayList<>();
+  private final List<Comparison> comparisons = new ArrayList<>();
+  private final List<Atom> additions = new ArrayList<>();
+  private final List<Atom> deletions = new ArrayList<>();
+  private final List<Schema.Increase> increases = new ArrayList<>();
+  private int shown;
+
+  SchemaReader(Symbols symbols, String name) {
+    this.symbols = symbols;
+    this.name = name;
+  }
+
+  Schema done() {
+    return new Schema(
+        name,
+        domains,
+        shown,
+        conditions,
+        differences,
+        comparisons,
+        additions,
+        deletions,
+        increases);
+  }
+
+  void parameters(Group list) {
+    addParameters(list.items());
+    shown = domains.size();
+  }
+
+  private void addParameters(List<Expression> items) {
+    for (Symbols.Typed typed : symbols.readTyped(items, true)) {
+      typed.types().forEach(type -> symbols.checkType(typed.name().position(), type));
+      scope.put(typed.name().text(), domains.size());
+      domains.add(symbols.members(typed.types()));
+    }
+  }
+
+  void condition(Expression expression) {
+    Group group = expression.group("a condition");
+    switch (group.head()) {
+      case "and" -> group.rest().forEach(this::condition);
+      case "not" -> negated(only(group));
+      case "exists" -> exists(group);
+      case "=", "<", "<=", ">", ">=" -> relation(group);
+      case "or", "imply", "forall", "when", "preference" ->
+          throw group.position().error("(%s ...) in a condition is not supported.", group.head());
+      case "" -> {
+        if (!group.items().isEmpty()) {
+          throw group.position().error("Expected a condition, found a list of lists.");
+        }
+      }
+      default -> conditions.add(new Literal(atom(group, symbols.predicates, "predicate"), true));
+    }
+  }
+
+  private void negated(Expression inner) {
+    Group group = inner.group("a condition");
+    switch (group.head()) {
+      case "not" -> condition(only(group));
+      case "=" -> sameness(group, false);
+      case "and", "or", "imply", "forall", "exists", "<", "<=", ">", ">=" ->
+          throw group.position().error("(not (%s ...)) is not supported.", group.head());
+      default -> conditions.add(new Literal(atom(group, symbols.predicates, "predicate"), false));
+    }
+  }
+
+  private void exists(Group group) {
+    if (group.items().size() != 3) {
+      throw group.position().error("Expected (exists (?variable - type ...) condition).");
+    }
+    Map<String, Integer> outside = Map.copyOf(scope);
+    addParameters(group.items().get(1).group("a list of variables").items());
+    condition(group.items().get(2));
+    scope.clear();
+    scope.putAll(outside);
+  }
+
+  private void relation(Group group) {
+    if (group.items().size() != 3) {
+      throw group.position().error("Expected two things to compare.");
+    }
+    if (group.head().equals("=") && isTerm(group.items().get(1)) && isTerm(group.items().get(2))) {
+      sameness(group, true);
+      return;
+    }
+    comparisons.add(
+        new Comparison(
+            RELATIONS.get(group.head()),
+            amount(group.items().get(1)),
+            amount(group.items().get(2))));
+  }
+
+  private boolean isTerm(Expression expression) {
+    return expression instanceof Word word
+        && (word.isVariable()
+            || !isNumber(word.text()) && !symbols.functions.containsKey(word.text()));
+  }
+
+  private void sameness(Group group, boolean same) {
+    if (group.items().size() != 3
+        || !isTerm(group.items().get(1))
+        || !isTerm(group.items().get(2))) {
+      throw group.position().error("Expected (= term term).");
+    }
+    differences.add(
+        new Schema.Sameness(term(group.items().get(1)), term(group.items().get(2)), same));
+  }
+
+  void effect(Expression expression) {
+    Group group = expression.group("an effect");
+    switch (group.head()) {
+      case "and" -> group.rest().forEach(this::effect);
+      case "not" ->
+          deletions.add(atom(only(group).group("an atom"), symbols.predicates, "predicate"));
+      case "increase" -> increase(group, false);
+      case "decrease" -> increase(group, true);
+      case "assign", "scale-up", "scale-down", "when", "forall" ->
+          throw group.position().error("(%s ...) in an effect is not supported.", group.head());
+      case "" -> {
+        if (!group.items().isEmpty()) {
+          throw group.position().error("Expected an effect, found a list of lists.");
+        }
+      }
+      default -> additions.add(atom(group, symbols.predicates, "predicate"));
+    }
+  }
+
+  private void increase(Group group, boolean less) {
+    if (group.items().size() != 3) {
+      throw group.position().error("Expected (%s function amount).", group.head());
+    }
+    Expression changed = group.items().get(1);
+    Amount amount = amount(group.items().get(2));
+    increases.add(
+        new Schema.Increase(
+            function(changed),
+            less
+                ? new Amount.Operation('-', new Amount.Constant(BigDecimal.ZERO), amount)
+                : amount));
+  }
+
+  private Atom function(Expression expression) {
+    if (expression instanceof Word word) {
+      return atom(new Group(word.position(), List.of(word)), symbols.functions, "function");
+    }
+    return atom(expression.group("a function"), symbols.functions, "function");
+  }
+
+  private Amount amount(Expression expression) {
+    if (expression instanceof Word word && isNumber(word.text())) {
+      return new Amount.Constant(new BigDecimal(word.text()));
+    }
+    if (expression instanceof Group group
+        && "+-*/".contains(group.head())
+        && group.head().length() == 1) {
+      List<Expression> operands = group.rest();
+      if (operands.isEmpty()) {
+        throw group.position().error("Expected amounts after %s.", group.head());
+      }
+      char operator = group.head().charAt(0);
+      if (operands.size() == 1) {
+        if (operator != '-') {
+          throw group.position().error("Expected two amounts after %s.", group.head());
+        }
+        return new Amount.Operation(
+            '-', new Amount.Constant(BigDecimal.ZERO), amount(operands.get(0)));
+      }
+      Amount result = amount(operands.get(0));
+      for (Expression operand : operands.subList(1, operands.size())) {
+        result = new Amount.Operation(operator, result, amount(operand));
+      }
+      return result;
+    }
+    return new Amount.Value(function(expression));
+  }
+
+  static boolean isNumber(String text) {
+    return text.matches("[-+]?(\\d+(\\.\\d*)?|\\.\\d+)([e][-+]?\\d+)?");
+  }
+
+  private Atom atom(Group group, Map<String, Signature> among, String kind) {
+    Word head = group.items().get(0).word("a " + kind + "'s name");
+    Signature signature = among.get(head.text());
+    if (signature == null) {
+      throw head.position().error("There is no %s %s.", kind, head.text());
+    }
+    List<Expression> arguments = group.rest();
+    if (arguments.size() != signature.types().size()) {
+      throw head.position()
+          .error(
+              "%s takes %d arguments, found %d.",
+              head.text(), signature.types().size(), arguments.size());
+    }
+    int[] terms = new int[arguments.size()];
+    for (int i = 0; i < terms.length; i++) {
+      terms[i] = term(arguments.get(i));
+    }
+    return new Atom(signature.number(), terms);
+  }
+
+  /** A ground atom, as initial states have them. */
+  Atom fact(Group group) {
+    return atom(group, symbols.predicates, "predicate");
+  }
+
+  /** A ground function, as initial states have them. */
+  Atom groundFunction(Expression expression) {
+    return function(expression);
+  }
+
+  private int term(Expression expression) {
+    Word word = expression.word("a term");
+    if (!word.isVariable()) {
+      return symbols.object(word);
+    }
+    Integer parameter = scope.get(word.text());
+    if (parameter == null) {
+      throw word.position().error("There is no parameter %s here.", word.text());
+    }
+    return Atom.parameter(parameter);
+  }
+
+  private static Expression only(Group group) {
+    if (group.items().size() != 2) {
+      throw group.position().error("Expected one thing after %s.", group.head());
+    }
+    return group.items().get(1);
+  }
+}

@@ -1,0 +1,6 @@
+/**
+ * Reads planning tasks in PDDL. Text, also compressed, flows in, a {@link
+ * org.maestro.planning.ground.LiftedTask} flows out; what is not understood is named with its line
+ * and column. It knows nothing of how tasks are made ground or solved.
+ */
+package org.maestro.planning.pddl;

@@ -1,0 +1,40 @@
+package org.maestro.planning.search;
+
+import java.util.List;
+import org.maestro.planning.ground.GroundOperator;
+
+/**
+ * What a planner knows at one moment.
+ *
+ * @param operators the best plan so far; empty unless {@link #hasPlan}
+ * @param cost of that plan, in units of the task
+ * @param lowerBound no plan costs less, proven; in units of the task
+ */
+public record Solution(
+    Verdict verdict, List<GroundOperator> operators, long cost, long lowerBound) {
+  public Solution {
+    operators = List.copyOf(operators);
+  }
+
+  /** How far a planner came. */
+  public enum Verdict {
+    /** No plan is cheaper: proven. */
+    OPTIMAL,
+    /** There is a plan; whether a cheaper one exists is open. */
+    PLAN,
+    /** There is no plan: proven. */
+    UNSOLVABLE,
+    /** No plan was found before time was over. */
+    OUT_OF_TIME,
+    /** No plan was found in the memory that was allowed. */
+    OUT_OF_MEMORY
+  }
+
+  public boolean hasPlan() {
+    return verdict == Verdict.OPTIMAL || verdict == Verdict.PLAN;
+  }
+
+  static Solution without(Verdict verdict, long lowerBound) {
+    return new Solution(verdict, List.of(), 0, lowerBound);
+  }
+}
