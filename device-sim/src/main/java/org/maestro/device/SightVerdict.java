@@ -3,6 +3,7 @@ package org.maestro.device;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import org.maestro.hal.Camera;
 import org.maestro.rats.protocol.RatsError;
@@ -12,7 +13,8 @@ import org.maestro.sl.Term;
  * What a burst of frames allows to say.
  *
  * @param found enough frames agree
- * @param unfit areas in which the light does not allow to say "not there"; empty: it is not there
+ * @param unfit areas in which the light does not allow to say "not there", or, where a part is
+ *     over-lit, anything; empty: it is not there
  */
 record SightVerdict(boolean found, List<UnfitLight> unfit) {
 
@@ -22,14 +24,26 @@ record SightVerdict(boolean found, List<UnfitLight> unfit) {
   /** The greatest chance of missing what is there that still allows to say "not there". */
   static final double MISS_LIMIT = 1e-6;
 
-  /** Light that stands in the way; {@code need} reads {@code >= 72}. */
-  record UnfitLight(String area, double lux, String need) {}
+  /**
+   * Light that stands in the way.
+   *
+   * @param need reads {@code >= 72}
+   * @param glare a part of the area is over-lit, whatever the light at its reference point is
+   */
+  record UnfitLight(String area, double lux, String need, boolean glare) {}
 
   SightVerdict {
     unfit = List.copyOf(unfit);
   }
 
   static SightVerdict of(Camera.Look look, Camera camera) {
+    if (!look.glaring().isEmpty()) {
+      return new SightVerdict(
+          false,
+          look.glaring().stream()
+              .map(light -> unfit(light, light.brightestLux(), "<= ", camera.maximumLux(), true))
+              .toList());
+    }
     if (look.detections() >= AGREEING_FRAMES && look.position().isPresent()) {
       return new SightVerdict(true, List.of());
     }
@@ -42,13 +56,13 @@ record SightVerdict(boolean found, List<UnfitLight> unfit) {
       double minimum = camera.minimumLux();
       double maximum = camera.maximumLux();
       if (light.referenceLux() < minimum) {
-        unfit.add(unfit(light, light.referenceLux(), ">= ", minimum));
+        unfit.add(unfit(light, light.referenceLux(), ">= ", minimum, false));
       } else if (light.referenceLux() > maximum) {
-        unfit.add(unfit(light, light.referenceLux(), "<= ", maximum));
+        unfit.add(unfit(light, light.referenceLux(), "<= ", maximum, false));
       } else if (missed && light.darkestLux() < minimum) {
-        unfit.add(unfit(light, light.darkestLux(), ">= ", minimum));
+        unfit.add(unfit(light, light.darkestLux(), ">= ", minimum, false));
       } else if (missed) {
-        unfit.add(unfit(light, light.brightestLux(), "<= ", maximum));
+        unfit.add(unfit(light, light.brightestLux(), "<= ", maximum, true));
       }
     }
     return new SightVerdict(false, unfit);
@@ -74,8 +88,12 @@ record SightVerdict(boolean found, List<UnfitLight> unfit) {
     List<String> lights = new ArrayList<>();
     for (UnfitLight light : unfit) {
       Map<String, Term> area = new TreeMap<>(Map.of("zone", new Term.Name(light.area())));
-      context
-          .reference("light", parameters, area, light.need(), light.lux())
+      Optional<RatsError.Reference> glare =
+          light.glare()
+              ? context.reference("glare", parameters, area, "false", true)
+              : Optional.empty();
+      glare
+          .or(() -> context.reference("light", parameters, area, light.need(), light.lux()))
           .ifPresent(references::add);
       lights.add(
           "%s lux in %s, %s needed"
@@ -87,7 +105,8 @@ record SightVerdict(boolean found, List<UnfitLight> unfit) {
   }
 
   private static UnfitLight unfit(
-      Camera.AreaLight light, double lux, String relation, double limit) {
-    return new UnfitLight(light.area(), Numbers.tenths(lux), relation + Numbers.plain(limit));
+      Camera.AreaLight light, double lux, String relation, double limit, boolean glare) {
+    return new UnfitLight(
+        light.area(), Numbers.tenths(lux), relation + Numbers.plain(limit), glare);
   }
 }

@@ -28,6 +28,9 @@ public interface Camera {
   /** Frames a second. */
   double frameRate();
 
+  /** Takes one picture of what is in view now; it costs the time of a frame. */
+  void photograph(PhotoListener listener);
+
   /** The share, 0 to 1, of an area's floor that a look from here and now has in view. */
   double shareInView(String area);
 
@@ -44,11 +47,31 @@ public interface Camera {
    * @param detections frames in which the target was detected
    * @param position mean of the detections
    * @param areas the light in the areas that the camera covers, as its images show it
+   * @param glaring areas of which the images show a part over-lit, so that the camera trusts no
+   *     colour; always empty with a camera that does not notice
    */
-  record Look(int frames, int detections, Optional<Position> position, List<AreaLight> areas) {
+  record Look(
+      int frames,
+      int detections,
+      Optional<Position> position,
+      List<AreaLight> areas,
+      List<AreaLight> glaring) {
     public Look {
       areas = List.copyOf(areas);
+      glaring = List.copyOf(glaring);
     }
+
+    /** A look in which nothing is over-lit. */
+    public Look(int frames, int detections, Optional<Position> position, List<AreaLight> areas) {
+      this(frames, detections, position, areas, List.of());
+    }
+  }
+
+  /** Told once per picture, unless the camera dies. */
+  interface PhotoListener {
+    void taken(Photo photo);
+
+    void failed(String reason);
   }
 
   /** The light in one covered area, at its reference point and at its extremes; lux. */

@@ -29,8 +29,13 @@ record Body(
   /** Things higher up than this do not stand in a robot's way; metres. */
   private static final double ROBOT_HEIGHT = 0.6;
 
+  /** Neither in a cupboard nor in a hand. */
+  boolean isInTheOpen() {
+    return !hidden && holder.isEmpty();
+  }
+
   boolean isObstacle() {
-    return !hidden && holder.isEmpty() && position.z() < ROBOT_HEIGHT;
+    return isInTheOpen() && position.z() < ROBOT_HEIGHT;
   }
 
   Body at(Position place) {

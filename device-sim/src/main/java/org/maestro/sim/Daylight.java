@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
 import org.maestro.hal.Position;
@@ -33,7 +34,7 @@ final class Daylight {
   private static final int MOST_KEPT = 20_000;
 
   private final List<Opening> openings = new ArrayList<>();
-  private final Map<String, Double> shutters = new TreeMap<>();
+  private final Map<String, Double> openness = new TreeMap<>();
   private final Map<Position, double[]> shares = new HashMap<>();
   private final double northX;
   private final double northY;
@@ -51,11 +52,12 @@ final class Daylight {
 
   /**
    * @param seed of clouds of which the scene does not state one
+   * @param shutters whether they are there; else windows stand free
    */
-  Daylight(Home home, Scene scene, long seed) {
+  Daylight(Home home, Scene scene, long seed, boolean shutters) {
     Windows windows = new Windows(home);
     Map<String, List<String>> shading = new TreeMap<>();
-    for (String device : home.devices().keySet()) {
+    for (String device : shutters ? home.devices().keySet() : Set.<String>of()) {
       for (Windows.Window window : windows.shadedBy(device)) {
         shading.computeIfAbsent(window.name(), none -> new ArrayList<>()).add(device);
       }
@@ -88,12 +90,12 @@ final class Daylight {
   }
 
   void setOpening(String shutter, double opening) {
-    shutters.put(shutter, opening);
+    openness.put(shutter, opening);
   }
 
   /** The share of the glass that is free, 0 to 1. */
   double opening(String shutter) {
-    return shutters.getOrDefault(shutter, 0.0);
+    return openness.getOrDefault(shutter, 0.0);
   }
 
   /** What windows add to the light on a horizontal surface within doors; lux. */

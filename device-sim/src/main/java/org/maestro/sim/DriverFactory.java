@@ -3,6 +3,8 @@ package org.maestro.sim;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Random;
+import java.util.Set;
+import java.util.TreeSet;
 import org.maestro.hal.Camera;
 import org.maestro.hal.DaylightSensor;
 import org.maestro.hal.DimmableLamp;
@@ -39,6 +41,8 @@ final class DriverFactory {
   private final Clock clock;
   private final PhysicalParameters parameters;
   private final Windows windows;
+  private final Set<String> robots = new TreeSet<>();
+  private final Photographer photographer;
 
   DriverFactory(
       World world, Scene scene, Clock clock, PhysicalParameters parameters, Windows windows) {
@@ -47,14 +51,16 @@ final class DriverFactory {
     this.clock = clock;
     this.parameters = parameters;
     this.windows = windows;
+    this.photographer = new Photographer(world, robots, parameters);
   }
 
   /**
    * @param key of the device's description
+   * @param seed of the device's chance
    * @throws SimulationException when there is no such driver, or home and scene lack what it needs
    */
-  Drivers drivers(Device device, String key, Random random) {
-    Actuator actuator = new Actuator(device.id(), world, clock, random);
+  Drivers drivers(Device device, String key, long seed) {
+    Actuator actuator = new Actuator(device.id(), world, clock, new Random(seed));
     return switch (key) {
       case "lamp" ->
           lamp(device).with(DimmableLamp.class, new SimulatedLamp(actuator, parameters.lamp()));
@@ -69,8 +75,11 @@ final class DriverFactory {
           Drivers.none()
               .with(
                   Camera.class,
-                  new SimulatedCamera(
-                      actuator, parameters.camera(), pose(device), number(device, "viewAngle")));
+                  camera(
+                      device,
+                      actuator,
+                      Eye.fixed(pose(device), number(device, "viewAngle")),
+                      seed));
       case "light-sensor" ->
           Drivers.none()
               .with(
@@ -91,11 +100,11 @@ final class DriverFactory {
           robot(device, actuator, this::gliding)
               .with(
                   Camera.class,
-                  SimulatedCamera.onBoard(
+                  camera(
+                      device,
                       actuator,
-                      parameters.camera(),
-                      parameters.turn(),
-                      number(device, "viewAngle")));
+                      Eye.onBoard(actuator, parameters.turn(), number(device, "viewAngle")),
+                      seed));
       default ->
           throw new SimulationException(
               "The driver "
@@ -121,6 +130,21 @@ final class DriverFactory {
             entry.strength().orElse(FULL_STRENGTH),
             entry.level().orElse(0)));
     return Drivers.none();
+  }
+
+  private Camera camera(Device device, Actuator actuator, Eye eye, long seed) {
+    PhysicalParameters.CameraData data = parameters.camera();
+    double frameRate = FloorMap.number(device.individual(), "frameRate").orElse(data.frameRate());
+    Photographer.Resolution resolution =
+        FloorMap.pair(device.individual(), "resolution")
+            .map(pixels -> new Photographer.Resolution((int) pixels.x(), (int) pixels.y()))
+            .orElse(new Photographer.Resolution(data.width(), data.height()));
+    return new SimulatedCamera(
+        actuator,
+        new Likeness(data.atRate(frameRate), parameters.colour()),
+        eye,
+        now ->
+            photographer.take(eye.views().get().get(0), eye.viewDegrees(), resolution, seed, now));
   }
 
   private Drivers shutter(Device device, Actuator actuator) {
@@ -188,6 +212,7 @@ final class DriverFactory {
                             + " does not say where "
                             + device.id()
                             + " stands. Give it a scene:position."));
+    robots.add(device.id());
     world.put(body.withRadius(parameters.base().radius()));
     Scene.Entry truth = scene.of(device.id());
     PhysicalParameters.BaseData base =
@@ -196,7 +221,9 @@ final class DriverFactory {
         parameters.arm().lifting(truth.payload().orElse(parameters.arm().payload()));
     return Drivers.none()
         .with(MobileBase.class, chassis.on(actuator, base))
-        .with(GripperArm.class, new SimulatedArm(actuator, arm))
+        .with(
+            GripperArm.class,
+            new SimulatedArm(actuator, arm, new Likeness(parameters.camera(), parameters.colour())))
         .with(Surroundings.class, new OnBoardMap(device.id(), world));
   }
 

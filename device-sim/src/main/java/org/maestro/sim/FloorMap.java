@@ -110,6 +110,11 @@ final class FloorMap {
         .findFirst();
   }
 
+  /** Two numbers, as in {@code "1920 1080"}. */
+  static Optional<Point2> pair(Individual individual, String property) {
+    return text(individual, property).map(text -> corner(individual, property));
+  }
+
   private static Optional<String> text(Individual individual, String property) {
     return individual.properties().getOrDefault(property, List.of()).stream()
         .filter(Term.Text.class::isInstance)

@@ -8,6 +8,7 @@ import java.util.function.Predicate;
 import org.maestro.hal.Area;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.FloorPlan;
+import org.maestro.ontology.home.Pose;
 
 /**
  * The light of lamps, in the order in which they came, and the rest light of areas. Guarded by the
@@ -24,6 +25,19 @@ final class LightField {
     for (Map.Entry<String, LampLight> lamp : lamps.entrySet()) {
       if (isAlive.test(lamp.getKey())) {
         lux += lamp.getValue().lux(point, plan);
+      }
+    }
+    return lux;
+  }
+
+  /** What comes from lamps that something hides. */
+  double hiddenLux(
+      Position point, FloorPlan plan, Predicate<String> isAlive, Predicate<Pose> hidden) {
+    double lux = 0;
+    for (Map.Entry<String, LampLight> lamp : lamps.entrySet()) {
+      double light = isAlive.test(lamp.getKey()) ? lamp.getValue().lux(point, plan) : 0;
+      if (light > 0 && hidden.test(lamp.getValue().pose())) {
+        lux += light;
       }
     }
     return lux;

@@ -2,15 +2,21 @@ package org.maestro.sim;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.Pose;
 
 /**
  * Every number of the simulated physics, each with its source; "assumed" means stated here and
- * nowhere measured.
+ * nowhere measured. Each can be given another value by its name ({@link PhysicalSettings}).
+ *
+ * @param shutters whether the shutters of a home are there; without them its windows stand free
  */
 public record PhysicalParameters(
+    boolean shutters,
     CameraData camera,
+    ColourData colour,
+    ImageData image,
     TurnData turn,
     SensorData sensor,
     FacadeData facade,
@@ -18,11 +24,15 @@ public record PhysicalParameters(
     BaseData base,
     WheelData wheels,
     ArmData arm,
+    BatteryData battery,
     DriveData drives) {
 
   public static PhysicalParameters standard() {
     return new PhysicalParameters(
+        true,
         CameraData.LIFECAM,
+        ColourData.USUAL,
+        ImageData.USUAL,
         TurnData.YOUBOT,
         SensorData.TSL2561,
         FacadeData.USUAL,
@@ -30,27 +40,43 @@ public record PhysicalParameters(
         BaseData.YOUBOT,
         WheelData.YOUBOT,
         ArmData.YOUBOT,
+        BatteryData.YOUBOT,
         DriveData.USUAL);
   }
 
   public PhysicalParameters with(CameraData other) {
-    return new PhysicalParameters(other, turn, sensor, facade, lamp, base, wheels, arm, drives);
+    return new PhysicalParameters(
+        shutters, other, colour, image, turn, sensor, facade, lamp, base, wheels, arm, battery,
+        drives);
   }
 
   public PhysicalParameters with(SensorData other) {
-    return new PhysicalParameters(camera, turn, other, facade, lamp, base, wheels, arm, drives);
+    return new PhysicalParameters(
+        shutters, camera, colour, image, turn, other, facade, lamp, base, wheels, arm, battery,
+        drives);
   }
 
   public PhysicalParameters with(BaseData other) {
-    return new PhysicalParameters(camera, turn, sensor, facade, lamp, other, wheels, arm, drives);
+    return new PhysicalParameters(
+        shutters, camera, colour, image, turn, sensor, facade, lamp, other, wheels, arm, battery,
+        drives);
   }
 
   public PhysicalParameters with(ArmData other) {
-    return new PhysicalParameters(camera, turn, sensor, facade, lamp, base, wheels, other, drives);
+    return new PhysicalParameters(
+        shutters, camera, colour, image, turn, sensor, facade, lamp, base, wheels, other, battery,
+        drives);
+  }
+
+  /** The same with other settings by name, such as {@code world.camera.noise} and {@code 0.05}. */
+  public PhysicalParameters with(Map<String, String> settings) {
+    return PhysicalSettings.apply(this, settings);
   }
 
   /**
-   * @param frameRate frames a second; paper 4.1: 30
+   * @param frameRate frames a second, unless the home states it; paper 4.1: 30
+   * @param width of an image, pixels, unless the home states it; paper 4.1: 1080p
+   * @param height of an image, pixels
    * @param minimumLux paper 5.1: about 72 lux is the critical threshold
    * @param maximumLux assumed: colours wash out from 2,000 lux on
    * @param halfLux light in which half of the frames show an object; assumed a little under the
@@ -58,21 +84,50 @@ public record PhysicalParameters(
    * @param slopeLux steepness of the logistic around it; assumed: at the threshold 98 % of the
    *     frames show it
    * @param washedOutSlopeLux the same around {@code maximumLux} times 1.1; assumed
-   * @param positionError standard deviation per metre of distance, each axis; assumed 1 %
+   * @param noise of positions: standard deviation per metre of distance, each axis; assumed 1 %
    *     (calibration; a pixel is 2 mm at 2.8 m)
    * @param lightError standard deviation of the light estimated from images, relative; assumed
+   * @param noticesGlare whether its software says nothing of images in which something is over-lit;
+   *     assumed that it does. The paper's (5.2) did not: another thing was taken for the wanted one
    */
   public record CameraData(
       double frameRate,
+      int width,
+      int height,
       double minimumLux,
       double maximumLux,
       double halfLux,
       double slopeLux,
       double washedOutSlopeLux,
-      double positionError,
-      double lightError) {
-    static final CameraData LIFECAM = new CameraData(30, 72, 2000, 69, 0.75, 20, 0.01, 0.005);
+      double noise,
+      double lightError,
+      boolean noticesGlare) {
+    static final CameraData LIFECAM =
+        new CameraData(30, 1920, 1080, 72, 2000, 69, 0.75, 20, 0.01, 0.005, true);
     private static final double WASHED_OUT_HALF = 1.1;
+
+    public CameraData {
+      positive("camera.frameRate", frameRate);
+      positive("camera.width", width);
+      positive("camera.height", height);
+      positive("camera.slopeLux", slopeLux);
+      positive("camera.washedOutSlopeLux", washedOutSlopeLux);
+    }
+
+    CameraData atRate(double framesPerSecond) {
+      return new CameraData(
+          framesPerSecond,
+          width,
+          height,
+          minimumLux,
+          maximumLux,
+          halfLux,
+          slopeLux,
+          washedOutSlopeLux,
+          noise,
+          lightError,
+          noticesGlare);
+    }
 
     /**
      * The same camera with other errors, both relative standard deviations.
@@ -82,15 +137,69 @@ public record PhysicalParameters(
      */
     public CameraData withErrors(double position, double light) {
       return new CameraData(
-          frameRate, minimumLux, maximumLux, halfLux, slopeLux, washedOutSlopeLux, position, light);
+          frameRate,
+          width,
+          height,
+          minimumLux,
+          maximumLux,
+          halfLux,
+          slopeLux,
+          washedOutSlopeLux,
+          position,
+          light,
+          noticesGlare);
     }
 
-    /** The chance that one frame shows a visible object in so much light. */
+    /** The chance that one frame shows a visible object in so much light in its colour. */
     double detectability(double lux) {
-      double dark = 1 / (1 + Math.exp(-(lux - halfLux) / slopeLux));
-      double washedOut =
-          1 / (1 + Math.exp((lux - WASHED_OUT_HALF * maximumLux) / washedOutSlopeLux));
-      return dark * washedOut;
+      return brightness(lux) * (1 - glare(lux));
+    }
+
+    /** The chance that there is enough light for one frame to show an object at all. */
+    double brightness(double lux) {
+      return 1 / (1 + Math.exp(-(lux - halfLux) / slopeLux));
+    }
+
+    /** The chance that there is so much that one frame shows it in a wrong colour. */
+    double glare(double lux) {
+      return 1 / (1 + Math.exp(-(lux - WASHED_OUT_HALF * maximumLux) / washedOutSlopeLux));
+    }
+  }
+
+  /**
+   * How colours look in an image. A channel of the image stands still where the light that a thing
+   * throws back in it exceeds {@code saturationLux}.
+   *
+   * @param saturationLux light in which a wholly white thing is at the image's end; assumed: that
+   *     from which colours wash out
+   * @param tolerance distance in chromaticity (shares of red and green) at which one colour is
+   *     taken for another in six frames of ten; assumed
+   */
+  public record ColourData(double saturationLux, double tolerance) {
+    static final ColourData USUAL = new ColourData(2000, 0.1);
+
+    public ColourData {
+      positive("colour.saturationLux", saturationLux);
+      positive("colour.tolerance", tolerance);
+    }
+  }
+
+  /**
+   * How pictures come out.
+   *
+   * @param longestLux with the longest exposure, a wholly white thing in so much light is at the
+   *     image's end; assumed: a floor in 72 lux just becomes a middle grey
+   * @param readNoise of a channel of a pixel, share of its end, standard deviation; assumed
+   * @param shotNoise what comes on top at the end; assumed
+   * @param gridMetres how finely the light upon the floor is measured for a picture
+   */
+  public record ImageData(
+      double longestLux, double readNoise, double shotNoise, double gridMetres) {
+    static final ImageData USUAL = new ImageData(170, 0.012, 0.02, 0.05);
+
+    public ImageData {
+      positive("image.longestLux", longestLux);
+      positive("image.gridMetres", gridMetres);
     }
   }
 
@@ -197,6 +306,11 @@ public record PhysicalParameters(
   public record BaseData(double speed, double radius, double power, double checkSeconds) {
     static final BaseData YOUBOT = new BaseData(0.8, 0.347, 80, 0.25);
 
+    public BaseData {
+      positive("base.speed", speed);
+      positive("base.checkSeconds", checkSeconds);
+    }
+
     /** The same base at another speed; metres a second. */
     public BaseData atSpeed(double other) {
       return new BaseData(other, radius, power, checkSeconds);
@@ -263,6 +377,31 @@ public record PhysicalParameters(
 
     double placeSeconds() {
       return extendSeconds + releaseSeconds + foldSeconds;
+    }
+  }
+
+  /**
+   * What a robot's battery holds and what draws from it, beside base and arm while they move.
+   *
+   * @param wattHours KUKA youBot data sheet: 24 V, 5 Ah
+   * @param idleWatts of computer, scanner and camera; assumed
+   * @param worthTelling share of the charge after which it is told anew; assumed
+   * @param checkSeconds how often it is looked at; assumed
+   */
+  public record BatteryData(
+      double wattHours, double idleWatts, double worthTelling, double checkSeconds) {
+    static final BatteryData YOUBOT = new BatteryData(120, 20, 0.05, 5);
+
+    public BatteryData {
+      positive("battery.wattHours", wattHours);
+      positive("battery.worthTelling", worthTelling);
+      positive("battery.checkSeconds", checkSeconds);
+    }
+  }
+
+  private static void positive(String name, double value) {
+    if (!(value > 0)) {
+      throw new SimulationException("The setting world.%s is more than 0.".formatted(name));
     }
   }
 

@@ -65,6 +65,8 @@ public record Scene(
    * @param speed of a robot that drives at another speed than usual; metres per second
    * @param payload of a robot that lifts another mass than usual; kilograms
    * @param diesWhen the {@link WorldEvent.Kind} upon which it loses power
+   * @param colour of what has another colour than the home says
+   * @param charge of a robot's battery in the beginning, 0 to 1
    */
   public record Entry(
       Optional<Position> position,
@@ -78,7 +80,9 @@ public record Scene(
       boolean dead,
       OptionalDouble speed,
       OptionalDouble payload,
-      Optional<WorldEvent.Kind> diesWhen) {
+      Optional<WorldEvent.Kind> diesWhen,
+      Optional<Paint> colour,
+      OptionalDouble charge) {
 
     public static final Entry NOTHING =
         new Entry(
@@ -93,7 +97,9 @@ public record Scene(
             false,
             OptionalDouble.empty(),
             OptionalDouble.empty(),
-            Optional.empty());
+            Optional.empty(),
+            Optional.empty(),
+            OptionalDouble.empty());
 
     public Entry at(Position place) {
       return new Entry(
@@ -108,7 +114,9 @@ public record Scene(
           dead,
           speed,
           payload,
-          diesWhen);
+          diesWhen,
+          colour,
+          charge);
     }
   }
 }

@@ -165,14 +165,16 @@ public final class SceneLoader {
             truth(thing, "dead", left.remove("dead")).orElse(false),
             number(thing, "speed", left.remove("speed"), 10),
             number(thing, "payload", left.remove("payload"), 1_000),
-            Optional.ofNullable(left.remove("diesWhen")).map(text -> kind(thing, text)));
+            Optional.ofNullable(left.remove("diesWhen")).map(text -> kind(thing, text)),
+            Optional.ofNullable(left.remove("colour")).map(text -> paint(thing, text)),
+            number(thing, "charge", left.remove("charge"), 1));
     if (!left.isEmpty()) {
       throw fault(
           "says scene:"
               + new TreeSet<>(left.keySet()).first()
               + " of "
               + thing
-              + "; known are position, hidden, radius, mass, level, strength, ambientLux, open, opening, dead, speed, payload, diesWhen, fault, walks");
+              + "; known are position, hidden, radius, mass, level, strength, ambientLux, open, opening, dead, speed, payload, diesWhen, colour, charge, fault, walks");
     }
     return entry;
   }
@@ -184,6 +186,15 @@ public final class SceneLoader {
     } catch (IllegalArgumentException e) {
       throw fault("gives " + thing + " a scene:position that is none: " + e.getMessage());
     }
+  }
+
+  private Paint paint(String thing, String text) {
+    return Paint.parse(text)
+        .orElseThrow(
+            () ->
+                fault(
+                    "gives %s the scene:colour \"%s\"; write a name such as red, or #a03020"
+                        .formatted(thing, text)));
   }
 
   private OptionalDouble number(String thing, String word, String text, double greatest) {

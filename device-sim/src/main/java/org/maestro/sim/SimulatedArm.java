@@ -6,7 +6,11 @@ import org.maestro.hal.GripperArm;
 import org.maestro.hal.Position;
 import org.maestro.hal.Target;
 
-/** An arm with a jamming gripper; a camera on board finds the thing near where it is expected. */
+/**
+ * An arm with a jamming gripper; a camera on board finds the thing near where it is expected. Where
+ * something is over-lit it may take another thing of the right colour ({@link Likeness}), and
+ * believes then to hold the wanted one.
+ */
 final class SimulatedArm implements GripperArm {
 
   /** The base stands where it was sent; the arm evens out so much of distance. */
@@ -14,13 +18,19 @@ final class SimulatedArm implements GripperArm {
 
   private final Actuator actuator;
   private final PhysicalParameters.ArmData data;
+  private final Likeness likeness;
+  private Optional<Mistake> mistake = Optional.empty();
   private Position hand = new Position(0, 0, 0);
   private long commandNumber;
 
-  SimulatedArm(Actuator actuator, PhysicalParameters.ArmData data) {
+  SimulatedArm(Actuator actuator, PhysicalParameters.ArmData data, Likeness likeness) {
     this.actuator = actuator;
     this.data = data;
+    this.likeness = likeness;
   }
+
+  /** What was taken, and what for. */
+  private record Mistake(String taken, String believed) {}
 
   @Override
   public void extend(Position place, Completion completion) {
@@ -51,25 +61,56 @@ final class SimulatedArm implements GripperArm {
 
   private void close(Target target, Completion completion) {
     World world = actuator.world();
-    Optional<Body> body =
-        world
-            .findBody(target.name())
-            .filter(thing -> thing.isObstacle())
-            .filter(
-                thing ->
-                    world.position(thing.name()).orElseThrow().floor().distance(hand.floor())
-                        <= data.graspTolerance());
+    Optional<Body> wanted = world.findBody(target.name());
+    Optional<Body> body = wanted.filter(this::isAtHand).or(() -> alike(target.name(), wanted));
     if (body.isEmpty()) {
       completion.failed("it is not where it was seen");
     } else if (body.get().mass() > data.payload()) {
       completion.failed("it is heavier than " + data.payload() + " kg");
     } else {
       world.put(body.get().heldBy(actuator.device()));
-      world.tell(WorldEvent.Kind.PICKED, actuator.device(), Optional.of(target.name()));
+      mistake =
+          Optional.of(new Mistake(body.get().name(), target.name()))
+              .filter(taken -> !taken.taken().equals(taken.believed()));
+      world.tell(WorldEvent.Kind.PICKED, actuator.device(), Optional.of(body.get().name()));
       if (world.isAlive(actuator.device())) {
         completion.done();
       }
     }
+  }
+
+  private boolean isAtHand(Body thing) {
+    return thing.isObstacle()
+        && actuator.world().position(thing.name()).orElseThrow().floor().distance(hand.floor())
+            <= data.graspTolerance();
+  }
+
+  /** What may be taken for the wanted thing, where the camera does not notice over-light. */
+  private Optional<Body> alike(String name, Optional<Body> wanted) {
+    World world = actuator.world();
+    if (likeness.camera().noticesGlare()) {
+      return Optional.empty();
+    }
+    double wantedLux =
+        wanted
+            .filter(Body::isInTheOpen)
+            .flatMap(body -> world.position(name))
+            .map(world::lux)
+            .orElse(0.0);
+    for (String other : world.bodies()) {
+      Optional<Body> body =
+          world.findBody(other).filter(thing -> !other.equals(name) && isAtHand(thing));
+      if (body.isPresent()
+          && actuator.happens(
+              likeness.mistaken(
+                  world.looks().paint(name),
+                  wantedLux,
+                  world.looks().paint(other),
+                  world.lux(world.position(other).orElseThrow())))) {
+        return body;
+      }
+    }
+    return Optional.empty();
   }
 
   @Override
@@ -79,7 +120,7 @@ final class SimulatedArm implements GripperArm {
         data.releaseSeconds(),
         completion,
         () -> {
-          Optional<String> thing = held();
+          Optional<String> thing = actuator.world().held(actuator.device());
           if (thing.isPresent()) {
             putDown(thing.get());
             completion.done();
@@ -128,7 +169,15 @@ final class SimulatedArm implements GripperArm {
 
   @Override
   public Optional<String> held() {
-    return actuator.world().held(actuator.device());
+    return actuator
+        .world()
+        .held(actuator.device())
+        .map(
+            thing ->
+                mistake
+                    .filter(made -> made.taken().equals(thing))
+                    .map(Mistake::believed)
+                    .orElse(thing));
   }
 
   @Override

@@ -1,165 +1,179 @@
 package org.maestro.sim;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Supplier;
-import org.maestro.hal.Area;
+import java.util.function.Function;
 import org.maestro.hal.Camera;
+import org.maestro.hal.Photo;
 import org.maestro.hal.Position;
 import org.maestro.hal.Target;
 import org.maestro.ontology.home.FloorPlan;
 import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Pose;
 
 /**
- * A camera with colour-based detection: a cone of view, or several that it looks along one after
- * the other while it turns, walls that hide, and light at the object that decides. What is in a
- * cupboard or in a gripper is hidden (assumed). It measures the light where it looks from its
- * images.
+ * A camera with colour-based detection: what is in view and in what light decides. What is in a
+ * cupboard or in a gripper is hidden (assumed). It reports what it believes to see, which may be
+ * another thing where something is over-lit ({@link Likeness}). It measures the light where it
+ * looks from its images.
  */
 final class SimulatedCamera implements Camera {
 
-  private static final double COVERED = 0.95;
-  private static final double GRID_METRES = 0.25;
-
   private final Actuator actuator;
   private final PhysicalParameters.CameraData data;
-  private final Supplier<List<Pose>> views;
-  private final double turnSeconds;
-  private final double viewDegrees;
-  private long lightVersion = -1;
-  private List<Pose> lightViews = List.of();
-  private List<AreaLight> light = List.of();
+  private final Likeness likeness;
+  private final Eye eye;
+  private final ViewLight light;
+  private final Function<Duration, Photo> photographer;
 
+  /**
+   * @param photographer takes the picture of a moment
+   */
   SimulatedCamera(
-      Actuator actuator, PhysicalParameters.CameraData data, Pose pose, double viewDegrees) {
-    this(actuator, data, () -> List.of(pose), 0, viewDegrees);
-  }
-
-  private SimulatedCamera(
-      Actuator actuator,
-      PhysicalParameters.CameraData data,
-      Supplier<List<Pose>> views,
-      double turnSeconds,
-      double viewDegrees) {
+      Actuator actuator, Likeness likeness, Eye eye, Function<Duration, Photo> photographer) {
     this.actuator = actuator;
-    this.data = data;
-    this.views = views;
-    this.turnSeconds = turnSeconds;
-    this.viewDegrees = viewDegrees;
-  }
-
-  /** One that a device carries about, and that turns around with it for a look. */
-  static SimulatedCamera onBoard(
-      Actuator actuator,
-      PhysicalParameters.CameraData data,
-      PhysicalParameters.TurnData turn,
-      double viewDegrees) {
-    return new SimulatedCamera(
-        actuator,
-        data,
-        () -> turn.views(actuator.world().position(actuator.device()).orElseThrow(), viewDegrees),
-        turn.seconds(),
-        viewDegrees);
+    this.data = likeness.camera();
+    this.likeness = likeness;
+    this.eye = eye;
+    this.light = new ViewLight(actuator.world(), eye);
+    this.photographer = photographer;
   }
 
   @Override
   public void look(Target target, int frames, Listener listener) {
     actuator.command(
         WorldEvent.Kind.LOOK,
-        turnSeconds + views.get().size() * frames / data.frameRate(),
+        eye.turnSeconds() + eye.views().get().size() * frames / data.frameRate(),
         listener::failed,
         () -> listener.looked(develop(target, frames)));
   }
+
+  @Override
+  public void photograph(PhotoListener listener) {
+    actuator.command(
+        WorldEvent.Kind.LOOK,
+        1 / data.frameRate(),
+        listener::failed,
+        () -> listener.taken(photo()));
+  }
+
+  /** What it shows now. */
+  Photo photo() {
+    return photographer.apply(actuator.clock().now());
+  }
+
+  /** Something in view that may be taken for the wanted thing. */
+  private record Candidate(Position place, double chance) {}
 
   private Look develop(Target target, int frames) {
     World world = actuator.world();
     Optional<Position> place =
         world
             .findBody(target.name())
-            .filter(body -> !body.hidden() && body.holder().isEmpty())
+            .filter(Body::isInTheOpen)
             .flatMap(body -> world.position(body.name()))
             .filter(this::sees);
-    double shown = place.map(point -> data.detectability(world.lux(point))).orElse(0.0);
+    double lux = place.map(world::lux).orElse(0.0);
+    double shown = place.isPresent() ? data.detectability(lux) : 0;
+    Optional<Candidate> other = mostAlike(target.name(), lux);
     int detections = 0;
+    int mistakes = 0;
     for (int frame = 0; frame < frames; frame++) {
-      detections += actuator.happens(shown) ? 1 : 0;
+      if (actuator.happens(shown)) {
+        detections++;
+      } else if (other.isPresent() && actuator.happens(other.get().chance())) {
+        mistakes++;
+      }
     }
-    Optional<Position> measured = detections > 0 ? place.map(this::measured) : Optional.empty();
-    return new Look(frames, detections, measured, estimatedLight());
+    Optional<Position> believed = mistakes > detections ? other.map(Candidate::place) : place;
+    int agreeing = Math.max(detections, mistakes);
+    return new Look(
+        frames,
+        agreeing,
+        agreeing > 0 ? believed.map(this::measured) : Optional.empty(),
+        estimated(light.covered()),
+        noticed());
+  }
+
+  private List<AreaLight> noticed() {
+    List<AreaLight> areas = data.noticesGlare() ? glaring() : List.of();
+    return areas.isEmpty() ? areas : estimated(areas);
+  }
+
+  private List<AreaLight> glaring() {
+    return light.all().stream()
+        .filter(area -> area.brightestLux() > data.maximumLux())
+        .toList();
+  }
+
+  private Optional<Candidate> mostAlike(String wanted, double wantedLux) {
+    if (data.glare(wantedLux) < Likeness.NEVER && glaring().isEmpty()) {
+      return Optional.empty();
+    }
+    World world = actuator.world();
+    Optional<Candidate> best = Optional.empty();
+    for (String name : world.bodies()) {
+      Optional<Position> place =
+          world
+              .findBody(name)
+              .filter(body -> !name.equals(wanted) && body.isInTheOpen())
+              .flatMap(body -> world.position(name))
+              .filter(this::sees);
+      if (place.isPresent()) {
+        double chance =
+            likeness.mistaken(
+                world.looks().paint(wanted),
+                wantedLux,
+                world.looks().paint(name),
+                world.lux(place.get()));
+        Candidate candidate = new Candidate(place.get(), chance);
+        if (chance > Likeness.NEVER
+            && best.map(other -> isMoreAlike(candidate, other)).orElse(true)) {
+          best = Optional.of(candidate);
+        }
+      }
+    }
+    return best;
+  }
+
+  /** Of two of the same colour the nearer one is the larger in the image. */
+  private boolean isMoreAlike(Candidate first, Candidate second) {
+    return first.chance() > second.chance()
+        || first.chance() == second.chance()
+            && eye.distance(first.place()) < eye.distance(second.place());
   }
 
   /** Whether a point is in the cone of view and not behind a wall. */
   boolean sees(Position point) {
-    return isInView(point, views.get(), actuator.world().plan());
-  }
-
-  private boolean isInView(Position point, List<Pose> from, FloorPlan plan) {
-    return from.stream()
-            .anyMatch(pose -> pose.angleTo(point.x(), point.y(), point.z()) <= viewDegrees / 2)
-        && !plan.isBlocked(from.get(0).floor(), point.floor());
+    return eye.sees(point, actuator.world().plan());
   }
 
   @Override
   public double shareInView(String area) {
-    List<Point2> samples = actuator.world().map().area(area).outline().samples(GRID_METRES);
-    List<Pose> from = views.get();
+    List<Point2> samples = Eye.samples(actuator.world().map().area(area));
+    var from = eye.views().get();
     FloorPlan plan = actuator.world().plan();
-    long seen = samples.stream().filter(p -> isInView(Position.onFloor(p), from, plan)).count();
+    long seen = samples.stream().filter(p -> eye.sees(Position.onFloor(p), from, plan)).count();
     return samples.isEmpty() ? 0 : (double) seen / samples.size();
   }
 
   private Position measured(Position truth) {
-    Pose pose = views.get().get(0);
-    double error =
-        data.positionError() * truth.distance(new Position(pose.x(), pose.y(), pose.z()));
+    double error = data.noise() * eye.distance(truth);
     return new Position(
         truth.x() + actuator.error(error), truth.y() + actuator.error(error), truth.z());
   }
 
-  private List<AreaLight> estimatedLight() {
-    long version = actuator.world().lightVersion();
-    List<Pose> from = views.get();
-    if (version != lightVersion || !from.equals(lightViews)) {
-      light = trueLight(from);
-      lightVersion = version;
-      lightViews = from;
-    }
+  private List<AreaLight> estimated(List<AreaLight> truth) {
     double factor = 1 + actuator.error(data.lightError());
-    return light.stream()
-        .map(
-            area ->
-                new AreaLight(
-                    area.area(),
-                    area.referenceLux() * factor,
-                    area.darkestLux() * factor,
-                    area.brightestLux() * factor))
-        .toList();
-  }
-
-  private List<AreaLight> trueLight(List<Pose> from) {
-    World world = actuator.world();
-    FloorPlan plan = world.plan();
     List<AreaLight> areas = new ArrayList<>();
-    for (Area area : world.map().areas()) {
-      List<Point2> samples = area.outline().samples(GRID_METRES);
-      double[] lux =
-          samples.stream()
-              .map(Position::onFloor)
-              .filter(point -> isInView(point, from, plan))
-              .mapToDouble(world::lux)
-              .sorted()
-              .toArray();
-      if (lux.length > 0 && lux.length >= COVERED * samples.size()) {
-        double reference = world.lux(Position.onFloor(area.reference()));
-        areas.add(
-            new AreaLight(
-                area.name(),
-                reference,
-                Math.min(reference, lux[0]),
-                Math.max(reference, lux[lux.length - 1])));
-      }
+    for (AreaLight area : truth) {
+      areas.add(
+          new AreaLight(
+              area.area(),
+              area.referenceLux() * factor,
+              area.darkestLux() * factor,
+              area.brightestLux() * factor));
     }
     return areas;
   }

@@ -12,7 +12,10 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.maestro.device.DeviceMember;
+import org.maestro.hal.Camera;
 import org.maestro.hal.Drivers;
+import org.maestro.hal.Photo;
+import org.maestro.hal.ShutterDrive;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Windows;
@@ -30,6 +33,7 @@ public final class SimulatedHome implements AutoCloseable {
   private final Setup setup;
   private final World world;
   private final Map<String, DeviceMember> members = new LinkedHashMap<>();
+  private final Map<String, Drivers> driversOf = new LinkedHashMap<>();
   private final Map<String, RatsMember> running = new LinkedHashMap<>();
   private boolean closed;
 
@@ -88,7 +92,8 @@ public final class SimulatedHome implements AutoCloseable {
 
   private SimulatedHome(Setup setup) {
     this.setup = setup;
-    this.world = new World(setup.home(), setup.scene(), setup.clock(), setup.seed());
+    this.world =
+        new World(setup.home(), setup.scene(), setup.clock(), setup.seed(), setup.parameters());
   }
 
   /**
@@ -116,6 +121,34 @@ public final class SimulatedHome implements AutoCloseable {
   /** Ids of the devices run here, in declared order. */
   public List<String> devices() {
     return List.copyOf(members.keySet());
+  }
+
+  /**
+   * The drivers of a device, to use it without the bus. Their commands come from the clock's
+   * thread.
+   *
+   * @throws SimulationException when it is not run here
+   */
+  public Drivers drivers(String device) {
+    return Optional.ofNullable(driversOf.get(device))
+        .orElseThrow(
+            () ->
+                new SimulationException(
+                    "There is no device %s here; there are %s.".formatted(device, devices())));
+  }
+
+  /**
+   * What a camera shows now; it takes no time, and the run goes on as without it.
+   *
+   * @throws SimulationException when there is no such camera
+   */
+  public Photo photo(String camera) {
+    return drivers(camera)
+        .find(Camera.class)
+        .filter(SimulatedCamera.class::isInstance)
+        .map(SimulatedCamera.class::cast)
+        .orElseThrow(() -> new SimulationException("The device " + camera + " is no camera."))
+        .photo();
   }
 
   /**
@@ -148,15 +181,20 @@ public final class SimulatedHome implements AutoCloseable {
     List<Device> inOrder = inDeclaredOrder(setup.home());
     Random seeds = new Random(setup.seed());
     for (Device device : inOrder) {
-      Random random = new Random(seeds.nextLong());
-      Optional<Drivers> drivers = device.driver().map(key -> factory.drivers(device, key, random));
-      if (drivers.isPresent() && setup.only().test(device.id())) {
+      long seed = seeds.nextLong();
+      Optional<Drivers> drivers = device.driver().map(key -> factory.drivers(device, key, seed));
+      if (drivers.isPresent() && isFitted(drivers.get()) && setup.only().test(device.id())) {
+        driversOf.put(device.id(), drivers.get());
         members.put(
             device.id(),
             DeviceMember.of(
                 device, drivers.get(), setup.clock(), setup.descriptions().apply(device)));
       }
     }
+  }
+
+  private boolean isFitted(Drivers drivers) {
+    return setup.parameters().shutters() || drivers.find(ShutterDrive.class).isEmpty();
   }
 
   static List<Device> inDeclaredOrder(Home home) {

@@ -102,6 +102,18 @@ final class Whereabouts {
             });
   }
 
+  double heading(String name) {
+    List<PathPoint> path = path(name);
+    for (int i = path.size() - 1; i > 0; i--) {
+      Point2 from = path.get(i - 1).point();
+      Point2 to = path.get(i).point();
+      if (from.distance(to) > 0) {
+        return Math.atan2(to.y() - from.y(), to.x() - from.x());
+      }
+    }
+    return 0;
+  }
+
   List<PathPoint> path(String robot) {
     List<PathPoint> path = new ArrayList<>(paths.getOrDefault(robot, List.of()));
     drive(robot).ifPresent(drive -> path.addAll(drive.pathUntil(clock.now())));

@@ -6,12 +6,14 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Predicate;
 import org.maestro.hal.Area;
 import org.maestro.hal.Position;
 import org.maestro.hal.Surroundings.Obstacle;
 import org.maestro.ontology.home.FloorPlan;
 import org.maestro.ontology.home.Glass;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Pose;
 import org.maestro.ontology.home.Segment;
 import org.maestro.rats.time.Clock;
 import org.maestro.sim.sky.Clouds;
@@ -31,16 +33,18 @@ public final class World {
   private final Whereabouts whereabouts;
   private final LightField light = new LightField();
   private final Daylight daylight;
+  private final Looks looks;
   private final Faults faults = new Faults();
   private final Set<String> openDoors = new TreeSet<>();
   private final List<WorldEvent.Listener> listeners = new CopyOnWriteArrayList<>();
   private FloorPlan plan;
   private boolean ended;
 
-  World(Home home, Scene scene, Clock clock, long seed) {
+  World(Home home, Scene scene, Clock clock, long seed, PhysicalParameters parameters) {
     this.clock = clock;
     this.map = new FloorMap(home);
-    this.daylight = new Daylight(home, scene, seed);
+    this.daylight = new Daylight(home, scene, seed, parameters.shutters());
+    this.looks = new Looks(home, scene);
     scene.openings().forEach(daylight::setOpening);
     this.whereabouts = new Whereabouts(clock);
     home.individuals().keySet().forEach(name -> begin(name, scene.of(name)));
@@ -120,6 +124,11 @@ public final class World {
     return position(name).flatMap(place -> map.areaAt(place.floor())).map(Area::name);
   }
 
+  /** In which direction it drives or last drove, from x towards y; radians. */
+  synchronized double heading(String name) {
+    return whereabouts.heading(name);
+  }
+
   /** Where a robot went, corner by corner, up to now. */
   public synchronized List<PathPoint> path(String robot) {
     return whereabouts.path(robot);
@@ -142,6 +151,15 @@ public final class World {
               : daylight.outdoorLux(clock.now());
     }
     return lux;
+  }
+
+  /**
+   * The same without the lamps that something stands before.
+   *
+   * @param hidden whether something stands between the point and a lamp
+   */
+  synchronized double luxInShadow(Position point, Predicate<Pose> hidden) {
+    return lux(point) - light.hiddenLux(point, plan, faults::isAlive, hidden);
   }
 
   /**
@@ -385,6 +403,23 @@ public final class World {
 
   synchronized FloorPlan plan() {
     return plan;
+  }
+
+  /** Whether light comes in from outside, so that it may differ much from place to place. */
+  boolean hasDaylight() {
+    return daylight.isAny();
+  }
+
+  /** Where all that is neither hidden nor held is. */
+  synchronized List<Position> placesInTheOpen() {
+    return whereabouts.names().stream()
+        .filter(name -> whereabouts.body(name).isInTheOpen())
+        .flatMap(name -> whereabouts.position(name).stream())
+        .toList();
+  }
+
+  Looks looks() {
+    return looks;
   }
 
   FloorMap map() {

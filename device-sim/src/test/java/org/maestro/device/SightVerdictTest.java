@@ -21,6 +21,11 @@ class SightVerdictTest {
         }
 
         @Override
+        public void photograph(PhotoListener listener) {
+          throw new UnsupportedOperationException("verdicts need no picture");
+        }
+
+        @Override
         public double minimumLux() {
           return 72;
         }
@@ -71,13 +76,26 @@ class SightVerdictTest {
   @Test
   void namesTheLightThatIsNotFit() {
     assertThat(verdict(0, 16.52, 15, 20).unfit())
-        .containsExactly(new SightVerdict.UnfitLight("z", 16.5, ">= 72"));
+        .containsExactly(new SightVerdict.UnfitLight("z", 16.5, ">= 72", false));
     assertThat(verdict(0, 80, 45, 90).unfit())
-        .containsExactly(new SightVerdict.UnfitLight("z", 45, ">= 72"));
+        .containsExactly(new SightVerdict.UnfitLight("z", 45, ">= 72", false));
     assertThat(verdict(0, 2000, 1500, 2500).unfit())
-        .containsExactly(new SightVerdict.UnfitLight("z", 2000, "<= 1000"));
+        .containsExactly(new SightVerdict.UnfitLight("z", 2000, "<= 1000", false));
     assertThat(verdict(0, 900, 800, 1500).unfit())
-        .containsExactly(new SightVerdict.UnfitLight("z", 1500, "<= 1000"));
+        .containsExactly(new SightVerdict.UnfitLight("z", 1500, "<= 1000", true));
+  }
+
+  @Test
+  void trustsNoColourWhereSomethingIsOverLit() {
+    Camera.AreaLight light = new Camera.AreaLight("z", 400, 300, 60_000);
+    SightVerdict verdict =
+        SightVerdict.of(
+            new Camera.Look(
+                15, 15, Optional.of(new Position(0, 0, 0)), List.of(light), List.of(light)),
+            CAMERA);
+    assertThat(verdict.found()).isFalse();
+    assertThat(verdict.unfit())
+        .containsExactly(new SightVerdict.UnfitLight("z", 60_000, "<= 1000", true));
   }
 
   @Test

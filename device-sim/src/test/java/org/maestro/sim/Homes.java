@@ -31,6 +31,7 @@ public final class Homes implements AutoCloseable {
   public final SteppedClock clock = new SteppedClock();
   public final InProcessBus bus = new InProcessBus(clock);
   public final Home home;
+  public final Scene scene;
   public final SimulatedHome simulated;
   public final RatsLink link;
 
@@ -43,17 +44,24 @@ public final class Homes implements AutoCloseable {
   }
 
   private Homes(Home home, Function<Home, Scene> scene, long seed) {
+    this(home, scene.apply(home), seed, usual -> usual);
+  }
+
+  /** With other physics. */
+  public Homes(Home home, Scene scene, long seed, UnaryOperator<PhysicalParameters> physics) {
     this.home = home;
+    this.scene = scene;
     simulated =
         SimulatedHome.start(
             new SimulatedHome.Setup(
-                home,
-                scene.apply(home),
-                clock,
-                seed,
-                bus::client,
-                "test",
-                new DescriptionWriter(home)::write));
+                    home,
+                    scene,
+                    clock,
+                    seed,
+                    bus::client,
+                    "test",
+                    new DescriptionWriter(home)::write)
+                .with(physics.apply(PhysicalParameters.standard())));
     link = BusLink.connect("cca", "test", bus.client("cca"), clock);
     clock.run(Duration.ofMillis(100));
   }

@@ -3,24 +3,33 @@ package org.maestro.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.maestro.hal.Camera;
+import org.maestro.hal.Photo;
 import org.maestro.hal.Position;
 import org.maestro.hal.Target;
 import org.maestro.ontology.home.Pose;
 
 class SightTest {
 
+  private static final PhysicalParameters PHYSICS = PhysicalParameters.standard();
+  private static final Likeness LIKENESS = new Likeness(PHYSICS.camera(), PHYSICS.colour());
+
+  private static Photo noPhoto(Duration now) {
+    throw new AssertionError("nobody asked for a photo");
+  }
+
   private static SimulatedCamera camera(Homes homes, long seed) {
     return new SimulatedCamera(
         new Actuator("cam-b", homes.world(), homes.clock, new Random(seed)),
-        PhysicalParameters.standard().camera(),
-        Pose.parse("4.5 1.5 2.8"),
-        75);
+        LIKENESS,
+        Eye.fixed(Pose.parse("4.5 1.5 2.8"), 75),
+        SightTest::noPhoto);
   }
 
   private static Camera.Look look(Homes homes, SimulatedCamera camera, int frames) {
@@ -39,7 +48,7 @@ class SightTest {
             throw new AssertionError(reason);
           }
         });
-    homes.clock.runUntil(() -> !looks.isEmpty(), java.time.Duration.ofSeconds(100));
+    homes.clock.runUntil(() -> !looks.isEmpty(), Duration.ofSeconds(100));
     return looks.get(0);
   }
 
@@ -73,12 +82,10 @@ class SightTest {
   @Test
   void turnsAroundWithWhatCarriesIt() {
     try (Homes homes = Homes.bob("bob-lit")) {
+      Actuator onRose = new Actuator("rose", homes.world(), homes.clock, new Random(1));
       SimulatedCamera camera =
-          SimulatedCamera.onBoard(
-              new Actuator("rose", homes.world(), homes.clock, new Random(1)),
-              PhysicalParameters.standard().camera(),
-              PhysicalParameters.standard().turn(),
-              75);
+          new SimulatedCamera(
+              onRose, LIKENESS, Eye.onBoard(onRose, PHYSICS.turn(), 75), SightTest::noPhoto);
       Position rose = homes.world().position("rose").orElseThrow();
       for (double degrees = 0; degrees < 360; degrees += 10) {
         double angle = Math.toRadians(degrees);

@@ -225,7 +225,9 @@ class SimulatedHomeTest {
         none.dead(),
         none.speed(),
         none.payload(),
-        Optional.of(kind));
+        Optional.of(kind),
+        none.colour(),
+        none.charge());
   }
 
   private static MemberStatus.Phase phase(Homes homes, String id) {
