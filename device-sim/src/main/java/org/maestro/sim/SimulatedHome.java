@@ -19,6 +19,7 @@ import org.maestro.hal.ShutterDrive;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Windows;
+import org.maestro.rats.member.CallPolicy;
 import org.maestro.rats.member.RatsMember;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.Transport;
@@ -57,9 +58,10 @@ public final class SimulatedHome implements AutoCloseable {
       String site,
       Function<Device, String> descriptions,
       Predicate<String> only,
-      PhysicalParameters parameters) {
+      PhysicalParameters parameters,
+      CallPolicy policy) {
 
-    /** All devices, with the usual physics. */
+    /** All devices, with the usual physics, on an open site. */
     public Setup(
         Home home,
         Scene scene,
@@ -77,16 +79,33 @@ public final class SimulatedHome implements AutoCloseable {
           site,
           descriptions,
           id -> true,
-          PhysicalParameters.standard());
+          PhysicalParameters.standard(),
+          CallPolicy.OPEN);
     }
 
     public Setup only(Set<String> ids) {
       return new Setup(
-          home, scene, clock, seed, transports, site, descriptions, ids::contains, parameters);
+          home,
+          scene,
+          clock,
+          seed,
+          transports,
+          site,
+          descriptions,
+          ids::contains,
+          parameters,
+          policy);
     }
 
     public Setup with(PhysicalParameters other) {
-      return new Setup(home, scene, clock, seed, transports, site, descriptions, only, other);
+      return new Setup(
+          home, scene, clock, seed, transports, site, descriptions, only, other, policy);
+    }
+
+    /** On a site with rules of who may call what. */
+    public Setup withPolicy(CallPolicy rules) {
+      return new Setup(
+          home, scene, clock, seed, transports, site, descriptions, only, parameters, rules);
     }
   }
 
@@ -216,6 +235,7 @@ public final class SimulatedHome implements AutoCloseable {
             member.values(),
             setup.transports().apply(id),
             setup.site(),
+            setup.policy(),
             setup.clock());
     synchronized (this) {
       running.put(id, started);

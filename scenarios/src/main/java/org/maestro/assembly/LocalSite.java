@@ -21,13 +21,14 @@ import org.maestro.platform.MaestroPlatform;
 import org.maestro.platform.PlatformSettings;
 import org.maestro.rats.broker.EmbeddedBroker;
 import org.maestro.rats.link.BusLink;
+import org.maestro.rats.link.SiteKind;
+import org.maestro.rats.member.CallPolicy;
 import org.maestro.rats.member.MemberProfile;
 import org.maestro.rats.member.RatsMember;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.rats.transport.InProcessBus;
-import org.maestro.rats.transport.PahoTransport;
 import org.maestro.rats.transport.Transport;
 import org.maestro.sim.SimulatedHome;
 import org.maestro.sim.World;
@@ -60,6 +61,8 @@ public final class LocalSite implements AutoCloseable {
   private final Function<String, Transport> transports;
   private Optional<SimulatedHome> simulated = Optional.empty();
   private Optional<InProcessBus> bus = Optional.empty();
+  private CallPolicy policy = CallPolicy.OPEN;
+  private SiteKind kind = SiteKind.OPEN;
   private MaestroPlatform platform;
 
   private LocalSite(
@@ -93,8 +96,11 @@ public final class LocalSite implements AutoCloseable {
   public static LocalSite paced(SiteSettings settings, double speed) {
     settings.broker().ifPresent(LocalSite::requireBroker);
     Optional<EmbeddedBroker> own =
-        settings.broker().isPresent() ? Optional.empty() : Optional.of(EmbeddedBroker.start());
+        settings.broker().isPresent()
+            ? Optional.empty()
+            : Optional.of(SiteBus.ownBroker(settings.security()));
     URI uri = settings.broker().orElseGet(() -> own.orElseThrow().uri());
+    SiteBus shared = new SiteBus(uri, settings.name(), settings.security());
     PacedClock clock = new PacedClock(speed);
     LocalSite site =
         new LocalSite(
@@ -102,7 +108,9 @@ public final class LocalSite implements AutoCloseable {
             clock,
             (condition, limit) -> poll(clock, condition, limit),
             Optional.of(uri),
-            id -> new PahoTransport(uri, settings.name() + "-" + id));
+            shared.transports());
+    site.policy = shared.policy();
+    site.kind = shared.kind();
     own.ifPresent(site.parts::opened);
     site.parts.opened(clock);
     return site.opened(Duration.ZERO, Duration.ofMillis((long) (PACED_OPENING.toMillis() * speed)));
@@ -144,10 +152,11 @@ public final class LocalSite implements AutoCloseable {
                                 transports,
                                 settings.name(),
                                 new DescriptionWriter(settings.home())::write)
-                            .with(settings.physics())));
+                            .with(settings.physics())
+                            .withPolicy(policy)));
     simulated.ifPresent(parts::opened);
     BusLink link =
-        BusLink.connect(CONTROLLER, settings.name(), transports.apply(CONTROLLER), clock);
+        BusLink.connect(CONTROLLER, settings.name(), transports.apply(CONTROLLER), clock, kind);
     parts.opened(link);
     platform =
         MaestroPlatform.start(
@@ -200,7 +209,8 @@ public final class LocalSite implements AutoCloseable {
    */
   public RatsMember join(MemberProfile profile, MemberProfile.Values values) {
     RatsMember member =
-        RatsMember.start(profile, values, transports.apply(profile.id()), settings.name(), clock);
+        RatsMember.start(
+            profile, values, transports.apply(profile.id()), settings.name(), policy, clock);
     parts.opened(member);
     return member;
   }

@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.Objective;
 import org.maestro.sim.PhysicalParameters;
+import org.maestro.rats.security.SiteSecurity;
 import org.maestro.sim.Scene;
 
 /**
@@ -21,6 +22,7 @@ import org.maestro.sim.Scene;
  *     restart; empty: they end with the site
  * @param allocation what plans are to be best in
  * @param physics of the simulated world
+ * @param security the files of a secured site; empty: anybody on the broker is believed
  */
 public record SiteSettings(
     String name,
@@ -33,7 +35,8 @@ public record SiteSettings(
     Optional<Path> storyDirectory,
     Optional<Path> dataDirectory,
     Objective allocation,
-    PhysicalParameters physics) {
+    PhysicalParameters physics,
+    Optional<SiteSecurity> security) {
 
   /** Of a site that allocates steps so that they cost least. */
   public SiteSettings(
@@ -57,7 +60,8 @@ public record SiteSettings(
         storyDirectory,
         dataDirectory,
         Objective.CHEAPEST,
-        PhysicalParameters.standard());
+        PhysicalParameters.standard(),
+        Optional.empty());
   }
 
   public SiteSettings withAllocation(Objective other) {
@@ -72,7 +76,24 @@ public record SiteSettings(
         storyDirectory,
         dataDirectory,
         other,
-        physics);
+        physics,
+        security);
+  }
+
+  public SiteSettings withSecurity(Optional<SiteSecurity> files) {
+    return new SiteSettings(
+        name,
+        home,
+        scene,
+        seed,
+        broker,
+        jadePort,
+        gui,
+        storyDirectory,
+        dataDirectory,
+        allocation,
+        physics,
+        files);
   }
 
   /** The same in a world of other physics. */
@@ -88,7 +109,8 @@ public record SiteSettings(
         storyDirectory,
         dataDirectory,
         allocation,
-        other);
+        other,
+        security);
   }
 
   /** Of a site that remembers nothing. */

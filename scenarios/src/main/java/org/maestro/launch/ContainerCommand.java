@@ -2,14 +2,15 @@ package org.maestro.launch;
 
 import java.net.URI;
 import java.util.concurrent.Callable;
+import org.maestro.assembly.SiteBus;
 import org.maestro.agents.SupervisorAgent;
 import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.rats.link.BusLink;
 import org.maestro.rats.time.PacedClock;
-import org.maestro.rats.transport.PahoTransport;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -28,6 +29,8 @@ final class ContainerCommand implements Callable<Integer> {
       description = "Where the platform's JADE main container listens.")
   private String main;
 
+  @Mixin private SecurityOptions security;
+
   @Option(
       names = "--name",
       paramLabel = "NAME",
@@ -44,12 +47,14 @@ final class ContainerCommand implements Callable<Integer> {
     SupervisorAgent.Handover handover = container.take(name);
     URI broker = Endpoint.broker(handover.brokerUri());
     String controller = "container-" + name;
+    SiteBus bus = new SiteBus(broker, handover.site(), security.files());
     BusLink link =
         BusLink.connect(
             controller,
             handover.site(),
-            new PahoTransport(broker, handover.site() + "-" + controller),
-            clock);
+            bus.transports().apply(controller),
+            clock,
+            bus.kind());
     container.host(
         name, handover.members(), link, new DescriptionReader(new HomeLoader().vocabulary())::read);
     UntilStopped.run(

@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.maestro.ontology.home.DescriptionWriter;
+import org.maestro.assembly.SiteBus;
 import org.maestro.ontology.home.Home;
 import org.maestro.rats.time.PacedClock;
-import org.maestro.rats.transport.PahoTransport;
 import org.maestro.sim.SimulatedHome;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -24,6 +24,8 @@ final class DevicesCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Mixin private SimulationOptions simulation;
+
+  @Mixin private SecurityOptions security;
 
   @Option(names = "--only", split = ",", paramLabel = "ID", description = "Only these devices.")
   private List<String> only = List.of();
@@ -55,15 +57,17 @@ final class DevicesCommand implements Callable<Integer> {
       }
     }
     URI uri = Endpoint.broker(broker);
+    SiteBus bus = new SiteBus(uri, site, security.files());
     SimulatedHome.Setup setup =
         new SimulatedHome.Setup(
-            loaded,
+                loaded,
             simulation.scene(loaded, "A home of your own needs --scene FILE."),
             clock,
             simulation.seed(),
-            id -> new PahoTransport(uri, site + "-" + id),
+            bus.transports(),
             site,
-            new DescriptionWriter(loaded)::write);
+            new DescriptionWriter(loaded)::write)
+            .withPolicy(bus.policy());
     SimulatedHome simulated = SimulatedHome.start(wanted.isEmpty() ? setup : setup.only(wanted));
     UntilStopped.run(
         spec.commandLine().getOut(),

@@ -5,6 +5,7 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.URI;
 import java.net.URISyntaxException;
+import java.util.Set;
 
 /** A host and a port that a user gave. */
 record Endpoint(String host, int port) {
@@ -33,15 +34,16 @@ record Endpoint(String host, int port) {
   static URI broker(String text) {
     try {
       URI uri = new URI(text);
-      if (!"tcp".equals(uri.getScheme()) || uri.getHost() == null || uri.getPort() < 0) {
+      if (!Set.of("tcp", "ssl").contains(String.valueOf(uri.getScheme()))
+          || uri.getHost() == null || uri.getPort() < 0) {
         throw CommandException.badInput(
-            "\"" + text + "\" is no broker; write tcp://HOST:PORT, such as tcp://127.0.0.1:1883.");
+            "\"" + text + "\" is no broker; write tcp://HOST:PORT, or ssl://HOST:PORT when it is secured.");
       }
       new Endpoint(uri.getHost(), uri.getPort()).requireAnswer(text);
       return uri;
     } catch (URISyntaxException e) {
       throw CommandException.badInput(
-          "\"" + text + "\" is no broker; write tcp://HOST:PORT, such as tcp://127.0.0.1:1883.");
+          "\"" + text + "\" is no broker; write tcp://HOST:PORT, or ssl://HOST:PORT when it is secured.");
     }
   }
 

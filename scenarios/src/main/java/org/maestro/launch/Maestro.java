@@ -31,6 +31,7 @@ import picocli.CommandLine.Spec;
       ReviveCommand.class,
       CheckCommand.class,
       PlanCommand.class,
+      SecureCommand.class,
       BenchCommand.class
     },
     exitCodeListHeading = "%nExit codes:%n",

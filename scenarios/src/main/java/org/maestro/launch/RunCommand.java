@@ -27,6 +27,8 @@ final class RunCommand implements Callable<Integer> {
 
   @Mixin private SimulationOptions simulation;
 
+  @Mixin private SecurityOptions security;
+
   @Option(names = "--no-sim", description = "No simulated devices: they come over the broker.")
   private boolean withoutSimulation;
 
@@ -103,7 +105,8 @@ final class RunCommand implements Callable<Integer> {
                     data.map(kept -> directory.beginStories(kept.resolve("stories")))
                         .orElseGet(() -> directory.beginStories(name))),
                 data)
-            .withAllocation(allocation);
+            .withAllocation(allocation)
+            .withSecurity(security.files());
     LocalSite site = LocalSite.paced(settings, speed);
     directory.add(
         new RuntimeDirectory.Running(

@@ -13,6 +13,10 @@ public final class BrokerStartException extends RuntimeException {
     super(message(port));
   }
 
+  BrokerStartException(String message, Throwable cause) {
+    super(message, cause);
+  }
+
   private static String message(int port) {
     return "The embedded MQTT broker could not listen on 127.0.0.1:"
         + port

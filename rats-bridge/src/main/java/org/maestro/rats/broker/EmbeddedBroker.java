@@ -5,10 +5,12 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.URI;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.apache.activemq.artemis.api.core.SimpleString;
 import org.apache.activemq.artemis.api.core.TransportConfiguration;
+import org.apache.activemq.artemis.core.config.Configuration;
 import org.apache.activemq.artemis.core.config.impl.ConfigurationImpl;
 import org.apache.activemq.artemis.core.remoting.impl.netty.NettyAcceptorFactory;
 import org.apache.activemq.artemis.core.remoting.impl.netty.TransportConstants;
@@ -43,8 +45,27 @@ public final class EmbeddedBroker implements AutoCloseable {
    */
   public static EmbeddedBroker start(int port) {
     int chosen = usable(port);
+    return start(new EmbeddedActiveMQ(), configuration(chosen), "tcp", chosen);
+  }
+
+  /**
+   * Starts for a secured site: over TLS, for the site's users, who may do what its files allow.
+   *
+   * @param files the directory with the site's broker.xml and login.config
+   * @param port 0 for a free one; what broker.xml says of it is for an Artemis of its own
+   * @throws BrokerStartException when the port is taken, or the broker does not start
+   */
+  public static EmbeddedBroker startSecured(Path files, int port) {
+    int chosen = usable(port);
+    SecuredConfiguration secured = SecuredConfiguration.read(files);
     EmbeddedActiveMQ server = new EmbeddedActiveMQ();
-    server.setConfiguration(configuration(chosen));
+    server.setSecurityManager(secured.securityManager());
+    return start(server, secured.configuration(HOST, chosen), "ssl", chosen);
+  }
+
+  private static EmbeddedBroker start(
+      EmbeddedActiveMQ server, Configuration configuration, String scheme, int chosen) {
+    server.setConfiguration(configuration);
     try {
       server.start();
     } catch (Exception failure) {
@@ -55,7 +76,7 @@ public final class EmbeddedBroker implements AutoCloseable {
       stop(server);
       throw new BrokerStartException(chosen);
     }
-    return new EmbeddedBroker(server, URI.create("tcp://" + HOST + ":" + chosen));
+    return new EmbeddedBroker(server, URI.create(scheme + "://" + HOST + ":" + chosen));
   }
 
   /** What clients connect to. */

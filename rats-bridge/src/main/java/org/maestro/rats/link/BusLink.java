@@ -79,8 +79,14 @@ public final class BusLink implements RatsLink {
    * @param transport not open yet; closed with the link
    */
   public static BusLink connect(String controller, String site, Transport transport, Clock clock) {
+    return connect(controller, site, transport, clock, SiteKind.OPEN);
+  }
+
+  /** The same, for a site that may be secured. */
+  public static BusLink connect(
+      String controller, String site, Transport transport, Clock clock, SiteKind kind) {
     BusLink link = new BusLink(controller, new Topics(site), transport, clock);
-    link.open();
+    link.open(kind);
     return link;
   }
 
@@ -180,12 +186,14 @@ public final class BusLink implements RatsLink {
     }
   }
 
-  private void open() {
+  private void open(SiteKind kind) {
     subscribe(topics.statuses(), RetainedMessages.SEND, roster::statusHeard);
     subscribe(topics.descriptions(), RetainedMessages.SEND, roster::descriptionHeard);
     subscribe(topics.states(), RetainedMessages.SEND, roster::stateHeard);
     subscribe(topics.results(controller), RetainedMessages.IGNORE, this::resultHeard);
-    subscribe(topics.bareResult(), RetainedMessages.IGNORE, this::resultHeard);
+    if (kind == SiteKind.OPEN) {
+      subscribe(topics.bareResult(), RetainedMessages.IGNORE, this::resultHeard);
+    }
     subscribe(topics.progresses(controller), RetainedMessages.IGNORE, this::progressHeard);
     subscribe(topics.observations(), RetainedMessages.IGNORE, this::observationHeard);
     transport.open(

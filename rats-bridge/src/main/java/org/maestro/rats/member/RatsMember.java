@@ -45,6 +45,7 @@ public final class RatsMember implements AutoCloseable {
       MemberProfile.Values values,
       Transport transport,
       Topics topics,
+      CallPolicy policy,
       Clock clock) {
     this.profile = profile;
     this.topics = topics;
@@ -57,7 +58,8 @@ public final class RatsMember implements AutoCloseable {
     TaskQueue tasks =
         new TaskQueue(profile.id(), voice, condition, answers, this::tellState, clock);
     this.reception =
-        new Reception(profile, boot, topics, condition, answers, tasks, this::describe, clock);
+        new Reception(
+            profile, boot, topics, policy, condition, answers, tasks, this::describe, clock);
   }
 
   /**
@@ -73,7 +75,22 @@ public final class RatsMember implements AutoCloseable {
       Transport transport,
       String site,
       Clock clock) {
-    RatsMember member = new RatsMember(profile, values, transport, new Topics(site), clock);
+    return start(profile, values, transport, site, CallPolicy.OPEN, clock);
+  }
+
+  /**
+   * Joins a site whose rules say who may call what.
+   *
+   * @param policy asked before anything is done for a caller
+   */
+  public static RatsMember start(
+      MemberProfile profile,
+      MemberProfile.Values values,
+      Transport transport,
+      String site,
+      CallPolicy policy,
+      Clock clock) {
+    RatsMember member = new RatsMember(profile, values, transport, new Topics(site), policy, clock);
     member.open();
     return member;
   }

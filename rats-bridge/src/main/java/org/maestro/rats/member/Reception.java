@@ -31,6 +31,7 @@ final class Reception {
   private final MemberProfile profile;
   private final String boot;
   private final Topics topics;
+  private final CallPolicy policy;
   private final MemberCondition condition;
   private final CallAnswers answers;
   private final TaskQueue tasks;
@@ -42,6 +43,7 @@ final class Reception {
       MemberProfile profile,
       String boot,
       Topics topics,
+      CallPolicy policy,
       MemberCondition condition,
       CallAnswers answers,
       TaskQueue tasks,
@@ -50,6 +52,7 @@ final class Reception {
     this.profile = profile;
     this.boot = boot;
     this.topics = topics;
+    this.policy = policy;
     this.condition = condition;
     this.answers = answers;
     this.tasks = tasks;
@@ -71,7 +74,10 @@ final class Reception {
     }
     Optional<String> caller = topics.callerOf(message.topic());
     if (caller.isPresent() && !caller.get().equals(call.from())) {
-      LOG.warn("{} ignores a call of {} in the name of {}", profile.id(), caller, call.from());
+      LOG.warn(
+          "{} ignores a call of {} in the name of {}", profile.id(), caller.get(), call.from());
+    } else if (caller.isEmpty() && policy.isSecured()) {
+      LOG.warn("{} ignores a call on the bare topic: this site is secured", profile.id());
     } else if (isForMe(call)) {
       take(call, message.remainingExpiry(), arrivedAt);
     }
@@ -88,6 +94,17 @@ final class Reception {
                     address.id(), caller.get(), malformed.code(), malformed.getMessage()));
   }
 
+  /** Everybody may end what it called itself. */
+  private boolean isAllowed(Call call) {
+    boolean cancel =
+        ReservedFeature.of(call.feature()).filter(ReservedFeature.CANCEL::equals).isPresent();
+    return cancel || mayCall(call);
+  }
+
+  private boolean mayCall(Call call) {
+    return policy.allows(call.from(), profile.id(), call.feature());
+  }
+
   private boolean isForMe(Call call) {
     return call.member()
         .map(profile.id()::equals)
@@ -101,6 +118,13 @@ final class Reception {
     if (call.boot().isPresent() && !call.boot().get().equals(boot)) {
       String message = "The call was meant for the boot " + call.boot().get() + " before this one";
       answers.rejectedUnremembered(call.id(), call.from(), ErrorCode.RESTARTED, message);
+      return;
+    }
+    if (!isAllowed(call)) {
+      String message =
+          "The rules of the site do not let %s call %s of %s"
+              .formatted(call.from(), call.feature(), profile.id());
+      answers.rejectedUnremembered(call.id(), call.from(), ErrorCode.NOT_AUTHORISED, message);
       return;
     }
     switch (answers.register(call)) {
@@ -176,7 +200,7 @@ final class Reception {
 
   private void cancel(Call call) {
     if (call.parameters().get("id") instanceof String id) {
-      answers.succeeded(call, Map.of("found", tasks.cancel(call.from(), id)));
+      answers.succeeded(call, Map.of("found", tasks.cancel(call.from(), id, mayCall(call))));
     } else {
       answers.rejected(
           call, ErrorCode.INVALID_PARAMETERS, "$cancel needs the parameter id, a call's id");

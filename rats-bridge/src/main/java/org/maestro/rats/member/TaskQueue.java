@@ -74,15 +74,17 @@ final class TaskQueue implements Task.Keeper {
   /**
    * Cancels a call; false when none of that id waits or runs. Ids are unique for each caller only:
    * who cancels means a call of its own, if it has one of that id.
+   *
+   * @param others whether it may also end calls that it did not make
    */
-  boolean cancel(String caller, String callId) {
+  boolean cancel(String caller, String callId, boolean others) {
     List<Task> named =
         all().stream().filter(candidate -> candidate.call().id().equals(callId)).toList();
     Optional<Task> task =
         named.stream()
             .filter(candidate -> candidate.call().from().equals(caller))
             .findFirst()
-            .or(() -> named.stream().findFirst());
+            .or(() -> named.stream().filter(candidate -> others).findFirst());
     task.ifPresent(found -> found.stop(Outcome.CANCELED, canceled("The call was cancelled")));
     return task.isPresent();
   }

@@ -7,7 +7,9 @@ import java.net.Socket;
 import java.net.SocketAddress;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import javax.net.SocketFactory;
+import javax.net.ssl.SSLContext;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -16,8 +18,16 @@ final class CuttableSockets extends SocketFactory {
 
   private static final Logger LOG = LoggerFactory.getLogger(CuttableSockets.class);
 
+  private final Optional<SSLContext> tls;
   private final List<Socket> sockets = new ArrayList<>();
   private boolean cut;
+
+  /**
+   * @param tls empty: plain sockets
+   */
+  CuttableSockets(Optional<SSLContext> tls) {
+    this.tls = tls;
+  }
 
   /** Closes all, and makes no more. */
   synchronized void cut() {
@@ -37,7 +47,7 @@ final class CuttableSockets extends SocketFactory {
     if (cut) {
       throw new IOException("the connection is not wanted any more");
     }
-    Socket socket = new PatientSocket();
+    Socket socket = tls.isPresent() ? new TlsSocket(tls.get()) : new PatientSocket();
     sockets.add(socket);
     return socket;
   }

@@ -1,5 +1,7 @@
 package org.maestro.rats.transport;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+
 import java.net.URI;
 import java.time.Duration;
 import java.util.Arrays;
@@ -53,7 +55,7 @@ final class PahoConnection implements MqttCallback {
 
   private final MqttAsyncClient client;
   private final MqttConnectionOptions options = new MqttConnectionOptions();
-  private final CuttableSockets sockets = new CuttableSockets();
+  private final CuttableSockets sockets;
   private final ScheduledThreadPoolExecutor threads;
   private final Events events;
 
@@ -62,8 +64,10 @@ final class PahoConnection implements MqttCallback {
       String clientId,
       Duration keepAlive,
       Optional<Transport.Will> will,
+      Optional<Credentials> credentials,
       Events events) {
     this.events = events;
+    this.sockets = new CuttableSockets(credentials.map(Credentials::tls));
     threads =
         new ScheduledThreadPoolExecutor(
             PAHO_THREADS,
@@ -75,7 +79,7 @@ final class PahoConnection implements MqttCallback {
     threads.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
     try {
       client =
-          new MqttAsyncClient(broker.toString(), clientId, new MemoryPersistence(), null, threads);
+          new MqttAsyncClient(address(broker), clientId, new MemoryPersistence(), null, threads);
     } catch (MqttException unusable) {
       throw new IllegalArgumentException(
           "The broker's address " + broker + " cannot be used: " + reason(unusable), unusable);
@@ -87,8 +91,25 @@ final class PahoConnection implements MqttCallback {
     options.setConnectionTimeout(CONNECT_SECONDS);
     options.setUseSubscriptionIdentifiers(false);
     options.setSocketFactory(sockets);
+    credentials.ifPresent(this::identify);
     will.ifPresent(
         last -> options.setWill(last.topic(), new MqttMessage(last.payload(), 1, true, null)));
+  }
+
+  /** With a certificate alone, the broker takes the name from there. */
+  private void identify(Credentials credentials) {
+    credentials
+        .password()
+        .ifPresent(
+            password -> {
+              options.setUserName(credentials.user());
+              options.setPassword(password.getBytes(UTF_8));
+            });
+  }
+
+  /** TLS is the sockets' business, so that Paho sees a plain connection. */
+  private static String address(URI broker) {
+    return "tcp://" + broker.getHost() + ":" + broker.getPort();
   }
 
   void connect() {

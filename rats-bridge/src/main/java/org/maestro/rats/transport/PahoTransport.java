@@ -29,6 +29,7 @@ public final class PahoTransport implements Transport {
 
   private final URI broker;
   private final String clientId;
+  private final Optional<Credentials> credentials;
   private final ScheduledThreadPoolExecutor loop;
   private final Events events = new Events();
   private final List<PahoSubscription> subscriptions = new ArrayList<>();
@@ -51,8 +52,22 @@ public final class PahoTransport implements Transport {
    * @param broker such as {@code tcp://127.0.0.1:1883}
    */
   public PahoTransport(URI broker, String clientId) {
+    this(broker, clientId, Optional.empty());
+  }
+
+  /**
+   * To a secured broker, as the user of the credentials.
+   *
+   * @param broker such as {@code ssl://127.0.0.1:8883}
+   */
+  public PahoTransport(URI broker, Credentials credentials) {
+    this(broker, credentials.user(), Optional.of(credentials));
+  }
+
+  private PahoTransport(URI broker, String clientId, Optional<Credentials> credentials) {
     this.broker = broker;
     this.clientId = clientId;
+    this.credentials = credentials;
     loop =
         new ScheduledThreadPoolExecutor(
             1,
@@ -166,7 +181,8 @@ public final class PahoTransport implements Transport {
 
   private void attempt() {
     if (!leaving) {
-      PahoConnection tried = new PahoConnection(broker, clientId, KEEP_ALIVE, will, events);
+      PahoConnection tried =
+          new PahoConnection(broker, clientId, KEEP_ALIVE, will, credentials, events);
       connection = tried;
       tried.connect();
       loop.schedule(() -> guarded(() -> giveUp(tried)), ATTEMPT_SECONDS, TimeUnit.SECONDS);

@@ -18,7 +18,7 @@ import java.util.concurrent.TimeUnit;
  * connection, so that it publishes the will: so the broker gets some time to close first, as MQTT 5
  * has it.
  */
-final class PatientSocket extends Socket {
+class PatientSocket extends Socket {
 
   private static final long LONGEST_START_SECONDS = 5;
 
@@ -31,9 +31,18 @@ final class PatientSocket extends Socket {
     setTcpNoDelay(true);
   }
 
+  /** What the bytes of MQTT come from. */
+  InputStream bareInput() throws IOException {
+    return super.getInputStream();
+  }
+
+  OutputStream bareOutput() throws IOException {
+    return super.getOutputStream();
+  }
+
   @Override
   public InputStream getInputStream() throws IOException {
-    return new FilterInputStream(super.getInputStream()) {
+    return new FilterInputStream(bareInput()) {
       @Override
       public int available() throws IOException {
         try {
@@ -65,7 +74,7 @@ final class PatientSocket extends Socket {
 
   @Override
   public OutputStream getOutputStream() throws IOException {
-    return new FilterOutputStream(super.getOutputStream()) {
+    return new FilterOutputStream(bareOutput()) {
       @Override
       public void write(int single) throws IOException {
         written.countDown();

@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.function.IntFunction;
 import org.awaitility.Awaitility;
 
 /** The program mosquitto on loopback, in a process of its own that ends with this JVM. */
@@ -25,7 +26,10 @@ final class Mosquitto implements TestBroker.Running {
   private final int port;
   private final Thread atExit;
 
-  private Mosquitto(Process process, Path directory, int port) {
+  private final String scheme;
+
+  private Mosquitto(Process process, Path directory, int port, String scheme) {
+    this.scheme = scheme;
     this.process = process;
     this.directory = directory;
     this.port = port;
@@ -37,8 +41,35 @@ final class Mosquitto implements TestBroker.Running {
    * @param port 0 for a free one
    */
   static Mosquitto start(int port) {
+    return start(port, "tcp", Mosquitto::open);
+  }
+
+  /**
+   * With the files of a secured site; the ports that they say are others here.
+   *
+   * @param mainPort which of their ports is the one that is told
+   */
+  static Mosquitto startSecured(Path files, int mainPort, int port) {
+    return start(
+        port,
+        "ssl",
+        chosen ->
+            lines(files.resolve("mosquitto/mosquitto.conf")).stream()
+                .map(
+                    line ->
+                        line.startsWith("listener ")
+                            ? "listener "
+                                + (line.endsWith(" " + mainPort) ? chosen : freePort())
+                                + " "
+                                + HOST
+                            : line)
+                .toList());
+  }
+
+  private static Mosquitto start(int port, String scheme, IntFunction<List<String>> configuration) {
     for (int attempt = 1; ; attempt++) {
-      Mosquitto started = launch(port == 0 ? freePort() : port);
+      int chosen = port == 0 ? freePort() : port;
+      Mosquitto started = launch(chosen, scheme, configuration.apply(chosen));
       if (started.listens()) {
         return started;
       }
@@ -52,7 +83,7 @@ final class Mosquitto implements TestBroker.Running {
 
   @Override
   public URI uri() {
-    return URI.create("tcp://" + HOST + ":" + port);
+    return URI.create(scheme + "://" + HOST + ":" + port);
   }
 
   @Override
@@ -69,20 +100,30 @@ final class Mosquitto implements TestBroker.Running {
     }
   }
 
-  private static Mosquitto launch(int port) {
+  private static List<String> open(int port) {
+    return List.of(
+        "listener " + port + " " + HOST,
+        "allow_anonymous true",
+        "persistence false",
+        "set_tcp_nodelay true",
+        "max_queued_messages 10000",
+        "log_dest stdout",
+        "log_type error");
+  }
+
+  private static List<String> lines(Path file) {
+    try {
+      return Files.readAllLines(file);
+    } catch (IOException unreadable) {
+      throw new UncheckedIOException(unreadable);
+    }
+  }
+
+  private static Mosquitto launch(int port, String scheme, List<String> lines) {
     try {
       Path directory = Files.createTempDirectory("maestro-mosquitto");
       Path configuration = directory.resolve("configuration");
-      Files.write(
-          configuration,
-          List.of(
-              "listener " + port + " " + HOST,
-              "allow_anonymous true",
-              "persistence false",
-              "set_tcp_nodelay true",
-              "max_queued_messages 10000",
-              "log_dest stdout",
-              "log_type error"));
+      Files.write(configuration, lines);
       Process process =
           new ProcessBuilder(
                   RunsProgram.Presence.find("mosquitto").orElseThrow().getPath(),
@@ -91,7 +132,7 @@ final class Mosquitto implements TestBroker.Running {
               .redirectErrorStream(true)
               .redirectOutput(directory.resolve("output").toFile())
               .start();
-      return new Mosquitto(process, directory, port);
+      return new Mosquitto(process, directory, port, scheme);
     } catch (IOException unstartable) {
       throw new UncheckedIOException(unstartable);
     }

@@ -1,10 +1,12 @@
 package org.maestro.rats.broker;
 
 import java.io.File;
+import java.io.IOException;
 import java.lang.annotation.ElementType;
 import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.extension.ConditionEvaluationResult;
@@ -21,8 +23,11 @@ import org.slf4j.LoggerFactory;
 @ExtendWith(RunsProgram.Presence.class)
 public @interface RunsProgram {
 
-  /** The program's name, as looked for on the path. */
-  String value();
+  /** The programs' names, as looked for on the path. */
+  String[] value();
+
+  /** What python3 must be able to import; empty: nothing. */
+  String pythonModule() default "";
 
   /** Looks for programs. */
   final class Presence implements ExecutionCondition {
@@ -39,19 +44,43 @@ public @interface RunsProgram {
           .findFirst();
     }
 
+    private static boolean imports(String module) {
+      if (module.isEmpty()) {
+        return true;
+      }
+      try {
+        return new ProcessBuilder("python3", "-c", "import " + module)
+                .redirectErrorStream(true)
+                .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                .start()
+                .waitFor()
+            == 0;
+      } catch (IOException none) {
+        LOG.debug("There is no python3", none);
+        return false;
+      } catch (InterruptedException interrupted) {
+        Thread.currentThread().interrupt();
+        return false;
+      }
+    }
+
     @Override
     public ConditionEvaluationResult evaluateExecutionCondition(ExtensionContext context) {
-      String program =
+      RunsProgram wanted =
           AnnotationSupport.findAnnotation(context.getRequiredTestClass(), RunsProgram.class)
-              .map(RunsProgram::value)
               .orElseThrow();
-      if (find(program).isPresent()) {
-        return ConditionEvaluationResult.enabled(program + " is installed");
+      Optional<String> missing =
+          Arrays.stream(wanted.value()).filter(program -> find(program).isEmpty()).findFirst();
+      if (missing.isEmpty() && !imports(wanted.pythonModule())) {
+        missing = Optional.of("python3 with " + wanted.pythonModule());
+      }
+      if (missing.isEmpty()) {
+        return ConditionEvaluationResult.enabled("all of its programs are installed");
       }
       String reason =
           context.getDisplayName()
               + " does not run: the program "
-              + program
+              + missing.get()
               + " is not installed; .ci/run installs it";
       LOG.warn(reason);
       return ConditionEvaluationResult.disabled(reason);

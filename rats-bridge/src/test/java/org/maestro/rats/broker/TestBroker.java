@@ -3,6 +3,7 @@ package org.maestro.rats.broker;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.URI;
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.IntFunction;
 
@@ -27,26 +28,41 @@ public final class TestBroker {
 
   /** Artemis, in this process. */
   public static TestBroker embedded() {
-    return new TestBroker(
-        port -> {
-          EmbeddedBroker broker = EmbeddedBroker.start(port);
-          return new Running() {
-            @Override
-            public URI uri() {
-              return broker.uri();
-            }
+    return new TestBroker(port -> running(EmbeddedBroker.start(port)));
+  }
 
-            @Override
-            public void close() {
-              broker.close();
-            }
-          };
-        });
+  /** Artemis, in this process, with the files of a secured site. */
+  public static TestBroker embeddedSecured(Path files) {
+    return new TestBroker(
+        port -> running(EmbeddedBroker.startSecured(files.resolve("artemis"), port)));
+  }
+
+  private static Running running(EmbeddedBroker broker) {
+    return new Running() {
+      @Override
+      public URI uri() {
+        return broker.uri();
+      }
+
+      @Override
+      public void close() {
+        broker.close();
+      }
+    };
   }
 
   /** The program mosquitto. */
   public static TestBroker mosquitto() {
     return new TestBroker(Mosquitto::start);
+  }
+
+  /**
+   * The program mosquitto with the files of a secured site.
+   *
+   * @param mainPort which of their ports clients come to
+   */
+  public static TestBroker mosquittoSecured(Path files, int mainPort) {
+    return new TestBroker(port -> Mosquitto.startSecured(files, mainPort, port));
   }
 
   public void start() {
@@ -63,6 +79,6 @@ public final class TestBroker {
   }
 
   public URI uri() {
-    return URI.create("tcp://127.0.0.1:" + port);
+    return running.map(Running::uri).orElseGet(() -> URI.create("tcp://127.0.0.1:" + port));
   }
 }

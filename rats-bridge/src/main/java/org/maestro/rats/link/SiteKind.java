@@ -1,0 +1,9 @@
+package org.maestro.rats.link;
+
+/** Whether a site's broker makes sure of who says what. */
+public enum SiteKind {
+  /** The paper's bare topics are legal, on which anybody may answer for anybody. */
+  OPEN,
+  /** Only topics that name their sender count. */
+  SECURED
+}

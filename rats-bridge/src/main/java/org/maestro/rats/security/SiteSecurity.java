@@ -1,0 +1,175 @@
+package org.maestro.rats.security;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.security.KeyStore;
+import java.security.PrivateKey;
+import java.security.cert.Certificate;
+import java.security.cert.X509Certificate;
+import java.util.Optional;
+import javax.net.ssl.KeyManager;
+import javax.net.ssl.KeyManagerFactory;
+import javax.net.ssl.SSLContext;
+import javax.net.ssl.TrustManagerFactory;
+import org.maestro.rats.transport.Credentials;
+
+/** A secured site's files as members, controllers and the embedded broker read them. */
+public final class SiteSecurity {
+
+  static final String USERS = "users.txt";
+  static final String RULES = "rules.txt";
+  static final String AUTHORITY = "ca/ca.pem";
+  static final String PASSWORD = "password";
+  static final String CERTIFICATE = "certificate.pem";
+  static final String KEY = "key.pem";
+
+  private static final char[] IN_MEMORY = new char[0];
+
+  private final Path directory;
+  private final SiteUsers users;
+  private final CallRules rules;
+  private final X509Certificate authority;
+
+  private SiteSecurity(
+      Path directory, SiteUsers users, CallRules rules, X509Certificate authority) {
+    this.directory = directory;
+    this.users = users;
+    this.rules = rules;
+    this.authority = authority;
+  }
+
+  /**
+   * Reads what everybody needs.
+   *
+   * @throws SecurityFilesException when something is missing, unreadable, open to others or broken
+   */
+  public static SiteSecurity open(Path directory) {
+    Path absolute = directory.toAbsolutePath().normalize();
+    if (!Files.isDirectory(absolute)) {
+      throw new SecurityFilesException(
+          "There is no directory " + directory + "; ./maestro secure " + directory + " makes it.");
+    }
+    Path usersFile = absolute.resolve(USERS);
+    SiteUsers users = SiteUsers.parse(PrivateFiles.text(usersFile), usersFile.toString());
+    Path rulesFile = absolute.resolve(RULES);
+    CallRules rules = CallRules.parse(PrivateFiles.text(rulesFile), rulesFile.toString(), users);
+    return new SiteSecurity(absolute, users, rules, Pem.certificate(absolute.resolve(AUTHORITY)));
+  }
+
+  public SiteUsers users() {
+    return users;
+  }
+
+  /** Who may call what of whom. */
+  public CallRules rules() {
+    return rules;
+  }
+
+  /**
+   * Where the embedded broker's files are.
+   *
+   * @throws SecurityFilesException when one is missing, unreadable or open to others
+   */
+  public Path artemis() {
+    for (String name :
+        new String[] {
+          "artemis/broker.xml",
+          "artemis/login.config",
+          "artemis/users.properties",
+          "artemis/roles.properties",
+          "artemis/certificates.properties",
+          "broker/broker.p12",
+          "broker/trust.p12"
+        }) {
+      PrivateFiles.bytes(directory.resolve(name));
+      PrivateFiles.requirePrivate(directory.resolve(name));
+    }
+    return directory.resolve("artemis");
+  }
+
+  /**
+   * To connect as a user by password.
+   *
+   * @throws SecurityFilesException when the site has no such user, or its files cannot be used
+   */
+  public Credentials password(String id) {
+    requireUser(id);
+    String secret = PrivateFiles.secret(file(id, PASSWORD)).strip();
+    if (secret.isEmpty()) {
+      throw new SecurityFilesException("The security file " + file(id, PASSWORD) + " is empty.");
+    }
+    return new Credentials(id, Optional.of(secret), context(Optional.empty()));
+  }
+
+  /**
+   * To connect as a user by its certificate.
+   *
+   * @throws SecurityFilesException when the site has no such user, or its files cannot be used
+   */
+  public Credentials certificate(String id) {
+    requireUser(id);
+    PrivateKey key = Pem.key(file(id, KEY));
+    X509Certificate certificate = Pem.certificate(file(id, CERTIFICATE));
+    return new Credentials(
+        id,
+        Optional.empty(),
+        context(Optional.of(new CertificateAuthority.Identity(certificate, key))));
+  }
+
+  static String ofUser(String id) {
+    return "users/" + id + "/";
+  }
+
+  private Path file(String id, String name) {
+    return directory.resolve(ofUser(id) + name);
+  }
+
+  private void requireUser(String id) {
+    if (!users.all().contains(id)) {
+      throw new SecurityFilesException(
+          "The secured site %s has no user %s; ./maestro secure %s --member %s adds it."
+              .formatted(users.site(), id, directory, id));
+    }
+  }
+
+  private SSLContext context(Optional<CertificateAuthority.Identity> identity) {
+    try {
+      KeyStore trusted = emptyStore();
+      trusted.setCertificateEntry("site", authority);
+      TrustManagerFactory trust =
+          TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm());
+      trust.init(trusted);
+      SSLContext context = SSLContext.getInstance("TLS");
+      context.init(keys(identity), trust.getTrustManagers(), null);
+      return context;
+    } catch (GeneralSecurityException | IOException unable) {
+      throw new SecurityFilesException(
+          "The certificates below " + directory + " cannot be used: " + unable.getMessage(),
+          unable);
+    }
+  }
+
+  private KeyManager[] keys(Optional<CertificateAuthority.Identity> identity)
+      throws GeneralSecurityException, IOException {
+    if (identity.isEmpty()) {
+      return new KeyManager[0];
+    }
+    KeyStore own = emptyStore();
+    own.setKeyEntry(
+        "own",
+        identity.get().key(),
+        IN_MEMORY,
+        new Certificate[] {identity.get().certificate(), authority});
+    KeyManagerFactory keys = KeyManagerFactory.getInstance(KeyManagerFactory.getDefaultAlgorithm());
+    keys.init(own, IN_MEMORY);
+    return keys.getKeyManagers();
+  }
+
+  private static KeyStore emptyStore() throws GeneralSecurityException, IOException {
+    KeyStore store = KeyStore.getInstance("PKCS12");
+    store.load(null, null);
+    return store;
+  }
+}

@@ -1,0 +1,33 @@
+package org.maestro.rats.security;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The topics that one user of a secured site may write and read, as MQTT filters: everybody speaks
+ * under its own name only, and only controllers read what others see, hold and report.
+ */
+record TopicRights(List<String> write, List<String> read) {
+
+  static TopicRights of(String site, String id, boolean controller) {
+    String root = "rats/1/" + site + "/";
+    List<String> write = new ArrayList<>();
+    write.add(root + "call/" + id);
+    write.add(root + "result/+/" + id);
+    write.add(root + "progress/+/" + id);
+    write.add(root + (controller ? "controller/" + id + "/status" : "member/" + id + "/#"));
+    List<String> read = new ArrayList<>();
+    read.add(root + "call/#");
+    read.add(root + "result/" + id + "/#");
+    read.add(root + "progress/" + id + "/#");
+    read.add(root + "controller/+/status");
+    if (controller) {
+      read.add(root + "member/#");
+    } else {
+      read.add(root + "member/+/status");
+      read.add(root + "member/+/description");
+      read.add(root + "member/" + id + "/#");
+    }
+    return new TopicRights(List.copyOf(write), List.copyOf(read));
+  }
+}

@@ -1,0 +1,19 @@
+package org.maestro.rats.transport;
+
+import java.util.Optional;
+import javax.net.ssl.SSLContext;
+
+/**
+ * How a client shows a secured broker who it is. Its text tells the user only.
+ *
+ * @param user also the client id
+ * @param password empty: the context holds the user's certificate
+ * @param tls whom the client trusts
+ */
+public record Credentials(String user, Optional<String> password, SSLContext tls) {
+
+  @Override
+  public String toString() {
+    return "credentials of " + user;
+  }
+}

@@ -1,0 +1,191 @@
+package org.maestro.rats.security;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.maestro.rats.security.SecuredSite.await;
+import static org.maestro.rats.security.SecuredSite.isReady;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Function;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.maestro.rats.broker.TestBroker;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.member.TestDevice;
+import org.maestro.rats.protocol.Call;
+import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.ErrorCode;
+import org.maestro.rats.protocol.Observation;
+import org.maestro.rats.protocol.Outcome;
+import org.maestro.rats.protocol.Result;
+import org.maestro.rats.protocol.Topics;
+import org.maestro.rats.protocol.WireFormat;
+import org.maestro.rats.transport.Credentials;
+import org.maestro.rats.transport.PahoTransport;
+import org.maestro.rats.transport.Publication;
+import org.maestro.rats.transport.Transport;
+
+/** What a site does once it is secured, over any broker that uses its files. */
+abstract class SecuredBusContract {
+
+  @TempDir Path directory;
+
+  abstract TestBroker byPassword(Path files);
+
+  abstract TestBroker byCertificate(Path files);
+
+  @Test
+  void itsUsersWorkByPassword() {
+    Path files = SecuredSite.files(directory);
+    try (SecuredSite site = new SecuredSite(files, byPassword(files))) {
+      worksFor(site, site.security::password);
+    }
+  }
+
+  @Test
+  void itsUsersWorkByCertificate() {
+    Path files = SecuredSite.files(directory);
+    try (SecuredSite site = new SecuredSite(files, byCertificate(files))) {
+      worksFor(site, site.security::certificate);
+    }
+  }
+
+  private static void worksFor(SecuredSite site, Function<String, Credentials> credentials) {
+    site.join(credentials.apply("cam-1.a"));
+    TestDevice door = site.join(credentials.apply("door"));
+    RatsLink link = site.connect(credentials.apply("cca"));
+    await(() -> isReady(link, "cam-1.a") && isReady(link, "door"));
+    Heard watch = new Heard();
+    RatsLink.CallHandle watching =
+        link.call(
+            "cam-1.a",
+            "watch",
+            Map.of("object", "x"),
+            Duration.ofSeconds(30),
+            Optional.empty(),
+            watch);
+    Heard echo = new Heard();
+    link.call("door", "echo", Map.of("a", 1), Duration.ofSeconds(30), Optional.empty(), echo);
+    List<List<CostAnswer>> prices = new CopyOnWriteArrayList<>();
+    link.cost("door", "drive", List.of(Map.of()), prices::add);
+    await(() -> !watch.observations.isEmpty() && !echo.results.isEmpty() && !prices.isEmpty());
+    watching.cancel();
+    await(() -> !watch.results.isEmpty());
+    assertThat(watch.results.get(0).outcome()).isEqualTo(Outcome.CANCELED);
+    assertThat(echo.results.get(0).values()).isEqualTo(Map.of("a", 1));
+    assertThat(prices.get(0).get(0).cost()).contains(2.5);
+    assertThat(door.log).hasSize(1);
+    // A member may be called by another only as the rules say.
+    Result refused = callAsMember(site, credentials.apply("lamp"), "door", "echo");
+    assertThat(refused.outcome()).isEqualTo(Outcome.REJECTED);
+    assertThat(refused.error().orElseThrow().code()).isEqualTo(ErrorCode.NOT_AUTHORISED);
+    assertThat(door.log).hasSize(1);
+  }
+
+  private static Result callAsMember(
+      SecuredSite site, Credentials credentials, String member, String feature) {
+    WireFormat wire = new WireFormat();
+    Topics topics = new Topics(SecuredSite.SITE);
+    List<Result> results = new CopyOnWriteArrayList<>();
+    PahoTransport transport = new PahoTransport(site.uri(), credentials);
+    transport.subscribe(
+        topics.results(credentials.user()),
+        Transport.RetainedMessages.IGNORE,
+        message -> results.add(wire.decodeResult(message.payload())));
+    Call call =
+        new Call(
+            "m1",
+            Optional.of(member),
+            Optional.empty(),
+            feature,
+            Map.of(),
+            Duration.ofSeconds(30),
+            credentials.user(),
+            Optional.empty());
+    transport.open(
+        Optional.empty(),
+        new Transport.ConnectionListener() {
+          @Override
+          public void connected() {
+            transport.publish(
+                Publication.reliable(
+                    topics.call(credentials.user()),
+                    wire.encode(call),
+                    Optional.of(call.timeout())),
+                failure -> assertThat(failure).isEmpty());
+          }
+
+          @Override
+          public void lost(String reason) {
+            // It tries again.
+          }
+        });
+    await(() -> !results.isEmpty());
+    transport.close();
+    return results.get(0);
+  }
+
+  @Test
+  void nobodyElseGetsIn() {
+    Path files = SecuredSite.files(directory);
+    try (SecuredSite site = new SecuredSite(files, byPassword(files))) {
+      Credentials right = site.security.password("lamp");
+      assertThat(outcome(new PahoTransport(site.uri(), right))).isEqualTo("connected");
+      Credentials wrong = new Credentials("lamp", Optional.of("guessed"), right.tls());
+      assertThat(outcome(new PahoTransport(site.uri(), wrong))).startsWith("lost");
+      Credentials stranger = new Credentials("rose", right.password(), right.tls());
+      assertThat(outcome(new PahoTransport(site.uri(), stranger))).startsWith("lost");
+      Credentials anonymous = new Credentials("lamp", Optional.empty(), right.tls());
+      assertThat(outcome(new PahoTransport(site.uri(), anonymous))).startsWith("lost");
+      assertThat(outcome(new PahoTransport(site.uri(), "lamp")))
+          .as("without TLS")
+          .startsWith("lost");
+      Path other = SecuredSite.files(directory.resolve("other"));
+      Credentials otherCa =
+          new Credentials(
+              "lamp", right.password(), SiteSecurity.open(other).password("lamp").tls());
+      assertThat(outcome(new PahoTransport(site.uri(), otherCa)))
+          .as("to a broker that another authority vouches for")
+          .startsWith("lost");
+    }
+  }
+
+  private static String outcome(PahoTransport transport) {
+    List<String> told = new CopyOnWriteArrayList<>();
+    transport.open(
+        Optional.empty(),
+        new Transport.ConnectionListener() {
+          @Override
+          public void connected() {
+            told.add("connected");
+          }
+
+          @Override
+          public void lost(String reason) {
+            told.add("lost: " + reason);
+          }
+        });
+    await(() -> !told.isEmpty());
+    transport.die();
+    return told.get(0);
+  }
+
+  static final class Heard implements RatsLink.CallListener {
+    final List<Observation> observations = new CopyOnWriteArrayList<>();
+    final List<Result> results = new CopyOnWriteArrayList<>();
+
+    @Override
+    public void observed(Observation observation) {
+      observations.add(observation);
+    }
+
+    @Override
+    public void ended(Result result) {
+      results.add(result);
+    }
+  }
+}

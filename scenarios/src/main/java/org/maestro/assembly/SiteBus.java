@@ -1,0 +1,64 @@
+package org.maestro.assembly;
+
+import java.net.URI;
+import java.util.Optional;
+import java.util.function.Function;
+import org.maestro.rats.broker.EmbeddedBroker;
+import org.maestro.rats.link.SiteKind;
+import org.maestro.rats.member.CallPolicy;
+import org.maestro.rats.security.SiteSecurity;
+import org.maestro.rats.transport.PahoTransport;
+import org.maestro.rats.transport.Transport;
+
+/**
+ * How a process takes part in a site over MQTT, open or secured. On a secured one everybody
+ * connects under its own name; on an open one the site's name is put before it, so that several
+ * sites can share a broker.
+ */
+public final class SiteBus {
+  private final URI broker;
+  private final String site;
+  private final Optional<SiteSecurity> security;
+
+  /**
+   * @throws SiteException when the security files are of another site
+   */
+  public SiteBus(URI broker, String site, Optional<SiteSecurity> security) {
+    this.broker = broker;
+    this.site = site;
+    this.security = security;
+    security.ifPresent(files -> requireOf(site, files));
+  }
+
+  /** A broker of our own in this process. */
+  static EmbeddedBroker ownBroker(Optional<SiteSecurity> security) {
+    return security
+        .map(files -> EmbeddedBroker.startSecured(files.artemis(), 0))
+        .orElseGet(EmbeddedBroker::start);
+  }
+
+  private static void requireOf(String site, SiteSecurity files) {
+    String secured = files.users().site();
+    if (!secured.equals(site)) {
+      throw new SiteException(
+          "The security files are of the site %s, not of %s; name the site that they are for."
+              .formatted(secured, site));
+    }
+  }
+
+  /** The transports of members and controllers, by id. */
+  public Function<String, Transport> transports() {
+    return id ->
+        security
+            .map(files -> new PahoTransport(broker, files.password(id)))
+            .orElseGet(() -> new PahoTransport(broker, site + "-" + id));
+  }
+
+  public CallPolicy policy() {
+    return security.<CallPolicy>map(SiteSecurity::rules).orElse(CallPolicy.OPEN);
+  }
+
+  public SiteKind kind() {
+    return security.isPresent() ? SiteKind.SECURED : SiteKind.OPEN;
+  }
+}
