@@ -21,13 +21,23 @@ public final class SiteBus {
   private final Optional<SiteSecurity> security;
 
   /**
-   * @throws SiteException when the security files are of another site
+   * @throws SiteException when the security files are of another site, or the broker's scheme is
+   *     not that of a secured or open site
    */
   public SiteBus(URI broker, String site, Optional<SiteSecurity> security) {
     this.broker = broker;
     this.site = site;
     this.security = security;
     security.ifPresent(files -> requireOf(site, files));
+    boolean tls = "ssl".equals(broker.getScheme());
+    if (tls != security.isPresent()) {
+      throw new SiteException(
+          tls
+              ? "The broker %s is that of a secured site; name its files with --security DIR."
+                  .formatted(broker)
+              : "The broker %s takes no TLS; a secured site needs ssl://HOST:PORT."
+                  .formatted(broker));
+    }
   }
 
   /** A broker of our own in this process. */

@@ -5,8 +5,8 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.Objective;
-import org.maestro.sim.PhysicalParameters;
 import org.maestro.rats.security.SiteSecurity;
+import org.maestro.sim.PhysicalParameters;
 import org.maestro.sim.Scene;
 
 /**

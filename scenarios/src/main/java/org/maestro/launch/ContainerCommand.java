@@ -2,8 +2,8 @@ package org.maestro.launch;
 
 import java.net.URI;
 import java.util.concurrent.Callable;
-import org.maestro.assembly.SiteBus;
 import org.maestro.agents.SupervisorAgent;
+import org.maestro.assembly.SiteBus;
 import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.platform.JoinedContainer;
@@ -50,11 +50,7 @@ final class ContainerCommand implements Callable<Integer> {
     SiteBus bus = new SiteBus(broker, handover.site(), security.files());
     BusLink link =
         BusLink.connect(
-            controller,
-            handover.site(),
-            bus.transports().apply(controller),
-            clock,
-            bus.kind());
+            controller, handover.site(), bus.transports().apply(controller), clock, bus.kind());
     container.host(
         name, handover.members(), link, new DescriptionReader(new HomeLoader().vocabulary())::read);
     UntilStopped.run(

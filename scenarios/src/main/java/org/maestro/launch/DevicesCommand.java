@@ -5,8 +5,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
-import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.assembly.SiteBus;
+import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.ontology.home.Home;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.sim.SimulatedHome;
@@ -61,12 +61,12 @@ final class DevicesCommand implements Callable<Integer> {
     SimulatedHome.Setup setup =
         new SimulatedHome.Setup(
                 loaded,
-            simulation.scene(loaded, "A home of your own needs --scene FILE."),
-            clock,
-            simulation.seed(),
-            bus.transports(),
-            site,
-            new DescriptionWriter(loaded)::write)
+                simulation.scene(loaded, "A home of your own needs --scene FILE."),
+                clock,
+                simulation.seed(),
+                bus.transports(),
+                site,
+                new DescriptionWriter(loaded)::write)
             .withPolicy(bus.policy());
     SimulatedHome simulated = SimulatedHome.start(wanted.isEmpty() ? setup : setup.only(wanted));
     UntilStopped.run(

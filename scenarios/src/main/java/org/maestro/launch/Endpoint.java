@@ -35,15 +35,20 @@ record Endpoint(String host, int port) {
     try {
       URI uri = new URI(text);
       if (!Set.of("tcp", "ssl").contains(String.valueOf(uri.getScheme()))
-          || uri.getHost() == null || uri.getPort() < 0) {
+          || uri.getHost() == null
+          || uri.getPort() < 0) {
         throw CommandException.badInput(
-            "\"" + text + "\" is no broker; write tcp://HOST:PORT, or ssl://HOST:PORT when it is secured.");
+            "\""
+                + text
+                + "\" is no broker; write tcp://HOST:PORT, or ssl://HOST:PORT when it is secured.");
       }
       new Endpoint(uri.getHost(), uri.getPort()).requireAnswer(text);
       return uri;
     } catch (URISyntaxException e) {
       throw CommandException.badInput(
-          "\"" + text + "\" is no broker; write tcp://HOST:PORT, or ssl://HOST:PORT when it is secured.");
+          "\""
+              + text
+              + "\" is no broker; write tcp://HOST:PORT, or ssl://HOST:PORT when it is secured.");
     }
   }
 

@@ -113,6 +113,7 @@ final class ArtemisFiles {
     settings.add("#", NOBODY, NOBODY);
     settings.add(root + "call.#", NOBODY, EVERYBODY);
     settings.add(root + "controller.*.status", NOBODY, EVERYBODY);
+    settings.add(root + "member.#", NOBODY, CONTROLLERS);
     settings.add(root + "member.*.status", NOBODY, EVERYBODY);
     settings.add(root + "member.*.description", NOBODY, EVERYBODY);
     settings.add(root + "member.*.state", NOBODY, CONTROLLERS);

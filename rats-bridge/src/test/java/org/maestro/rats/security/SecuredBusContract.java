@@ -1,16 +1,23 @@
 package org.maestro.rats.security;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.maestro.rats.security.SecuredSite.await;
 import static org.maestro.rats.security.SecuredSite.isReady;
 
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.rats.broker.TestBroker;
@@ -28,6 +35,7 @@ import org.maestro.rats.transport.Credentials;
 import org.maestro.rats.transport.PahoTransport;
 import org.maestro.rats.transport.Publication;
 import org.maestro.rats.transport.Transport;
+import org.slf4j.LoggerFactory;
 
 /** What a site does once it is secured, over any broker that uses its files. */
 abstract class SecuredBusContract {
@@ -52,6 +60,45 @@ abstract class SecuredBusContract {
     try (SecuredSite site = new SecuredSite(files, byCertificate(files))) {
       worksFor(site, site.security::certificate);
     }
+  }
+
+  /** What everybody on this bus may read of a member, and what it logs. */
+  @Test
+  void nobodyTellsASecret() {
+    Path files = SecuredSite.files(directory);
+    Logger root = (Logger) LoggerFactory.getLogger(Logger.ROOT_LOGGER_NAME);
+    ListAppender<ILoggingEvent> log = new ListAppender<>();
+    Logger own = (Logger) LoggerFactory.getLogger("org.maestro");
+    Level former = own.getLevel();
+    log.start();
+    root.addAppender(log);
+    own.setLevel(Level.DEBUG);
+    List<String> told = new CopyOnWriteArrayList<>();
+    try (SecuredSite site = new SecuredSite(files, byPassword(files))) {
+      site.join(site.security.password("door"));
+      PahoTransport witness = new PahoTransport(site.uri(), site.security.password("cca"));
+      for (String filter : List.of("rats/1/home/member/#", "rats/1/home/call/#")) {
+        witness.subscribe(
+            filter,
+            Transport.RetainedMessages.SEND,
+            message -> told.add(message.topic() + new String(message.payload(), UTF_8)));
+      }
+      outcome(witness, () -> told.stream().filter(text -> text.contains("door/")).count() >= 3);
+    } finally {
+      own.setLevel(former);
+      root.detachAppender(log);
+    }
+    List<String> secrets =
+        List.of("door", "cca").stream()
+            .map(id -> SiteSecurity.open(files).password(id).password().orElseThrow())
+            .toList();
+    List<String> said =
+        Stream.concat(
+                told.stream(),
+                List.copyOf(log.list).stream().map(ILoggingEvent::getFormattedMessage))
+            .toList();
+    assertThat(said).hasSizeGreaterThan(2);
+    secrets.forEach(secret -> assertThat(said).noneMatch(text -> text.contains(secret)));
   }
 
   private static void worksFor(SecuredSite site, Function<String, Credentials> credentials) {
@@ -155,6 +202,10 @@ abstract class SecuredBusContract {
   }
 
   private static String outcome(PahoTransport transport) {
+    return outcome(transport, () -> true);
+  }
+
+  private static String outcome(PahoTransport transport, BooleanSupplier also) {
     List<String> told = new CopyOnWriteArrayList<>();
     transport.open(
         Optional.empty(),
@@ -169,7 +220,7 @@ abstract class SecuredBusContract {
             told.add("lost: " + reason);
           }
         });
-    await(() -> !told.isEmpty());
+    await(() -> !told.isEmpty() && also.getAsBoolean());
     transport.die();
     return told.get(0);
   }
