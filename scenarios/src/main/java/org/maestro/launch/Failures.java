@@ -2,6 +2,7 @@ package org.maestro.launch;
 
 import java.io.PrintWriter;
 import org.maestro.device.DeviceSetupException;
+import org.maestro.experiment.setting.SettingException;
 import org.maestro.ontology.home.HomeFaultException;
 import org.maestro.sim.SimulationException;
 import org.maestro.sl.SlSyntaxException;
@@ -73,6 +74,7 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
         failure instanceof HomeFaultException
             || failure instanceof SimulationException
             || failure instanceof DeviceSetupException
+            || failure instanceof SettingException
             || failure instanceof SlSyntaxException;
     return badInput ? ExitCode.BAD_INPUT : ExitCode.OUTSIDE;
   }

@@ -32,7 +32,8 @@ import picocli.CommandLine.Spec;
       CheckCommand.class,
       PlanCommand.class,
       SecureCommand.class,
-      BenchCommand.class
+      BenchCommand.class,
+      ExperimentCommand.class
     },
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {

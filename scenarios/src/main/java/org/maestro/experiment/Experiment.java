@@ -1,0 +1,28 @@
+package org.maestro.experiment;
+
+import java.util.List;
+import org.maestro.experiment.running.Progress;
+import org.maestro.experiment.setting.Setting;
+
+/** One of the papers' experiments. */
+public interface Experiment {
+
+  /** As it is called on the command line. */
+  String name();
+
+  /** What it shows, half a sentence. */
+  String purpose();
+
+  /** How many runs it has unless another number is asked for. */
+  int usualRuns();
+
+  /** What can be set. */
+  List<Setting> settings();
+
+  /** Whether it can repeat its runs on the paced clock. */
+  default boolean canBePaced() {
+    return false;
+  }
+
+  Findings carryOut(Request request, Progress progress);
+}

@@ -1,0 +1,109 @@
+package org.maestro.experiment;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import org.maestro.experiment.drawing.Bars;
+import org.maestro.experiment.drawing.Figure;
+import org.maestro.experiment.drawing.Heat;
+import org.maestro.experiment.drawing.Ink;
+import org.maestro.ontology.home.Point2;
+
+/** The figures of {@link MoveObject}. */
+final class MoveFigures {
+  private static final double STEP_SECONDS = MoveRun.TRAIL_STEP.toMillis() / 1e3;
+
+  private MoveFigures() {}
+
+  static List<Figure> of(List<MoveRun> runs, List<MoveRun> paced) {
+    List<Figure> figures = new ArrayList<>();
+    figures.add(
+        bars(
+            "execution-time",
+            "Time of each run",
+            "Time of each run (compare figure 10). A hatched bar with a cross is a run that was not reached in the simulated world. The dash is the run's physical lower bound: shortest way at full speed, one grip, one placing, one look for each object.",
+            runs));
+    if (!paced.isEmpty()) {
+      figures.add(
+          bars(
+              "execution-time-paced",
+              "The same on the paced clock over the MQTT broker",
+              "The same runs on the paced clock, over the real broker.",
+              paced));
+    }
+    double greatest = Math.max(greatest(MoveObject.FIRST, runs), greatest(MoveObject.SECOND, runs));
+    heat("11", MoveObject.FIRST, runs, greatest, figures);
+    heat("12", MoveObject.SECOND, runs, greatest, figures);
+    runs.forEach(run -> run.picture().ifPresent(figures::add));
+    return figures;
+  }
+
+  private static Figure bars(String name, String title, String caption, List<MoveRun> runs) {
+    List<Bars.Bar> bars =
+        runs.stream()
+            .map(
+                run ->
+                    new Bars.Bar(
+                        run.seconds(),
+                        words(run.job()),
+                        run.job().equals(MoveObject.FIRST) ? Ink.GREEN : Ink.RED,
+                        !run.success(),
+                        OptionalDouble.of(run.boundSeconds())))
+            .toList();
+    double mean = MoveObject.times(runs).mean();
+    List<Bars.Level> levels =
+        Double.isNaN(mean)
+            ? List.of()
+            : List.of(
+                new Bars.Level(
+                    mean,
+                    String.format(Locale.ROOT, "mean of reached runs: %.1f s", mean),
+                    Ink.BLUE));
+    return Figure.of(
+        name, caption, Bars.draw(title, "run", "time (s)", bars, levels, "physical lower bound"));
+  }
+
+  private static String words(MoveRun.Job job) {
+    return job.equals(MoveObject.FIRST) ? "green to red" : "red to green";
+  }
+
+  private static List<Point2> places(MoveRun.Job job, List<MoveRun> runs) {
+    return MoveObject.of(job, runs).stream().flatMap(run -> run.trail().places().stream()).toList();
+  }
+
+  private static double greatest(MoveRun.Job job, List<MoveRun> runs) {
+    return Heat.greatest(Laboratory.WIDTH, Laboratory.DEPTH, places(job, runs), STEP_SECONDS);
+  }
+
+  private static void heat(
+      String ofPaper, MoveRun.Job job, List<MoveRun> runs, double greatest, List<Figure> figures) {
+    List<MoveRun> half = MoveObject.of(job, runs);
+    if (half.isEmpty()) {
+      return;
+    }
+    figures.add(
+        Figure.of(
+            "heat-" + words(job).replace(' ', '-'),
+            "Where the robot was during the %d runs %s, all added up (compare figure %s). Rings: where it and the two objects were put at first, about."
+                .formatted(half.size(), words(job), ofPaper),
+            Heat.draw(
+                "Where the robot was, %s, %d runs".formatted(words(job), half.size()),
+                Laboratory.WIDTH,
+                Laboratory.DEPTH,
+                places(job, runs),
+                STEP_SECONDS,
+                marks(half.get(0)),
+                greatest)));
+  }
+
+  private static Map<String, Point2> marks(MoveRun run) {
+    Map<String, Point2> marks = new LinkedHashMap<>();
+    marks.put("robot", run.trail().places().get(0));
+    marks.put("green", new Point2(1.2, 2.0));
+    marks.put("red", new Point2(7.2, 1.1));
+    return marks;
+  }
+}

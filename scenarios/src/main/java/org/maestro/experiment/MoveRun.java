@@ -1,0 +1,157 @@
+package org.maestro.experiment;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.maestro.experiment.drawing.Figure;
+import org.maestro.experiment.running.Ending;
+import org.maestro.experiment.running.Trail;
+import org.maestro.experiment.running.Trial;
+import org.maestro.experiment.running.TrialSite;
+import org.maestro.experiment.setting.Physics;
+import org.maestro.experiment.setting.Settings;
+import org.maestro.hal.Position;
+import org.maestro.ontology.home.Home;
+import org.maestro.picture.TopView;
+import org.maestro.planning.Objective;
+import org.maestro.sim.PhysicalParameters;
+import org.maestro.sim.World;
+
+/**
+ * A thing was to be brought next to another: what came of it.
+ *
+ * @param number from 1
+ * @param success in the simulated world
+ * @param boundSeconds nobody could do it in less
+ * @param brightestLux the most light upon one of the things at the beginning
+ * @param apartMetres between the two in the end
+ */
+record MoveRun(
+    int number,
+    long seed,
+    Job job,
+    double solarHours,
+    Ending ending,
+    boolean success,
+    double seconds,
+    double boundSeconds,
+    double brightestLux,
+    double apartMetres,
+    Trail trail,
+    Optional<Figure> picture) {
+  private static final Duration PATIENCE = Duration.ofMinutes(10);
+
+  /** The agent that sees to the light has done so when the goal comes. */
+  private static final Duration SETTLED = Duration.ofSeconds(20);
+
+  static final String SOONEST = "platform.soonest";
+  static final Duration TRAIL_STEP = Duration.ofMillis(100);
+
+  /** One burst of 15 frames at 30 frames a second. */
+  private static final double LOOK_SECONDS = 0.5;
+
+  /** What is to be brought where. */
+  record Job(String carried, String target) {
+    String goal() {
+      return "(nextTo %s %s)".formatted(carried, target);
+    }
+  }
+
+  /**
+   * @param pace simulated seconds per second over the real broker; empty: stepped
+   */
+  static MoveRun carryOut(
+      int number, long seed, Job job, Settings settings, OptionalDouble pace, boolean drawn) {
+    Home home = Laboratory.home(settings, job.carried());
+    PhysicalParameters physics = Physics.of(settings);
+    Trial trial =
+        new Trial(
+            "move-" + number,
+            home,
+            Laboratory.scene(settings, home, number, seed),
+            seed,
+            physics,
+            settings.truth(SOONEST) ? Objective.EARLIEST_FINISH : Objective.CHEAPEST,
+            pace);
+    try (TrialSite site = TrialSite.open(trial)) {
+      World world = site.world();
+      double bound =
+          site.simulated().lowerBound(Laboratory.ROBOT, job.carried(), job.target()).toMillis()
+                  / 1e3
+              + physics.arm().foldSeconds()
+              + 2 * LOOK_SECONDS;
+      double brightest =
+          Laboratory.THINGS.stream()
+              .mapToDouble(thing -> world.lux(world.position(thing).orElseThrow()))
+              .max()
+              .orElseThrow();
+      Position start = world.position(Laboratory.ROBOT).orElseThrow();
+      TopView view = new TopView(home, world);
+      site.run(SETTLED);
+      Duration begun = site.clock().now();
+      Ending ending = site.pursue(job.goal(), PATIENCE);
+      double seconds = ending.seconds(site.clock().now());
+      Trail trail =
+          Trail.sampled(
+              world.path(Laboratory.ROBOT),
+              start.floor(),
+              begun,
+              begun.plusMillis(Math.round(1e3 * seconds)),
+              TRAIL_STEP);
+      return new MoveRun(
+          number,
+          seed,
+          job,
+          Laboratory.solarHours(settings, number),
+          ending,
+          world.isNextTo(job.carried(), job.target()),
+          seconds,
+          bound,
+          brightest,
+          world.distance(job.carried(), job.target()),
+          trail,
+          drawn ? Optional.of(picture(view, number)) : Optional.empty());
+    }
+  }
+
+  private static Figure picture(TopView view, int number) {
+    try {
+      Path file = Files.createTempFile("maestro-run", ".png");
+      try {
+        view.write(file);
+        return Figure.read(
+            "run-" + number,
+            "Run %d at its end, from above, with the robot's way.".formatted(number),
+            file);
+      } finally {
+        Files.delete(file);
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException("No temporary file for a picture can be written.", e);
+    }
+  }
+
+  double ratio() {
+    return seconds / boundSeconds;
+  }
+
+  /** The platform said that it was done, and it was not. */
+  boolean falseClaim() {
+    return ending.claimed() && !success;
+  }
+
+  /** Why it is not so; empty when it is. */
+  String failure() {
+    if (success) {
+      return "";
+    }
+    return ending.claimed()
+        ? "The platform says that it is done, but it is not: the two are %.2f m apart."
+            .formatted(apartMetres)
+        : ending.explanation();
+  }
+}

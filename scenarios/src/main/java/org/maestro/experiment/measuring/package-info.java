@@ -1,0 +1,5 @@
+/**
+ * What is made of many runs: tables of raw data as CSV, means with their spread, and shares with
+ * the interval in which the true one lies. The same data give the same bytes.
+ */
+package org.maestro.experiment.measuring;

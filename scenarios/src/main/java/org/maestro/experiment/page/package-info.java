@@ -1,0 +1,6 @@
+/**
+ * The page of an experiment: one HTML file that needs nothing else, with paper and measurement side
+ * by side, figures, assumptions, and an explanation of each failure. Findings flow in, text flows
+ * out.
+ */
+package org.maestro.experiment.page;

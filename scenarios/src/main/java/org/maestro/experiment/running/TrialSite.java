@@ -1,0 +1,118 @@
+package org.maestro.experiment.running;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
+import org.maestro.assembly.LocalSite;
+import org.maestro.coordination.StoryEntry;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.platform.GoalReport;
+import org.maestro.rats.time.Clock;
+import org.maestro.sim.SimulatedHome;
+import org.maestro.sim.World;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+
+/** The platform of a trial. To be closed. For one thread. */
+public final class TrialSite implements AutoCloseable {
+  private final LocalSite site;
+
+  private TrialSite(LocalSite site) {
+    this.site = site;
+  }
+
+  public static TrialSite open(Trial trial) {
+    return new TrialSite(trial.open());
+  }
+
+  /** A goal under way. */
+  public final class Underway {
+    private final String goal;
+    private final Duration begun = site.clock().now();
+    private final AtomicReference<String> id = new AtomicReference<>("");
+    private final AtomicReference<GoalReport> report = new AtomicReference<>();
+    private final List<StoryEntry> told = new ArrayList<>();
+
+    private Underway(String goal) {
+      this.goal = goal;
+      site.platform().onStory(this::tell);
+      site.platform().pursue(parsed(goal), id::set, report::set);
+    }
+
+    private synchronized void tell(StoryEntry entry) {
+      told.add(entry);
+    }
+
+    public boolean hasEnded() {
+      return report.get() != null;
+    }
+
+    /** How it ended; how it stands, while it has not. */
+    public synchronized Ending ending() {
+      return new Ending(
+          goal,
+          Optional.ofNullable(report.get()),
+          told.stream().filter(entry -> entry.goalId().equals(id.get())).toList(),
+          begun);
+    }
+  }
+
+  /** States a goal, and leaves it under way. */
+  public Underway begin(String goal) {
+    return new Underway(goal);
+  }
+
+  /**
+   * States a goal and waits for its end.
+   *
+   * @param patience simulated time, after which it is left
+   */
+  public Ending pursue(String goal, Duration patience) {
+    Underway underway = begin(goal);
+    runUntil(underway::hasEnded, patience);
+    return underway.ending();
+  }
+
+  /** Lets simulated time pass until the condition holds; says whether it does. */
+  public boolean runUntil(BooleanSupplier condition, Duration limit) {
+    return site.runUntil(condition, limit);
+  }
+
+  /** Lets simulated time pass. */
+  public void run(Duration time) {
+    site.runUntil(() -> false, time);
+  }
+
+  public World world() {
+    return site.world();
+  }
+
+  public SimulatedHome simulated() {
+    return site.simulated();
+  }
+
+  public Clock clock() {
+    return site.clock();
+  }
+
+  private Formula parsed(String goal) {
+    return SlParser.formula(
+        goal,
+        name ->
+            site.platform()
+                .knowledge()
+                .home()
+                .vocabulary()
+                .predicate(name)
+                .filter(PredicateDeclaration::fluent)
+                .isPresent());
+  }
+
+  @Override
+  public void close() {
+    site.close();
+  }
+}

@@ -1,0 +1,127 @@
+package org.maestro.launch;
+
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import org.maestro.experiment.Experiment;
+import org.maestro.experiment.Experiments;
+import org.maestro.experiment.Findings;
+import org.maestro.experiment.Request;
+import org.maestro.experiment.setting.Settings;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Carries out one of the papers' experiments and writes what it found. */
+@Command(
+    name = "experiment",
+    description =
+        "Carry out one of the papers' experiments: raw data, figures, and a page that compares.")
+final class ExperimentCommand implements Callable<Integer> {
+  private static final int MOST_RUNS = 100_000;
+
+  @Spec private CommandSpec spec;
+
+  @Parameters(
+      arity = "0..1",
+      paramLabel = "NAME",
+      description = "Which experiment; without: what there is.")
+  private Optional<String> name;
+
+  @Option(names = "--runs", paramLabel = "N", description = "How many runs.")
+  private Optional<Integer> runs;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "S",
+      defaultValue = "1",
+      description = "Of all chance: the same seed gives the same data; default ${DEFAULT-VALUE}.")
+  private long seed;
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      description = "Where data, figures and page go; default: experiment-NAME.")
+  private Optional<Path> directory;
+
+  @Option(
+      names = "--set",
+      paramLabel = "name=value",
+      description = "Set something of the world; the page lists what can be set.")
+  private Map<String, String> given = new LinkedHashMap<>();
+
+  @Option(
+      names = "--paced",
+      description = "Also repeat 20 runs on the paced clock, over the real broker (move-object).")
+  private boolean paced;
+
+  @Option(names = "--json", description = "Print one JSON document.")
+  private boolean json;
+
+  @Override
+  public Integer call() {
+    PrintWriter out = spec.commandLine().getOut();
+    if (name.isEmpty()) {
+      Experiments.all()
+          .forEach(experiment -> out.printf("%-15s %s%n", experiment.name(), experiment.purpose()));
+      return ExitCode.DONE;
+    }
+    Experiment experiment =
+        Experiments.named(name.get())
+            .orElseThrow(
+                () ->
+                    CommandException.badInput(
+                        "There is no experiment %s; there are %s.".formatted(name.get(), names())));
+    Request request =
+        new Request(
+            checkedRuns(experiment),
+            seed,
+            new Settings(experiment.settings(), given),
+            checkedPaced(experiment));
+    Path target = directory.orElse(Path.of("experiment-" + experiment.name()));
+    if (Files.exists(target) && !Files.isDirectory(target)) {
+      throw CommandException.badInput(
+          "%s is a file; name a directory with --out.".formatted(target));
+    }
+    Findings findings = experiment.carryOut(request, new ProgressBar(spec.commandLine().getErr()));
+    Path page = findings.write(target);
+    if (json) {
+      out.println(findings.json(target));
+    } else {
+      findings.results().forEach(result -> out.println(result.line()));
+      out.println("The page with figures and raw data beside it: " + page.toAbsolutePath());
+    }
+    return ExitCode.DONE;
+  }
+
+  private int checkedRuns(Experiment experiment) {
+    int wanted = runs.orElse(experiment.usualRuns());
+    if (wanted < 1 || wanted > MOST_RUNS) {
+      throw CommandException.badInput(
+          "--runs lies between 1 and %d, not at %d.".formatted(MOST_RUNS, wanted));
+    }
+    return wanted;
+  }
+
+  private boolean checkedPaced(Experiment experiment) {
+    if (paced && !experiment.canBePaced()) {
+      throw CommandException.badInput(
+          "%s has no runs to repeat on the paced clock; leave --paced away."
+              .formatted(experiment.name()));
+    }
+    return paced;
+  }
+
+  private static String names() {
+    List<String> names = Experiments.all().stream().map(Experiment::name).toList();
+    return names.stream().collect(Collectors.joining(", "));
+  }
+}

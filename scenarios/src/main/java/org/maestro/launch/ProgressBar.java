@@ -1,0 +1,45 @@
+package org.maestro.launch;
+
+import java.io.PrintWriter;
+import java.util.Locale;
+import org.maestro.experiment.running.Progress;
+
+/** A bar that grows while an experiment runs; a line for each run where there is no terminal. */
+final class ProgressBar implements Progress {
+  private static final int LENGTH = 30;
+  private static final int LINE = 100;
+
+  private final PrintWriter people;
+  private final boolean terminal = System.console() != null;
+  private final long begun = System.nanoTime();
+
+  ProgressBar(PrintWriter people) {
+    this.people = people;
+  }
+
+  @Override
+  public void passed(int done, int of, String line) {
+    if (!terminal) {
+      people.println("%d of %d: %s".formatted(done, of, line));
+      people.flush();
+      return;
+    }
+    int full = LENGTH * done / of;
+    double left = (System.nanoTime() - begun) / 1e9 / done * (of - done);
+    String text =
+        String.format(
+            Locale.ROOT,
+            "[%s%s] %d of %d, %.0f s left: %s",
+            "#".repeat(full),
+            ".".repeat(LENGTH - full),
+            done,
+            of,
+            left,
+            line);
+    people.print("\r" + text.substring(0, Math.min(LINE, text.length())) + "\u001b[K");
+    if (done == of) {
+      people.println();
+    }
+    people.flush();
+  }
+}
