@@ -1,7 +1,6 @@
 package org.maestro.experiment;
 
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -31,7 +30,6 @@ final class Laboratory {
   private static final double NORTH_ABOVE = 90;
   private static final int EQUINOX = 81;
   private static final double MINUTES = 60;
-  private static final String SHUTTERS = "world.shutters";
   private static final String START = "world.sun.start";
   private static final String INTERVAL = "world.sun.minutes";
   private static final String CLOUDS = "world.clouds";
@@ -42,7 +40,6 @@ final class Laboratory {
 
   static List<Setting> settings() {
     return List.of(
-        Setting.truth(SHUTTERS, true, "whether the windows have shutters; the paper planned them"),
         Setting.number(
             START, 10, 0, 23, "hours of solar time at the first run; assumed: a morning's work"),
         Setting.number(
@@ -66,13 +63,8 @@ final class Laboratory {
   /**
    * @param carried what may be carried; everything else stands for Bob, whom nobody carries
    */
-  static Home home(Settings settings, String carried) {
-    List<String> additions = new ArrayList<>();
-    additions.add("home:" + carried + " a :Item .");
-    if (settings.truth(SHUTTERS)) {
-      additions.add(Shipped.addition("shutters"));
-    }
-    return Shipped.home("arena-windows", additions.toArray(String[]::new));
+  static Home home(String carried) {
+    return Shipped.home("arena-windows", "home:" + carried + " a :Item .");
   }
 
   /** The hour of solar time at which a run, counted from 1, begins. */

@@ -66,7 +66,7 @@ record MoveRun(
    */
   static MoveRun carryOut(
       int number, long seed, Job job, Settings settings, OptionalDouble pace, boolean drawn) {
-    Home home = Laboratory.home(settings, job.carried());
+    Home home = Laboratory.home(job.carried());
     PhysicalParameters physics = Physics.of(settings);
     Trial trial =
         new Trial(

@@ -35,10 +35,6 @@ final class Shipped {
         home);
   }
 
-  static String addition(String name) {
-    return text("/experiments/" + name + ".ttl");
-  }
-
   private static String text(String resource) {
     try (InputStream stream = Shipped.class.getResourceAsStream(resource)) {
       if (stream == null) {

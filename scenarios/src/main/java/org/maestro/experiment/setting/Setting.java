@@ -1,6 +1,9 @@
 package org.maestro.experiment.setting;
 
 import java.util.Locale;
+import java.util.Map;
+import org.maestro.sim.PhysicalParameters;
+import org.maestro.sim.PhysicalSettings;
 
 /**
  * Something that can be set.
@@ -19,6 +22,9 @@ public record Setting(String name, String usual, Range range, String meaning) {
 
     /** True or false. */
     record Truth() implements Range {}
+
+    /** What the simulated world says of it. */
+    record Physical() implements Range {}
   }
 
   public static Setting number(
@@ -32,9 +38,12 @@ public record Setting(String name, String usual, Range range, String meaning) {
 
   /**
    * @throws SettingException when it may not have this value
+   * @throws org.maestro.sim.SimulationException when the world cannot be so
    */
   void check(String value) {
-    if (range instanceof Range.Number limits) {
+    if (range instanceof Range.Physical) {
+      PhysicalSettings.apply(PhysicalParameters.standard(), Map.of(name, value));
+    } else if (range instanceof Range.Number limits) {
       checkNumber(value, limits);
     } else if (!value.equals("true") && !value.equals("false")) {
       throw new SettingException("%s is true or false, not \"%s\".".formatted(name, value));

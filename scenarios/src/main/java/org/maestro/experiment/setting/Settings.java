@@ -22,11 +22,28 @@ public final class Settings {
           if (!this.known.containsKey(name)) {
             throw new SettingException(
                 "Nothing here is called %s; what can be set is %s."
-                    .formatted(name, String.join(", ", this.known.keySet())));
+                    .formatted(name, String.join(", ", near(name))));
           }
           this.known.get(name).check(value);
           values.put(name, value);
         });
+  }
+
+  /** What has the same first words; all, shortened to groups, when nothing has. */
+  private List<String> near(String name) {
+    String[] words = name.split("\\.");
+    List<String> alike =
+        known.keySet().stream()
+            .filter(other -> words.length > 1 && other.startsWith(words[0] + "." + words[1] + "."))
+            .toList();
+    return alike.isEmpty()
+        ? known.keySet().stream().map(Settings::shortened).distinct().toList()
+        : alike;
+  }
+
+  private static String shortened(String name) {
+    String[] words = name.split("\\.");
+    return words.length > 2 ? words[0] + "." + words[1] + ".…" : name;
   }
 
   public double number(String name) {
