@@ -1,5 +1,6 @@
 package org.maestro.junit;
 
+import java.net.URI;
 import java.time.Duration;
 import java.util.function.BooleanSupplier;
 import org.maestro.assembly.LocalSite;
@@ -22,6 +23,7 @@ import org.maestro.sl.SlSyntaxException;
 public final class Stage implements AutoCloseable {
 
   private static final Duration PATIENCE = Duration.ofMinutes(10);
+  private static final Duration PACED_PATIENCE = Duration.ofMinutes(1);
 
   private final LocalSite site;
   private final Duration patience;
@@ -39,6 +41,20 @@ public final class Stage implements AutoCloseable {
    */
   public static Stage stepped(SiteSettings site) {
     return new Stage(LocalSite.stepped(site), PATIENCE);
+  }
+
+  /**
+   * The same on the wall's time and over a broker, for tests with devices in other processes.
+   *
+   * @param site without a broker: it gets one of its own
+   */
+  public static Stage paced(SiteSettings site) {
+    return new Stage(LocalSite.paced(site, 1), PACED_PATIENCE);
+  }
+
+  /** Where devices in other processes join. */
+  public URI broker() {
+    return site.broker().orElseThrow(() -> new StageException("The stage is within the process"));
   }
 
   /** States a goal and waits for its end. A goal that is not MAESTRO-SL is a refused one. */

@@ -1,0 +1,79 @@
+"""A tea kettle on the RATS bus, with nothing but paho-mqtt: a feature that MAESTRO has never seen.
+
+python3 kettle.py HOST PORT SITE [FOLDER]     FOLDER: its own of a secured site, DIR/users/kettle-1
+"""
+import json
+import pathlib
+import sys
+import uuid
+
+import paho.mqtt.client as mqtt
+from paho.mqtt.subscribeoptions import SubscribeOptions
+
+ME, BOOT, ROOT = "kettle-1", uuid.uuid4().hex, f"rats/1/{sys.argv[3]}/"  # another start is another boot
+OWN = ROOT + f"member/{ME}/"
+DESCRIPTION = {
+    "@context": "https://w3id.org/maestro/context.jsonld", "id": "https://example.org/kitchen#" + ME,
+    "label": "the kettle", "type": ["maestro:Device", "https://example.org/kitchen#Kettle"],
+    "offers": {
+        "id": "https://example.org/kitchen#brew", "type": "maestro:Task",
+        "sentence": "{self} brews {drink} for {guest}",
+        "input": [{"name": "drink", "types": ["https://w3id.org/maestro/domain#Drink"]},
+                  {"name": "guest", "types": ["https://w3id.org/maestro/domain#Guest"]}],
+        "effect": "(served ?drink ?guest)", "occupies": ["pot"], "cost": "3", "seconds": "0.1"}}
+answers, served = {}, []
+
+
+def publish(topic, retain, **fields):
+    client.publish(topic, json.dumps({"v": "1.0", **fields}), 1, retain)
+
+
+def tell_state():
+    publish(OWN + "state", True, id=ME, boot=BOOT, z="standby", values=served, running=[], queue=[], disabled=[])
+
+
+def announce(*_):  # after each connect, since the broker may have come back empty
+    client.subscribe(ROOT + "call/#", options=SubscribeOptions(1, retainAsPublished=True, retainHandling=2))
+    client.publish(OWN + "description", json.dumps(DESCRIPTION), 1, True)
+    tell_state()
+    publish(OWN + "status", True, id=ME, status="ready", boot=BOOT)
+
+
+def perform(call):
+    if call.get("boot", BOOT) != BOOT:
+        return refusal("RESTARTED", "The call was meant for another life of the kettle")
+    if call["f"] == "brew":
+        served.append("(served {} {})".format(*(call["p"][name]["ref"].split("#")[-1] for name in ("drink", "guest"))))
+        tell_state()
+    elif call["f"] == "$cost":
+        return {"outcome": "SUCCEEDED", "values": {"costs": [{"cost": 3, "seconds": 0.1}] * len(call["p"]["sets"])}}
+    elif call["f"] == "$describe":
+        announce()
+    elif call["f"] not in ("$ping", "$safe"):
+        return refusal("UNKNOWN_FEATURE", f"{ME} has no feature {call['f']}")
+    return {"outcome": "SUCCEEDED", "values": {}}
+
+
+def refusal(code, message):
+    return {"outcome": "REJECTED", "values": {}, "error": {
+        "code": code, "level": "WARNING", "message": message, "refs": [], "retriable": False}}
+
+
+def heard(_, __, message):
+    call = json.loads(message.payload)
+    if message.retain or message.topic != ROOT + "call/" + call["from"] or call.get("r", "") not in (ME, ""):
+        return
+    if call.get("r") or call["f"] == "brew" or call["f"].startswith("$"):
+        key = call["from"], call["id"]  # the same call again gets the same answer: nothing is done twice
+        answers[key] = answers.get(key) or perform(call)
+        publish(ROOT + f"result/{call['from']}/{ME}", False, id=call["id"], **{"from": ME, "z": "standby"}, **answers[key])
+
+
+client = mqtt.Client(mqtt.CallbackAPIVersion.VERSION2, ME, protocol=mqtt.MQTTv5)
+client.will_set(OWN + "status", json.dumps({"v": "1.0", "id": ME, "status": "lost", "boot": BOOT}), 1, True)
+if len(sys.argv) > 4:
+    client.username_pw_set(ME, (pathlib.Path(sys.argv[4]) / "password").read_text().strip())
+    client.tls_set(ca_certs=sys.argv[4] + "/ca.pem")
+client.on_connect, client.on_message = announce, heard
+client.connect(sys.argv[1], int(sys.argv[2]), keepalive=15)
+client.loop_forever(retry_first_connection=True)

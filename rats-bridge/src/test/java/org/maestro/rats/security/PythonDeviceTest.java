@@ -1,0 +1,93 @@
+package org.maestro.rats.security;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.maestro.rats.security.SecuredSite.await;
+import static org.maestro.rats.security.SecuredSite.isReady;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.maestro.rats.broker.RunsProgram;
+import org.maestro.rats.broker.TestBroker;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.ErrorCode;
+import org.maestro.rats.protocol.MemberStatus;
+import org.maestro.rats.protocol.Outcome;
+
+/** A device in another language, on a secured site: it joins, answers, and is missed. */
+@RunsProgram(value = "python3", pythonModule = "paho.mqtt.enums")
+class PythonDeviceTest {
+
+  @TempDir Path directory;
+
+  @Test
+  void isShort() throws IOException {
+    assertThat(Files.readAllLines(Path.of("..", "docs", "examples", "kettle.py")))
+        .hasSizeLessThan(80);
+  }
+
+  @Test
+  void joinsIsCalledAndAnswers() throws IOException {
+    Path files = SecuredSite.files(directory);
+    SecureSite.make(
+        files, SecuredSite.SITE, List.of("127.0.0.1"), List.of(), List.of(PythonKettle.ID));
+    try (SecuredSite site = new SecuredSite(files, TestBroker.embeddedSecured(files))) {
+      RatsLink link = site.connect(site.security.password("cca"));
+      try (PythonKettle kettle =
+          PythonKettle.start(
+              site.uri(), SecuredSite.SITE, Optional.of(files.resolve("users/kettle-1")))) {
+        await(() -> isReady(link, PythonKettle.ID));
+        RatsLink.Order brew =
+            new RatsLink.Order(
+                Optional.of("b1"),
+                PythonKettle.ID,
+                Optional.empty(),
+                "brew",
+                Map.of(
+                    "drink", Map.of("ref", "urn:home:x#Tea"),
+                    "guest", Map.of("ref", "urn:home:x#Anna")),
+                Duration.ofSeconds(20),
+                Optional.of("G1"));
+        for (int again = 0; again < 2; again++) {
+          SecuredBusContract.Heard heard = new SecuredBusContract.Heard();
+          link.call(brew, heard);
+          await(() -> !heard.results.isEmpty());
+          assertThat(heard.results.get(0).outcome()).isEqualTo(Outcome.SUCCEEDED);
+        }
+        assertThat(values(link)).as("brewed once").containsExactly("(served Tea Anna)");
+        SecuredBusContract.Heard unknown = new SecuredBusContract.Heard();
+        link.call(
+            PythonKettle.ID, "fly", Map.of(), Duration.ofSeconds(20), Optional.empty(), unknown);
+        await(() -> !unknown.results.isEmpty());
+        assertThat(unknown.results.get(0).error().orElseThrow().code())
+            .isEqualTo(ErrorCode.UNKNOWN_FEATURE);
+        List<List<CostAnswer>> prices = new CopyOnWriteArrayList<>();
+        link.cost(PythonKettle.ID, "brew", List.of(Map.of(), Map.of()), prices::add);
+        await(() -> !prices.isEmpty());
+        assertThat(prices.get(0)).hasSize(2).allMatch(price -> price.cost().isPresent());
+        kettle.kill();
+        await(() -> phase(link).filter(MemberStatus.Phase.LOST::equals).isPresent());
+      }
+    }
+  }
+
+  private static List<String> values(RatsLink link) {
+    return member(link).flatMap(RatsLink.Member::state).orElseThrow().values();
+  }
+
+  private static Optional<MemberStatus.Phase> phase(RatsLink link) {
+    return member(link).map(RatsLink.Member::phase);
+  }
+
+  private static Optional<RatsLink.Member> member(RatsLink link) {
+    return link.members().stream().filter(m -> m.id().equals(PythonKettle.ID)).findFirst();
+  }
+}

@@ -1,0 +1,74 @@
+package org.maestro.guide;
+
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.maestro.assembly.SiteSettings;
+import org.maestro.junit.GoalOutcome;
+import org.maestro.junit.MaestroAssertions;
+import org.maestro.junit.Stage;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+
+/** The example of a device in Python serves a goal that nobody else could. */
+class PythonDeviceInAPlanTest {
+
+  private static final String SITE = "teahouse";
+
+  @Test
+  void aFeatureThatMaestroHasNeverSeenIsUsedInAPlan() throws IOException, InterruptedException {
+    assumeTrue(hasPython(), "python3 with paho-mqtt is not installed; .ci/run installs them");
+    SiteSettings settings =
+        new SiteSettings(
+            SITE, home(), Optional.empty(), 1, Optional.empty(), 0, false, Optional.empty());
+    try (Stage stage = Stage.paced(settings)) {
+      MaestroAssertions.assertThat(stage.goal("(served Tea Anna)")).isNotReached();
+      Process kettle = start(stage.broker());
+      try {
+        stage.await("the kettle", () -> stage.platform().presentMembers().contains("kettle-1"));
+        GoalOutcome outcome = stage.goal("(and (served Tea Anna) (served Tea Ben))");
+        MaestroAssertions.assertThat(outcome)
+            .isReached()
+            .tells("brews Tea for Anna")
+            .tells("brews Tea for Ben")
+            .hasCalls(2);
+      } finally {
+        kettle.destroyForcibly();
+      }
+    }
+  }
+
+  private static Process start(URI broker) throws IOException {
+    return new ProcessBuilder(
+            List.of(
+                "python3",
+                Path.of("..", "docs", "examples", "kettle.py").toString(),
+                broker.getHost(),
+                String.valueOf(broker.getPort()),
+                SITE))
+        .inheritIO()
+        .start();
+  }
+
+  private static Home home() throws IOException {
+    try (InputStream text = PythonDeviceInAPlanTest.class.getResourceAsStream("/homes/tea.ttl")) {
+      return new HomeLoader()
+          .load(new String(text.readAllBytes(), StandardCharsets.UTF_8), "tea.ttl");
+    }
+  }
+
+  private static boolean hasPython() throws InterruptedException {
+    try {
+      return new ProcessBuilder("python3", "-c", "import paho.mqtt.enums").start().waitFor() == 0;
+    } catch (IOException none) {
+      return false;
+    }
+  }
+}

@@ -1,0 +1,2 @@
+/** What the guides show, as tests: the examples of devices, and the commands. */
+package org.maestro.guide;
