@@ -56,6 +56,9 @@ final class PlanCommand implements Callable<Integer> {
   @Option(names = "--first", description = "Print the first plan found.")
   private boolean first;
 
+  @Option(names = "--verbose", description = "Tell on stderr how far planning came.")
+  private boolean verbose;
+
   @Override
   public Integer call() {
     if (deadline <= 0) {
@@ -65,7 +68,7 @@ final class PlanCommand implements Callable<Integer> {
     try {
       GroundTask task = Grounder.ground(PddlReader.read(domain, problem), patience);
       long memory = Runtime.getRuntime().maxMemory() / 10 * 6;
-      AnytimePlanner planner = new AnytimePlanner(task, memory);
+      AnytimePlanner planner = new AnytimePlanner(task, memory, this::tell);
       return print(task, first ? planner.first(patience) : planner.solve(patience));
     } catch (PddlException | GroundingException e) {
       throw CommandException.badInput(e.getMessage());
@@ -73,6 +76,12 @@ final class PlanCommand implements Callable<Integer> {
       throw CommandException.badInput("There is no file %s.".formatted(e.getMessage()));
     } catch (IOException e) {
       throw CommandException.badInput("Cannot be read: %s.".formatted(e.getMessage()));
+    }
+  }
+
+  private void tell(String progress) {
+    if (verbose) {
+      spec.commandLine().getErr().printf(Locale.ROOT, "%.2f s: %s%n", sinceStart(), progress);
     }
   }
 

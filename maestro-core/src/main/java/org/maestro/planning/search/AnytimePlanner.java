@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.function.Consumer;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.Patience;
@@ -17,23 +18,70 @@ import org.maestro.planning.search.Solution.Verdict;
 public final class AnytimePlanner {
   private final GroundTask task;
   private final long memory;
+  private final Consumer<String> progress;
   private Solution best = Solution.without(Verdict.OUT_OF_TIME, 0);
 
   /**
    * @param memory how many bytes searches may use, about
+   * @param progress is told, for people, how far planning came
    */
-  public AnytimePlanner(GroundTask task, long memory) {
+  public AnytimePlanner(GroundTask task, long memory, Consumer<String> progress) {
+    this.progress = progress;
     this.task = task;
     this.memory = memory;
   }
 
   /** Solves the task until the cheapest plan is proven, or patience is over. */
   public Solution solve(Patience patience) {
+    Solution first = first(patience);
+    if (!first.hasPlan()) {
+      return first;
+    }
     try {
-      return first(patience);
+      prove(patience);
     } catch (CancellationException e) {
       return best;
     }
+    return best;
+  }
+
+  private void prove(Patience patience) {
+    BoundedRemoval.Result removed = BoundedRemoval.remove(task, best.cost(), patience);
+    raise(removed.lowerBound());
+    if (best.verdict() == Verdict.OPTIMAL) {
+      return;
+    }
+    SearchTask reduced = new SearchTask(removed.task(), removed.task().operators());
+    List<Leaf> leaves = Factoring.leaves(reduced, best.cost(), patience);
+    progress.accept(
+        "plan of cost %d, bound %d, %d of %d operators and %d facts left, leaves of %s states"
+            .formatted(
+                best.cost(),
+                best.lowerBound(),
+                reduced.operators.size(),
+                task.operators().size(),
+                reduced.facts,
+                leaves.stream().map(leaf -> leaf.space.size()).toList()));
+    StarSearch search =
+        new StarSearch(reduced, leaves, best.cost(), memory, patience, plan -> keep(reduced, plan));
+    try {
+      search.run();
+    } finally {
+      progress.accept(
+          "%d states, bound %d, plan of cost %d"
+              .formatted(search.states(), search.lowerBound(), best.cost()));
+      raise(search.lowerBound());
+    }
+  }
+
+  private void raise(long lowerBound) {
+    long bound = Math.max(best.lowerBound(), Math.min(lowerBound, best.cost()));
+    best =
+        new Solution(
+            bound >= best.cost() ? Verdict.OPTIMAL : Verdict.PLAN,
+            best.operators(),
+            best.cost(),
+            bound);
   }
 
   /** Solves the task until a plan is found, or none can exist, or patience is over. */

@@ -27,11 +27,16 @@ final class IntHeap {
   }
 
   void add(long key, int value) {
+    add(key, sequence++, value);
+  }
+
+  /** Among equal keys the one with the least tie comes first. */
+  void add(long key, int tie, int value) {
     if (size == keys.length) {
       keys = Arrays.copyOf(keys, 2 * size);
       entries = Arrays.copyOf(entries, 2 * size);
     }
-    long entry = (long) sequence++ << 32 | value & 0xffffffffL;
+    long entry = (long) tie << 32 | value & 0xffffffffL;
     int at = size++;
     while (at > 0) {
       int parent = at - 1 >> 1;

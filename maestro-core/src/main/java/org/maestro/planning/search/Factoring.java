@@ -1,0 +1,123 @@
+package org.maestro.planning.search;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.maestro.planning.ground.Patience;
+import org.maestro.planning.search.Components.Component;
+
+/**
+ * Which components of a task become leaves: such that none looks at another, so that only the rest,
+ * the centre, has to be searched. Components that have few neighbours, many states and operators
+ * that look at nothing else come first.
+ */
+final class Factoring {
+  private static final int MOST_STATES = 4000;
+
+  private final SearchTask task;
+  private final Components components;
+  private final List<Set<Integer>> neighbours = new ArrayList<>();
+
+  private Factoring(SearchTask task) {
+    this.task = task;
+    components = new Components(task);
+    for (int c = 0; c < components.all().size(); c++) {
+      neighbours.add(new HashSet<>());
+    }
+    for (int c = 0; c < neighbours.size(); c++) {
+      for (int other : components.all().get(c).needed()) {
+        neighbours.get(c).add(other);
+        neighbours.get(other).add(c);
+      }
+    }
+  }
+
+  /**
+   * The leaves.
+   *
+   * @param below plans that cost this much or more do not matter
+   */
+  static List<Leaf> leaves(SearchTask task, long below, Patience patience) {
+    return new Factoring(task).choose(below, patience);
+  }
+
+  private List<Leaf> choose(long below, Patience patience) {
+    Map<Integer, LeafSpace> spaces = new LinkedHashMap<>();
+    for (int c = 0; c < components.all().size(); c++) {
+      Component component = components.all().get(c);
+      if (component.operators().length > 0 && looksAtNoForeignSum(c)) {
+        explore(component, below, patience).ifPresent(putInto(spaces, c));
+      }
+    }
+    List<Leaf> leaves = new ArrayList<>();
+    TreeSet<Integer> left = new TreeSet<>(spaces.keySet());
+    while (!left.isEmpty()) {
+      int best =
+          left.stream()
+              .max(
+                  Comparator.comparingDouble((Integer c) -> worth(c, spaces, left))
+                      .thenComparing(Comparator.reverseOrder()))
+              .orElseThrow();
+      if (spaces.get(best).size() > 1) {
+        leaves.add(new Leaf(task, spaces.get(best)));
+      }
+      left.remove(best);
+      left.removeAll(neighbours.get(best));
+    }
+    return leaves;
+  }
+
+  private static java.util.function.Consumer<LeafSpace> putInto(
+      Map<Integer, LeafSpace> spaces, int component) {
+    return space -> spaces.put(component, space);
+  }
+
+  private boolean looksAtNoForeignSum(int c) {
+    Component component = components.all().get(c);
+    for (int o : component.operators()) {
+      for (int bound : task.operators.get(o).bounds()) {
+        if (components.componentOfSum(task.origin.bounds().get(bound).sum()) != c) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /** States that are dearer than what is left beside all other costs are left out. */
+  private Optional<LeafSpace> explore(Component component, long below, Patience patience) {
+    long[] others = task.cost.clone();
+    for (int o : component.operators()) {
+      others[o] = 0;
+    }
+    long elsewhere = new LandmarkCuts(task, others, patience).estimate(task.initial);
+    if (elsewhere >= below) {
+      return Optional.empty();
+    }
+    return LeafSpace.explore(task, component, below - elsewhere, MOST_STATES, patience);
+  }
+
+  private double worth(int c, Map<Integer, LeafSpace> spaces, Set<Integer> left) {
+    Component component = components.all().get(c);
+    long inside =
+        Arrays.stream(component.operators())
+            .filter(
+                o -> Arrays.stream(task.needed[o]).allMatch(f -> components.componentOf(f) == c))
+            .count();
+    double lost = 1;
+    for (int other : neighbours.get(c)) {
+      if (left.contains(other)) {
+        lost += Math.log(1 + spaces.get(other).size());
+      }
+    }
+    double free = 0.1 + (double) inside / component.operators().length;
+    return Math.log(1 + spaces.get(c).size()) * free / lost;
+  }
+}
