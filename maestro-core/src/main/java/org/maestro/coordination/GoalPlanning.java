@@ -107,7 +107,10 @@ final class GoalPlanning {
       course.settle(parts.outlook().holds().orElseThrow().goalBinding());
       return;
     }
-    parts.story().bids(round.tender().bids(), round.questions(), round.unpriced());
+    parts
+        .story()
+        .bids(
+            round.tender().bids(), round.tender().notCalled(), round.questions(), round.unpriced());
     Optional<String> why = planAgain.or(() -> changedMeanwhile(round.result()));
     planAgain = Optional.empty();
     if (why.isPresent() && !isStillGood(round.result())) {

@@ -137,7 +137,7 @@ final class GoalStory {
     why.ifPresent(reason -> tell(StoryEntry.Kind.REPLAN, "Plan again, because " + reason + "."));
   }
 
-  void bids(List<Bid> bids, int questions, List<String> unpriced) {
+  void bids(List<Bid> bids, int notCalled, int questions, List<String> unpriced) {
     List<String> offers =
         bids.stream()
             .filter(bid -> bid.refusal().isEmpty())
@@ -150,7 +150,8 @@ final class GoalStory {
             .toList();
     String told =
         (offers.isEmpty() ? "Nobody bids" : "Bids: " + String.join("; ", offers))
-            + (refusals.isEmpty() ? "" : ". Refused: " + String.join("; ", refusals));
+            + (refusals.isEmpty() ? "" : ". Refused: " + String.join("; ", refusals))
+            + (notCalled == 0 ? "" : ". " + notCalled + " others describe higher prices");
     String prices =
         (questions == 0 ? "" : " Exact prices asked: " + questions + ".")
             + (unpriced.isEmpty() ? "" : " Not priced: " + String.join("; ", unpriced) + ".");

@@ -36,7 +36,7 @@ final class HoldingOrder implements Planner {
   public PlanningResult plan(PlanningTask task) {
     PlanningResult result = planner.plan(task);
     return result instanceof PlanningResult.Found found
-        ? new PlanningResult.Found(ordered(task, found.plan()), found.atLeast())
+        ? new PlanningResult.Found(ordered(task, found.plan()), found.atLeast(), found.contenders())
         : result;
   }
 

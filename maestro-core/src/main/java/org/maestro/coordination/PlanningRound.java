@@ -2,7 +2,6 @@ package org.maestro.coordination;
 
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -17,8 +16,6 @@ import java.util.function.Supplier;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
-import org.maestro.ontology.vocabulary.FeatureType;
-import org.maestro.ontology.vocabulary.Price;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.PlanningResult;
 import org.maestro.planning.PlanningTask;
@@ -81,7 +78,7 @@ final class PlanningRound {
    *     on
    */
   record Ended(
-      Market.Tender tender,
+      Tenders tender,
       PlanningResult result,
       List<PricedFeature> features,
       int questions,
@@ -119,7 +116,7 @@ final class PlanningRound {
   private final Set<String> unpriced = new LinkedHashSet<>();
   private final Set<StepKey> declined = new HashSet<>();
   private final Map<StepKey, String> reasons = new HashMap<>();
-  private Map<String, List<String>> candidates = Map.of();
+  private Tenders tenders;
   private int questions;
   private int lastChances;
 
@@ -144,48 +141,81 @@ final class PlanningRound {
   }
 
   void start() {
-    candidates =
-        Relevance.candidates(subject.relevant(ports.knowledge().home()), ports.knowledge().home());
+    Home home = ports.knowledge().home();
+    Map<String, List<String>> candidates = Relevance.candidates(subject.relevant(home), home);
     candidates.keySet().removeAll(without);
+    tenders = new Tenders(candidates, roster);
+    Set<String> first = tenders.atFirst();
+    if (first.isEmpty()) {
+      solve();
+    } else {
+      call(first, this::solve);
+    }
+  }
+
+  private void call(Set<String> members, Runnable answered) {
     ports
         .market()
         .callForPrices(
-            new CallForPrices(subject.goalId(), subject.goal(), candidates), this::solve);
+            new CallForPrices(subject.goalId(), subject.goal(), tenders.featuresOf(members)),
+            round -> {
+              tenders.add(members, round);
+              answered.run();
+            });
   }
 
-  private void solve(Market.Tender tender) {
+  private List<PricedFeature> features(Home home) {
+    return tenders.features(home, exactPrices).stream()
+        .map(feature -> subject.feature(feature, home))
+        .toList();
+  }
+
+  private void solve() {
     Home home = ports.knowledge().home();
     Snapshot snapshot = ports.knowledge().snapshot();
-    List<PricedFeature> features = features(tender.bids(), home);
+    List<PricedFeature> features = features(home);
     Set<StepKey> unusable = new HashSet<>(barred.keySet());
     unusable.addAll(declined);
     unusable.addAll(exactPrices.unusable(ports.clock().now()));
     PlanningTask task =
         new PlanningTask(
                 subject.vocabulary(home), facts.get(), features, subject.planned(home), unusable)
-            .withUnavailable(unavailable(tender.bids(), home), Map.copyOf(reasons));
+            .withUnavailable(unavailable(home), Map.copyOf(reasons));
+    boolean explaining = tenders.allCalled() && !subject.isOfSeeing();
     ports
         .thinking()
-        .think(() -> planned(task), result -> solved(tender, task, result, home, snapshot));
+        .think(() -> planned(task, explaining), result -> planned(task, result, home, snapshot));
+  }
+
+  /** Nothing is to be planned again when those who are called now only say what they describe. */
+  private void planned(PlanningTask task, PlanningResult result, Home home, Snapshot snapshot) {
+    Set<String> wanted = tenders.wantedFor(result);
+    if (wanted.isEmpty()) {
+      solved(task, result, home, snapshot);
+      return;
+    }
+    call(
+        wanted,
+        () -> {
+          if (result instanceof PlanningResult.Found && task.features().equals(features(home))) {
+            solved(task, result, home, snapshot);
+          } else {
+            solve();
+          }
+        });
   }
 
   /** A fault of the planner's own ends the goal with a reason; it must not leave it without end. */
-  private PlanningResult planned(PlanningTask task) {
+  private PlanningResult planned(PlanningTask task, boolean explaining) {
     try {
-      // Nobody is told why something cannot be seen.
-      return subject.isOfSeeing() ? ports.planner().solve(task) : ports.planner().plan(task);
+      return explaining ? ports.planner().plan(task) : ports.planner().solve(task);
     } catch (RuntimeException e) {
       LOG.error("Planning for {} failed", subject.goalId(), e);
       return new PlanningResult.GaveUp("The planner failed; its log says why.");
     }
   }
 
-  private void solved(
-      Market.Tender tender,
-      PlanningTask task,
-      PlanningResult result,
-      Home home,
-      Snapshot snapshot) {
+  private void solved(PlanningTask task, PlanningResult result, Home home, Snapshot snapshot) {
     Map<List<String>, List<Step>> inexact = new LinkedHashMap<>();
     if (result instanceof PlanningResult.Found found) {
       for (Step step : found.plan().steps()) {
@@ -199,10 +229,10 @@ final class PlanningRound {
     }
     if (inexact.isEmpty()) {
       if (!(result instanceof PlanningResult.Found) && mayAskAgain()) {
-        solve(tender);
+        solve();
       } else {
         then.accept(
-            new Ended(tender, result, task.features(), questions, List.copyOf(unpriced), task));
+            new Ended(tenders, result, task.features(), questions, List.copyOf(unpriced), task));
       }
       return;
     }
@@ -221,7 +251,7 @@ final class PlanningRound {
                   quotes -> {
                     note(steps, quotes, asked);
                     if (--open[0] == 0) {
-                      solve(tender);
+                      solve();
                     }
                   });
         });
@@ -289,54 +319,28 @@ final class PlanningRound {
   }
 
   /** Features that would count if their members were there, or took part. */
-  private List<Unavailable> unavailable(List<Bid> bids, Home home) {
-    Map<String, Bid> bidByMember = new LinkedHashMap<>();
-    bids.forEach(bid -> bidByMember.put(bid.member(), bid));
+  private List<Unavailable> unavailable(Home home) {
     List<Unavailable> unavailable = new ArrayList<>();
-    candidates.forEach(
-        (member, names) -> {
-          Optional<Bid> bid = Optional.ofNullable(bidByMember.get(member));
-          Device device = home.devices().get(member);
-          if (device != null && (bid.isEmpty() || bid.get().refusal().isPresent())) {
-            String reason = absence(member, bid);
-            device.features().stream()
-                .filter(type -> names.contains(type.name()))
-                .map(type -> new PricedFeature(member, type, type.cost(), Map.of()))
-                .forEach(f -> unavailable.add(new Unavailable(subject.feature(f, home), reason)));
-          }
-        });
+    for (String member : tenders.missing()) {
+      Device device = home.devices().get(member);
+      if (device != null) {
+        String reason = absence(member);
+        device.features().stream()
+            .filter(type -> tenders.candidateFeatures(member).contains(type.name()))
+            .map(type -> new PricedFeature(member, type, type.cost(), Map.of()))
+            .forEach(f -> unavailable.add(new Unavailable(subject.feature(f, home), reason)));
+      }
+    }
     return unavailable;
   }
 
-  private String absence(String member, Optional<Bid> bid) {
+  private String absence(String member) {
     if (!roster.isPresent(member)) {
       return roster.absence(member, ports.clock().now());
     }
-    return bid.map(b -> "it refuses: " + b.refusal().orElse("no reason given"))
+    return tenders
+        .bid(member)
+        .map(b -> "it refuses: " + b.refusal().orElse("no reason given"))
         .orElse("it did not answer");
-  }
-
-  private List<PricedFeature> features(List<Bid> bids, Home home) {
-    Map<String, Bid> bidByMember = new LinkedHashMap<>();
-    bids.forEach(bid -> bidByMember.put(bid.member(), bid));
-    List<Device> devices = new ArrayList<>(home.devices().values());
-    devices.sort(Comparator.comparingDouble(Device::order).thenComparing(Device::id));
-    List<PricedFeature> features = new ArrayList<>();
-    for (Device device : devices) {
-      Bid bid = bidByMember.get(device.id());
-      if (bid != null) {
-        for (FeatureType type : device.features()) {
-          Price price = bid.prices().get(type.name());
-          if (price != null) {
-            features.add(
-                subject.feature(
-                    new PricedFeature(
-                        device.id(), type, price, exactPrices.of(device.id(), type.name())),
-                    home));
-          }
-        }
-      }
-    }
-    return features;
   }
 }

@@ -1,8 +1,10 @@
 package org.maestro.planning;
 
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import org.maestro.planning.PlanningResult.Explanation;
 
 /**
@@ -146,15 +148,15 @@ final class BudgetedSearch {
   private Optional<PlanningResult> result(Round round, List<Operator> operators) {
     Plan cheapest = PlanBuilder.plan(round.problem().placed(), operators);
     if (task.objective() == Objective.EARLIEST_FINISH) {
-      return Optional.of(earliest(round.problem(), cheapest));
+      return Optional.of(earliest(round, cheapest));
     } else if (!weighingSearches) {
-      return Optional.of(new PlanningResult.Found(cheapest));
+      return Optional.of(found(round, cheapest));
     }
     ExpectedCostSearch search =
         new ExpectedCostSearch(round.problem(), grounder.chances(), this::cheapest, operators);
     Plan plan = search.plan();
     return worthLookingAt(plan) < round.beyond()
-        ? Optional.of(new PlanningResult.Found(plan))
+        ? Optional.of(found(round, plan))
         : Optional.empty();
   }
 
@@ -170,16 +172,28 @@ final class BudgetedSearch {
   }
 
   /** Exact in small problems; else the cheapest plan or a better one, and what no plan is below. */
-  private PlanningResult earliest(GroundProblem problem, Plan cheapest) {
+  private PlanningResult earliest(Round round, Plan cheapest) {
+    GroundProblem problem = round.problem();
     EarliestFinishSearch.Outcome outcome =
         new EarliestFinishSearch(problem, cheapest.seconds(), Math.min(mostStates, MOST_SCHEDULES))
             .run();
     if (outcome instanceof EarliestFinishSearch.Outcome.Found found) {
-      return new PlanningResult.Found(PlanBuilder.plan(problem, found.operators()));
+      return found(round, PlanBuilder.plan(problem, found.operators()));
     }
     return outcome instanceof EarliestFinishSearch.Outcome.BoundReached bound
-        ? new PlanningResult.Found(cheapest, OptionalDouble.of(bound.atLeastSeconds()))
-        : new PlanningResult.Found(cheapest);
+        ? new PlanningResult.Found(
+            cheapest, OptionalDouble.of(bound.atLeastSeconds()), contenders(round, cheapest))
+        : found(round, cheapest);
+  }
+
+  private static PlanningResult found(Round round, Plan plan) {
+    return new PlanningResult.Found(plan, OptionalDouble.empty(), contenders(round, plan));
+  }
+
+  private static Set<String> contenders(Round round, Plan plan) {
+    Set<String> members = new LinkedHashSet<>(plan.members());
+    round.problem().operators().forEach(operator -> members.add(operator.feature().member()));
+    return members;
   }
 
   /** Empty when there is no plan, or none within a smaller bound. */

@@ -1,7 +1,9 @@
 package org.maestro.planning;
 
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.maestro.sl.Term;
 
 /**
@@ -27,6 +29,13 @@ public record Plan(
   /** From the first step's beginning to the last one's end, as it is executed; seconds. */
   public double seconds() {
     return PlanTime.seconds(steps);
+  }
+
+  /** Whoever has a step in it, in the order of the steps. */
+  public Set<String> members() {
+    Set<String> members = new LinkedHashSet<>();
+    steps.forEach(step -> members.add(step.member()));
+    return members;
   }
 
   Plan withSearches(List<PlannedSearch> planned) {

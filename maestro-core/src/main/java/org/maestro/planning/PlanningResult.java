@@ -3,6 +3,7 @@ package org.maestro.planning;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 
 /** What planning ends with. */
 public sealed interface PlanningResult {
@@ -12,10 +13,12 @@ public sealed interface PlanningResult {
    *
    * @param atLeast empty when proven; else nothing better than this exists: cost units, or seconds
    *     when the earliest finish is wanted
+   * @param contenders members of this plan and of others that cost little more, as far as is known
    */
-  record Found(Plan plan, OptionalDouble atLeast) implements PlanningResult {
+  record Found(Plan plan, OptionalDouble atLeast, Set<String> contenders)
+      implements PlanningResult {
     public Found(Plan plan) {
-      this(plan, OptionalDouble.empty());
+      this(plan, OptionalDouble.empty(), plan.members());
     }
   }
 
