@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import org.maestro.hal.Area;
+import org.maestro.hal.Completion;
 import org.maestro.hal.Position;
 import org.maestro.rats.member.Execution;
 import org.maestro.rats.protocol.CostAnswer;
@@ -45,10 +46,27 @@ final class PlaceTask extends ArmTask {
                 new ActionSequence.Action(
                     "reach out", completion -> arm().extend(spot.get(), completion)),
                 new ActionSequence.Action(
+                    "feel the place", this::feel, reason -> occupied(object, target, reason)),
+                new ActionSequence.Action(
                     "let go", arm()::release, reason -> lost(object, parameters, reason)),
                 new ActionSequence.Action("fold", arm()::fold)),
             () -> execution.succeed(Map.of()))
         .run();
+  }
+
+  private void feel(Completion completion) {
+    if (arm().isPlaceFree()) {
+      completion.done();
+    } else {
+      completion.failed("something stands there already");
+    }
+  }
+
+  private static RatsError occupied(Pointer object, Pointer target, String reason) {
+    return FeatureContext.unmet(
+        "Cannot place %s at %s: %s.".formatted(object.name(), target.name(), reason),
+        "clear the place",
+        List.of());
   }
 
   /** Somebody took it on the way: a hand feels that. */

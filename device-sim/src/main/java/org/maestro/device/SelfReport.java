@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.maestro.hal.Area;
+import org.maestro.hal.Battery;
 import org.maestro.hal.DaylightSensor;
 import org.maestro.hal.DimmableLamp;
 import org.maestro.hal.DoorDrive;
@@ -62,6 +63,9 @@ final class SelfReport implements MemberProfile.Values {
     drivers
         .find(DoorDrive.class)
         .ifPresent(door -> words.put("open", new Term.Truth(door.isOpen())));
+    drivers
+        .find(Battery.class)
+        .ifPresent(battery -> words.put("charge", new Term.Number(battery.charge())));
     drivers
         .find(GripperArm.class)
         .flatMap(GripperArm::held)

@@ -16,6 +16,12 @@ public interface GripperArm {
   /** Closes the hand around the target and fails when it is not there. */
   void grasp(Target target, Completion completion);
 
+  /**
+   * Whether what the hand holds has room where the hand is; a hand feels on what it sets down. True
+   * when it holds nothing.
+   */
+  boolean isPlaceFree();
+
   /** Opens the hand, and what it held stays where the hand is. */
   void release(Completion completion);
 

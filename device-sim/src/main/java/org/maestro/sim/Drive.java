@@ -54,6 +54,19 @@ record Drive(Duration begun, Point2 from, List<Point2> way, double speed) {
     return path;
   }
 
+  /** The corners still to come. */
+  List<Point2> wayAhead(Duration now) {
+    double passed = Math.max(0, now.minus(begun).toNanos() / NANOS * speed);
+    List<Point2> left = new ArrayList<>();
+    for (Segment piece : pieces()) {
+      passed -= piece.length();
+      if (passed < 0) {
+        left.add(piece.to());
+      }
+    }
+    return left;
+  }
+
   /** What lies ahead for so long, from the present place. */
   List<Segment> ahead(Duration now, double seconds) {
     List<Segment> ahead = new ArrayList<>();

@@ -5,6 +5,7 @@ import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
+import org.maestro.hal.Battery;
 import org.maestro.hal.Camera;
 import org.maestro.hal.DaylightSensor;
 import org.maestro.hal.DimmableLamp;
@@ -35,6 +36,7 @@ final class DriverFactory {
 
   private static final double USUAL_BEAM_DEGREES = 120;
   private static final double FULL_STRENGTH = 1;
+  private static final double FULL_CHARGE = 1;
 
   private final World world;
   private final Scene scene;
@@ -219,7 +221,10 @@ final class DriverFactory {
         parameters.base().atSpeed(truth.speed().orElse(parameters.base().speed()));
     PhysicalParameters.ArmData arm =
         parameters.arm().lifting(truth.payload().orElse(parameters.arm().payload()));
+    world.putBattery(
+        device.id(), parameters.battery(), base.power(), truth.charge().orElse(FULL_CHARGE));
     return Drivers.none()
+        .with(Battery.class, SimulatedBattery.start(actuator, parameters.battery()))
         .with(MobileBase.class, chassis.on(actuator, base))
         .with(
             GripperArm.class,

@@ -21,6 +21,7 @@ final class Faults {
   private final Set<String> dead = new TreeSet<>();
   private final Map<String, String> defects = new TreeMap<>();
   private final Map<String, Duration> frozenUntil = new TreeMap<>();
+  private final Map<String, Double> slips = new TreeMap<>();
   private final Map<String, Distortion> distortions = new TreeMap<>();
   private final Map<String, Map<WorldEvent.Kind, List<Runnable>>> triggers = new TreeMap<>();
 
@@ -58,6 +59,15 @@ final class Faults {
   Duration frozenFor(String device, Duration now) {
     Duration left = frozenUntil.getOrDefault(device, Duration.ZERO).minus(now);
     return left.isNegative() ? Duration.ZERO : left;
+  }
+
+  void slip(String robot, double share) {
+    slips.put(robot, share);
+  }
+
+  /** The share of its way that the robot's wheels lose. */
+  double slip(String robot) {
+    return slips.getOrDefault(robot, 0.0);
   }
 
   void distort(String sensor, double factor, double sharePerHour, Duration since) {

@@ -1,6 +1,7 @@
 package org.maestro.sim;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -8,6 +9,7 @@ import java.util.function.Predicate;
 import org.maestro.hal.Area;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.FloorPlan;
+import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Pose;
 
 /**
@@ -41,6 +43,14 @@ final class LightField {
       }
     }
     return lux;
+  }
+
+  /** Names of lamps that hang over a place for which this holds. */
+  List<String> lampsOver(Predicate<Point2> place) {
+    return lamps.entrySet().stream()
+        .filter(lamp -> place.test(lamp.getValue().pose().floor()))
+        .map(Map.Entry::getKey)
+        .toList();
   }
 
   boolean hasLamp(String name) {

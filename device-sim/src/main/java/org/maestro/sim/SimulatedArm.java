@@ -114,6 +114,12 @@ final class SimulatedArm implements GripperArm {
   }
 
   @Override
+  public boolean isPlaceFree() {
+    World world = actuator.world();
+    return world.held(actuator.device()).flatMap(thing -> world.occupant(hand, thing)).isEmpty();
+  }
+
+  @Override
   public void release(Completion completion) {
     actuator.tell(WorldEvent.Kind.RELEASE);
     run(
@@ -121,7 +127,9 @@ final class SimulatedArm implements GripperArm {
         completion,
         () -> {
           Optional<String> thing = actuator.world().held(actuator.device());
-          if (thing.isPresent()) {
+          if (!isPlaceFree()) {
+            completion.failed("something stands there already");
+          } else if (thing.isPresent()) {
             putDown(thing.get());
             completion.done();
           } else {
@@ -148,6 +156,7 @@ final class SimulatedArm implements GripperArm {
 
   private void run(double seconds, Completion completion, Runnable effect) {
     long number = ++commandNumber;
+    actuator.world().draw(actuator.device(), seconds * data.power());
     actuator.after(
         seconds,
         () -> {

@@ -42,11 +42,22 @@ final class SimulatedBase implements MobileBase {
         completion::failed,
         () -> {
           if (number == driveNumber) {
-            Drive drive = new Drive(actuator.clock().now(), position(), way, data.speed());
-            actuator.world().start(actuator.device(), drive);
-            goOn(drive, number, completion);
+            roll(way, number, completion);
           }
         });
+  }
+
+  /** From here, as fast as the wheels grip now. */
+  private void roll(List<Point2> way, long number, Completion completion) {
+    double grip = 1 - actuator.world().slipOf(actuator.device());
+    if (grip <= 0) {
+      actuator.world().stop(actuator.device());
+      completion.failed("its wheels do not grip");
+      return;
+    }
+    Drive drive = new Drive(actuator.clock().now(), position(), way, grip * data.speed());
+    actuator.world().start(actuator.device(), drive);
+    goOn(drive, number, completion);
   }
 
   private void goOn(Drive drive, long number, Completion completion) {
@@ -54,7 +65,16 @@ final class SimulatedBase implements MobileBase {
         || !actuator.world().drive(actuator.device()).equals(Optional.of(drive))) {
       return;
     }
+    World world = actuator.world();
     Duration now = actuator.clock().now();
+    if (drive.speed() != (1 - world.slipOf(actuator.device())) * data.speed()) {
+      world.stop(actuator.device());
+      roll(drive.wayAhead(now), number, completion);
+      return;
+    }
+    Encounters.touched(world, actuator.device(), data.radius())
+        .ifPresent(
+            other -> world.tell(WorldEvent.Kind.COLLIDED, actuator.device(), Optional.of(other)));
     double left = drive.begun().plus(drive.duration()).minus(now).toNanos() / 1e9;
     if (left <= 0) {
       actuator.world().stop(actuator.device());
@@ -74,7 +94,12 @@ final class SimulatedBase implements MobileBase {
     RoutePlanner body =
         new RoutePlanner(
             world.walls(), world.obstacles(actuator.device()), data.radius() - GRAZING_METRES);
-    return ahead.stream().allMatch(piece -> body.isFreeWay(piece.from(), piece.to()));
+    return ahead.stream()
+        .allMatch(
+            piece ->
+                body.isFreeWay(piece.from(), piece.to())
+                    && !Encounters.isAhead(
+                        world, actuator.device(), data.radius(), piece, data.checkSeconds()));
   }
 
   @Override

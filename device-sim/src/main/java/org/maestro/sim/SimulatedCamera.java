@@ -102,9 +102,7 @@ final class SimulatedCamera implements Camera {
   }
 
   private List<AreaLight> glaring() {
-    return light.all().stream()
-        .filter(area -> area.brightestLux() > data.maximumLux())
-        .toList();
+    return light.all().stream().filter(area -> area.brightestLux() > data.maximumLux()).toList();
   }
 
   private Optional<Candidate> mostAlike(String wanted, double wantedLux) {

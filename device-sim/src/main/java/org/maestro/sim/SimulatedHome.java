@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.maestro.device.DeviceMember;
@@ -22,7 +23,9 @@ import org.maestro.ontology.home.Windows;
 import org.maestro.rats.member.CallPolicy;
 import org.maestro.rats.member.RatsMember;
 import org.maestro.rats.time.Clock;
+import org.maestro.rats.transport.InProcessBus;
 import org.maestro.rats.transport.Transport;
+import org.maestro.sim.link.BadLink;
 
 /**
  * A home whose devices are simulated: one world, and one RATS member for each device that has a
@@ -35,6 +38,8 @@ public final class SimulatedHome implements AutoCloseable {
   private final World world;
   private final Map<String, DeviceMember> members = new LinkedHashMap<>();
   private final Map<String, Drivers> driversOf = new LinkedHashMap<>();
+  private final Map<String, BadLink> links = new TreeMap<>();
+  private final FaultRunner faults;
   private final Map<String, RatsMember> running = new LinkedHashMap<>();
   private boolean closed;
 
@@ -46,6 +51,7 @@ public final class SimulatedHome implements AutoCloseable {
    * @param transports makes a transport, not yet open, for a member's id
    * @param site name of the site on the bus
    * @param descriptions writes the document that a member publishes
+   * @param bus within the process, for faults that disturb it
    * @param only which devices are run here; the others are not on the bus, though lamps among them
    *     give their light
    */
@@ -59,7 +65,8 @@ public final class SimulatedHome implements AutoCloseable {
       Function<Device, String> descriptions,
       Predicate<String> only,
       PhysicalParameters parameters,
-      CallPolicy policy) {
+      CallPolicy policy,
+      Optional<InProcessBus> bus) {
 
     /** All devices, with the usual physics, on an open site. */
     public Setup(
@@ -80,10 +87,33 @@ public final class SimulatedHome implements AutoCloseable {
           descriptions,
           id -> true,
           PhysicalParameters.standard(),
-          CallPolicy.OPEN);
+          CallPolicy.OPEN,
+          Optional.empty());
     }
 
     public Setup only(Set<String> ids) {
+      return changed(ids::contains, parameters, policy, bus);
+    }
+
+    public Setup with(PhysicalParameters other) {
+      return changed(only, other, policy, bus);
+    }
+
+    /** On a site with rules of who may call what. */
+    public Setup withPolicy(CallPolicy rules) {
+      return changed(only, parameters, rules, bus);
+    }
+
+    /** With a bus within the process, which faults may disturb. */
+    public Setup on(InProcessBus disturbed) {
+      return changed(only, parameters, policy, Optional.of(disturbed));
+    }
+
+    private Setup changed(
+        Predicate<String> which,
+        PhysicalParameters physics,
+        CallPolicy rules,
+        Optional<InProcessBus> disturbed) {
       return new Setup(
           home,
           scene,
@@ -92,20 +122,10 @@ public final class SimulatedHome implements AutoCloseable {
           transports,
           site,
           descriptions,
-          ids::contains,
-          parameters,
-          policy);
-    }
-
-    public Setup with(PhysicalParameters other) {
-      return new Setup(
-          home, scene, clock, seed, transports, site, descriptions, only, other, policy);
-    }
-
-    /** On a site with rules of who may call what. */
-    public Setup withPolicy(CallPolicy rules) {
-      return new Setup(
-          home, scene, clock, seed, transports, site, descriptions, only, parameters, rules);
+          which,
+          physics,
+          rules,
+          disturbed);
     }
   }
 
@@ -113,6 +133,9 @@ public final class SimulatedHome implements AutoCloseable {
     this.setup = setup;
     this.world =
         new World(setup.home(), setup.scene(), setup.clock(), setup.seed(), setup.parameters());
+    this.faults =
+        new FaultRunner(
+            setup.home(), world, setup.clock(), new Random(~setup.seed()), this::link, setup.bus());
   }
 
   /**
@@ -128,13 +151,28 @@ public final class SimulatedHome implements AutoCloseable {
         .filter(simulated.world::isAlive)
         .forEach(simulated::startMember);
     simulated.world.listen(simulated::follow);
-    new CourseRunner(simulated.world, setup.clock(), new Random(~setup.seed()))
-        .start(setup.scene().course());
+    simulated.begin(setup.scene().course());
     return simulated;
+  }
+
+  private void begin(Course course) {
+    course.faults().forEach((subject, all) -> all.forEach(fault -> faults.begin(subject, fault)));
+    Walks walks = new Walks(world, setup.clock());
+    course.walks().forEach(walks::start);
   }
 
   public World world() {
     return world;
+  }
+
+  /**
+   * Lets a fault happen, counted from now on: such as {@code ScriptedFault.parse("every 60 drop")}.
+   *
+   * @param subject the device, thing, zone or door to which it happens; empty for the home itself
+   * @throws SimulationException when this cannot happen to it
+   */
+  public void let(String subject, ScriptedFault fault) {
+    faults.begin(subject, fault);
   }
 
   /** Ids of the devices run here, in declared order. */
@@ -227,13 +265,24 @@ public final class SimulatedHome implements AutoCloseable {
         .toList();
   }
 
+  /** The link of a member, through all its lives. */
+  private synchronized BadLink link(String id) {
+    return links.computeIfAbsent(
+        id,
+        member ->
+            new BadLink(
+                member,
+                setup.clock(),
+                new Random(31 * setup.seed() + List.copyOf(members.keySet()).indexOf(member))));
+  }
+
   private void startMember(String id) {
     DeviceMember member = members.get(id);
     RatsMember started =
         RatsMember.start(
             member.profile(),
             member.values(),
-            setup.transports().apply(id),
+            link(id).over(setup.transports().apply(id)),
             setup.site(),
             setup.policy(),
             setup.clock());

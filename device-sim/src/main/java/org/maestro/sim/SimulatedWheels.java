@@ -20,6 +20,9 @@ final class SimulatedWheels implements WheelMotors, Localization {
   /** As {@link WheelMotors} says. */
   private static final double WATCHDOG_SECONDS = 1;
 
+  /** How far ahead others that move are thought of; assumed. */
+  private static final double LOOK_AHEAD_SECONDS = 0.1;
+
   private static final double NANOS = 1e9;
 
   /** As {@link SimulatedBase} passes obstacles. */
@@ -56,9 +59,12 @@ final class SimulatedWheels implements WheelMotors, Localization {
       }
       return;
     }
+    double grip = 1 - world.slipOf(actuator.device());
     motion =
         geometry.motion(
-            radiansPerSecond.stream().map(speed -> speed * (1 - actuator.error(slip))).toList());
+            radiansPerSecond.stream()
+                .map(speed -> speed * grip * (1 - actuator.error(slip)))
+                .toList());
     roll(heading);
     if (!moved) {
       actuator.tell(WorldEvent.Kind.DRIVE);
@@ -96,7 +102,8 @@ final class SimulatedWheels implements WheelMotors, Localization {
   public boolean isFree(Segment ahead) {
     World world = actuator.world();
     return new RoutePlanner(
-            world.walls(), world.obstacles(actuator.device()), radius - GRAZING_METRES)
-        .isFreeWay(ahead.from(), ahead.to());
+                world.walls(), world.obstacles(actuator.device()), radius - GRAZING_METRES)
+            .isFreeWay(ahead.from(), ahead.to())
+        && !Encounters.isAhead(world, actuator.device(), radius, ahead, LOOK_AHEAD_SECONDS);
   }
 }

@@ -1,5 +1,6 @@
 package org.maestro.sim;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -19,6 +20,7 @@ final class Whereabouts {
   private final Map<String, Body> bodies = new TreeMap<>();
   private final Map<String, Drive> drives = new TreeMap<>();
   private final Map<String, List<PathPoint>> paths = new TreeMap<>();
+  private final Map<String, Duration> driven = new TreeMap<>();
 
   Whereabouts(Clock clock) {
     this.clock = clock;
@@ -80,8 +82,31 @@ final class Whereabouts {
     return obstacles;
   }
 
+  /** A body that a thing would overlap if it stood there. */
+  Optional<String> occupant(Position place, Body thing) {
+    return bodies.values().stream()
+        .filter(body -> body.isObstacle() && !body.name().equals(thing.name()))
+        .filter(
+            body ->
+                position(body.name()).orElseThrow().floor().distance(place.floor())
+                    < body.radius() + thing.radius())
+        .map(Body::name)
+        .findFirst();
+  }
+
   Optional<Drive> drive(String robot) {
     return Optional.ofNullable(drives.get(robot));
+  }
+
+  /** Who drives or walks. */
+  Set<String> moving() {
+    return new TreeSet<>(drives.keySet());
+  }
+
+  /** For how long it has driven until now. */
+  Duration driven(String robot) {
+    Duration before = driven.getOrDefault(robot, Duration.ZERO);
+    return drive(robot).map(drive -> before.plus(clock.now().minus(drive.begun()))).orElse(before);
   }
 
   void start(String robot, Drive drive) {
@@ -96,6 +121,7 @@ final class Whereabouts {
               paths
                   .computeIfAbsent(robot, name -> new ArrayList<>())
                   .addAll(drive.pathUntil(clock.now()));
+              driven.merge(robot, clock.now().minus(drive.begun()), Duration::plus);
               Position place = Position.onFloor(drive.positionAt(clock.now()));
               drives.remove(robot);
               put(body(robot).at(place));

@@ -35,6 +35,7 @@ public final class World {
   private final Daylight daylight;
   private final Looks looks;
   private final Faults faults = new Faults();
+  private final Batteries batteries = new Batteries();
   private final Set<String> openDoors = new TreeSet<>();
   private final List<WorldEvent.Listener> listeners = new CopyOnWriteArrayList<>();
   private FloorPlan plan;
@@ -301,6 +302,41 @@ public final class World {
     faults.distort(sensor, factor, sharePerHour, clock.now());
   }
 
+  /**
+   * From now on the robot's wheels lose a share of their way.
+   *
+   * @param share 0 to 1
+   */
+  public synchronized void slip(String robot, double share) {
+    faults.slip(robot, share);
+  }
+
+  /** What is left in a robot's battery, 0 to 1; 1 when it has none. */
+  public synchronized double charge(String robot) {
+    return batteries.charge(robot, clock.now(), whereabouts.driven(robot));
+  }
+
+  /**
+   * Charges or drains a battery at once. A robot without power still has to be revived.
+   *
+   * @param share 0 to 1
+   */
+  public synchronized void charge(String robot, double share) {
+    batteries.charge(robot, share, clock.now(), whereabouts.driven(robot));
+  }
+
+  /** All lamps over a zone lose their power, and no other light is left there but the day's. */
+  public void darken(String zone) {
+    Area area;
+    List<String> lamps;
+    synchronized (this) {
+      area = map.area(zone);
+      light.setAmbient(zone, 0);
+      lamps = light.lampsOver(area.outline()::contains);
+    }
+    lamps.forEach(this::die);
+  }
+
   /** The device has power again; a lamp then is off. */
   public void revive(String device) {
     synchronized (this) {
@@ -428,6 +464,39 @@ public final class World {
 
   synchronized List<Segment> walls() {
     return FloorMap.walls(plan);
+  }
+
+  synchronized double slipOf(String robot) {
+    return faults.slip(robot);
+  }
+
+  synchronized boolean hasLamp(String name) {
+    return light.hasLamp(name);
+  }
+
+  Duration now() {
+    return clock.now();
+  }
+
+  synchronized void putBattery(
+      String robot, PhysicalParameters.BatteryData data, double drivingWatts, double charge) {
+    batteries.put(robot, data, drivingWatts, charge, clock.now());
+  }
+
+  synchronized void draw(String robot, double joules) {
+    batteries.draw(robot, joules);
+  }
+
+  /** Who moves by itself, but for one. */
+  synchronized Set<String> movingWithout(String robot) {
+    Set<String> others = whereabouts.moving();
+    others.remove(robot);
+    return others;
+  }
+
+  /** What stands where a thing is to be put. */
+  synchronized Optional<String> occupant(Position place, String thing) {
+    return whereabouts.occupant(place, whereabouts.body(thing));
   }
 
   /** What stands in the robot's way: not itself, not what it holds. */

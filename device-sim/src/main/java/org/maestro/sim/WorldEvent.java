@@ -31,7 +31,13 @@ public record WorldEvent(Duration at, Kind kind, String subject, Optional<String
     CLOSED,
     DIED,
     REVIVED,
-    MOVED
+    MOVED,
+    /** A battery holds a step less, or more. */
+    DRAINED,
+    /** A battery is empty. */
+    EMPTIED,
+    /** A robot that drives touches another body that moves. */
+    COLLIDED
   }
 
   /** Told on the thread that caused the event, mostly the clock's; may change the world. */

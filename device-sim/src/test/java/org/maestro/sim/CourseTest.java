@@ -94,15 +94,15 @@ class CourseTest {
   void randomFaultsComeAtTheirRateAndAreTheSameForTheSameSeed() {
     List<Duration> first = closings(1);
     assertThat(first).isEqualTo(closings(1)).isNotEqualTo(closings(2));
-    // one in a minute: some 120 in two hours, within three standard deviations
+    // ten in a minute: some 120 in twelve, within three standard deviations
     assertThat(first.size()).isBetween(87, 153);
   }
 
   private static List<Duration> closings(long seed) {
     List<Duration> at = new ArrayList<>();
-    try (Homes homes = new Homes(BOB, scene("<#door-ab> scene:fault \"every 60 close\" ."), seed)) {
+    try (Homes homes = new Homes(BOB, scene("<#door-ab> scene:fault \"every 6 close\" ."), seed)) {
       homes.world().listen(event -> at.add(event.at()));
-      homes.clock.run(Duration.ofHours(2));
+      homes.clock.run(Duration.ofMinutes(12));
     }
     return at;
   }
@@ -129,7 +129,7 @@ class CourseTest {
       delimiter = '|',
       value = {
         "<#lamp-b1> scene:fault \"die\" . | write when and what",
-        "<#lamp-b1> scene:fault \"at 5 explode\" . | known are ambient, break",
+        "<#lamp-b1> scene:fault \"at 5 explode\" . | known are ambient, block, break",
         "<#lamp-b1> scene:fault \"at 5 lie\" . | takes 1 numbers, not 0",
         "<#lamp-b1> scene:fault \"at -5 die\" . | more than none",
         "<#lamp-b1> scene:fault \"upon rain die\" . | \"rain\" is not known",

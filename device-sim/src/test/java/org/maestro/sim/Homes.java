@@ -61,7 +61,8 @@ public final class Homes implements AutoCloseable {
                     bus::client,
                     "test",
                     new DescriptionWriter(home)::write)
-                .with(physics.apply(PhysicalParameters.standard())));
+                .with(physics.apply(PhysicalParameters.standard()))
+                .on(bus));
     link = BusLink.connect("cca", "test", bus.client("cca"), clock);
     clock.run(Duration.ofMillis(100));
   }

@@ -59,13 +59,14 @@ public final class AgentlessSite implements AutoCloseable {
         parts.opened(
             SimulatedHome.start(
                 new SimulatedHome.Setup(
-                    home,
-                    scene,
-                    clock,
-                    seed,
-                    bus::client,
-                    SITE,
-                    new DescriptionWriter(home)::write)));
+                        home,
+                        scene,
+                        clock,
+                        seed,
+                        bus::client,
+                        SITE,
+                        new DescriptionWriter(home)::write)
+                    .on(bus)));
     BusLink link = parts.opened(BusLink.connect(CONTROLLER, SITE, bus.client(CONTROLLER), clock));
     Deputies deputies =
         new Deputies(link, clock, knowledge, new DescriptionReader(home.vocabulary())::read);

@@ -142,18 +142,20 @@ public final class LocalSite implements AutoCloseable {
         settings
             .scene()
             .map(
-                scene ->
-                    SimulatedHome.start(
-                        new SimulatedHome.Setup(
-                                settings.home(),
-                                scene,
-                                clock,
-                                settings.seed(),
-                                transports,
-                                settings.name(),
-                                new DescriptionWriter(settings.home())::write)
-                            .with(settings.physics())
-                            .withPolicy(policy)));
+                scene -> {
+                  SimulatedHome.Setup setup =
+                      new SimulatedHome.Setup(
+                              settings.home(),
+                              scene,
+                              clock,
+                              settings.seed(),
+                              transports,
+                              settings.name(),
+                              new DescriptionWriter(settings.home())::write)
+                          .with(settings.physics())
+                          .withPolicy(policy);
+                  return SimulatedHome.start(bus.map(setup::on).orElse(setup));
+                });
     simulated.ifPresent(parts::opened);
     BusLink link =
         BusLink.connect(CONTROLLER, settings.name(), transports.apply(CONTROLLER), clock, kind);
