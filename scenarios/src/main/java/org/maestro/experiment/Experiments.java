@@ -5,7 +5,7 @@ import java.util.Optional;
 
 /** All experiments. */
 public final class Experiments {
-  private static final List<Experiment> ALL = List.of(new MoveObject());
+  private static final List<Experiment> ALL = List.of(new MoveObject(), new Illumination());
 
   private Experiments() {}
 

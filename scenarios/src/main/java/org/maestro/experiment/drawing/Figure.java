@@ -1,5 +1,7 @@
 package org.maestro.experiment.drawing;
 
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -7,6 +9,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
+import org.maestro.hal.Photo;
 
 /**
  * A figure with what a reader needs to know of it.
@@ -16,6 +19,7 @@ import javax.imageio.ImageIO;
  * @param png the image
  */
 public record Figure(String name, String caption, byte[] png) {
+  private static final int PHOTO_WIDTH = 960;
 
   public static Figure of(String name, String caption, BufferedImage image) {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -25,6 +29,21 @@ public record Figure(String name, String caption, byte[] png) {
       throw new UncheckedIOException("The figure " + name + " cannot be drawn.", e);
     }
     return new Figure(name, caption, bytes.toByteArray());
+  }
+
+  /** What a camera shows, as large as fits a page. */
+  public static Figure of(String name, String caption, Photo photo) {
+    BufferedImage image =
+        new BufferedImage(photo.width(), photo.height(), BufferedImage.TYPE_INT_RGB);
+    image.setRGB(0, 0, photo.width(), photo.height(), photo.rgb(), 0, photo.width());
+    int height = (int) Math.round((double) PHOTO_WIDTH * photo.height() / photo.width());
+    BufferedImage smaller = new BufferedImage(PHOTO_WIDTH, height, BufferedImage.TYPE_INT_RGB);
+    Graphics2D canvas = smaller.createGraphics();
+    canvas.setRenderingHint(
+        RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+    canvas.drawImage(image, 0, 0, PHOTO_WIDTH, height, null);
+    canvas.dispose();
+    return of(name, caption, smaller);
   }
 
   /** One that was drawn into a file. */

@@ -4,6 +4,7 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Paint;
+import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
@@ -77,6 +78,21 @@ final class Style {
     marker.setLabelTextAnchor(above ? TextAnchor.BOTTOM_LEFT : TextAnchor.TOP_LEFT);
     marker.setLabelOffset(new RectangleInsets(6, 12, 6, 12));
     return marker;
+  }
+
+  static LegendItem stroke(String label, Ink ink) {
+    LegendItem item =
+        new LegendItem(
+            label, null, null, null, new Line2D.Double(-28, 0, 28, 0), Ink.solid(5), ink.color());
+    item.setLabelFont(TICK);
+    return item;
+  }
+
+  static LegendItem dot(String label, Ink ink) {
+    LegendItem item =
+        new LegendItem(label, null, null, null, new Ellipse2D.Double(-8, -8, 16, 16), ink.color());
+    item.setLabelFont(TICK);
+    return item;
   }
 
   static LegendItem dash(String label, Ink ink) {

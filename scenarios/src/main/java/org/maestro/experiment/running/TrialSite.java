@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import org.maestro.assembly.LocalSite;
+import org.maestro.coordination.Story;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.platform.GoalReport;
@@ -58,6 +59,11 @@ public final class TrialSite implements AutoCloseable {
           told.stream().filter(entry -> entry.goalId().equals(id.get())).toList(),
           begun);
     }
+  }
+
+  /** Tells the listener every sentence of every goal from now on, on threads of the platform. */
+  public void listen(Story listener) {
+    site.platform().onStory(listener);
   }
 
   /** States a goal, and leaves it under way. */
