@@ -53,13 +53,24 @@ public final class Patience {
   }
 
   /**
+   * Looks at the clock.
+   *
+   * @throws CancellationException when it is over
+   */
+  public void refuseIfOver() {
+    if (isOver()) {
+      throw new CancellationException("Planning was stopped.");
+    }
+  }
+
+  /**
    * Looks at the clock now and then; cheap enough for innermost loops.
    *
    * @throws CancellationException when it is over
    */
   public void check() {
-    if (++asked % ASKED_BETWEEN == 0 && isOver()) {
-      throw new CancellationException("Planning was stopped.");
+    if (++asked % ASKED_BETWEEN == 0) {
+      refuseIfOver();
     }
   }
 }

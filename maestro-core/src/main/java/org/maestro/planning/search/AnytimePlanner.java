@@ -16,6 +16,11 @@ import org.maestro.planning.search.Solution.Verdict;
  * until both meet or patience is over. Not thread-safe.
  */
 public final class AnytimePlanner {
+  private static final int WEIGHT = 5;
+
+  /** Of the time that is left, for each search that proves nothing. */
+  private static final double SHARE = 0.1;
+
   private final GroundTask task;
   private final long memory;
   private final Consumer<String> progress;
@@ -38,50 +43,13 @@ public final class AnytimePlanner {
       return first;
     }
     try {
-      prove(patience);
+      for (int weight : new int[] {WEIGHT, 2, 1}) {
+        star(weight, weight == 1 ? patience : patience.part(SHARE));
+      }
     } catch (CancellationException e) {
       return best;
     }
     return best;
-  }
-
-  private void prove(Patience patience) {
-    BoundedRemoval.Result removed = BoundedRemoval.remove(task, best.cost(), patience);
-    raise(removed.lowerBound());
-    if (best.verdict() == Verdict.OPTIMAL) {
-      return;
-    }
-    SearchTask reduced = new SearchTask(removed.task(), removed.task().operators());
-    List<Leaf> leaves = Factoring.leaves(reduced, best.cost(), patience);
-    progress.accept(
-        "plan of cost %d, bound %d, %d of %d operators and %d facts left, leaves of %s states"
-            .formatted(
-                best.cost(),
-                best.lowerBound(),
-                reduced.operators.size(),
-                task.operators().size(),
-                reduced.facts,
-                leaves.stream().map(leaf -> leaf.space.size()).toList()));
-    StarSearch search =
-        new StarSearch(reduced, leaves, best.cost(), memory, patience, plan -> keep(reduced, plan));
-    try {
-      search.run();
-    } finally {
-      progress.accept(
-          "%d states, bound %d, plan of cost %d"
-              .formatted(search.states(), search.lowerBound(), best.cost()));
-      raise(search.lowerBound());
-    }
-  }
-
-  private void raise(long lowerBound) {
-    long bound = Math.max(best.lowerBound(), Math.min(lowerBound, best.cost()));
-    best =
-        new Solution(
-            bound >= best.cost() ? Verdict.OPTIMAL : Verdict.PLAN,
-            best.operators(),
-            best.cost(),
-            bound);
   }
 
   /** Solves the task until a plan is found, or none can exist, or patience is over. */
@@ -89,6 +57,23 @@ public final class AnytimePlanner {
     if (task.unreachable()) {
       return best = Solution.without(Verdict.UNSOLVABLE, 0);
     }
+    try {
+      double seconds = 0.5;
+      while (best.verdict() == Verdict.OUT_OF_TIME) {
+        greedy(patience.atMost(seconds));
+        if (best.verdict() == Verdict.OUT_OF_TIME || best.verdict() == Verdict.OUT_OF_MEMORY) {
+          star(WEIGHT, patience.atMost(seconds));
+        }
+        patience.refuseIfOver();
+        seconds *= 2;
+      }
+    } catch (CancellationException e) {
+      return best;
+    }
+    return best;
+  }
+
+  private void greedy(Patience patience) {
     try {
       SearchTask reduced = new SearchTask(task, Reduction.reduced(task).operators());
       long[] costs = Arrays.stream(reduced.cost).map(cost -> cost + one()).toArray();
@@ -103,9 +88,64 @@ public final class AnytimePlanner {
                 search.isOutOfMemory() ? Verdict.OUT_OF_MEMORY : Verdict.UNSOLVABLE, 0);
       }
     } catch (CancellationException e) {
-      return best;
+      progress.accept("greedy search was stopped");
     }
-    return best;
+  }
+
+  private void star(int weight, Patience patience) {
+    if (best.verdict() == Verdict.OPTIMAL) {
+      return;
+    }
+    long below = best.hasPlan() ? best.cost() : Leaf.INFINITE;
+    try {
+      BoundedRemoval.Result removed = BoundedRemoval.remove(task, below, patience);
+      raise(removed.lowerBound());
+      if (best.verdict() == Verdict.OPTIMAL) {
+        return;
+      }
+      SearchTask reduced = new SearchTask(removed.task(), removed.task().operators());
+      List<Leaf> leaves = Factoring.leaves(reduced, below, patience);
+      progress.accept(
+          "plan of cost %d, bound %d, %d of %d operators and %d facts left, leaves of %s states"
+              .formatted(
+                  best.cost(),
+                  best.lowerBound(),
+                  reduced.operators.size(),
+                  task.operators().size(),
+                  reduced.facts,
+                  leaves.stream().map(leaf -> leaf.space.size()).toList()));
+      star(
+          new StarSearch(
+              reduced, leaves, below, weight, memory, patience, plan -> keep(reduced, plan)));
+    } catch (CancellationException e) {
+      progress.accept("weight %d: stopped".formatted(weight));
+    }
+  }
+
+  private void star(StarSearch search) {
+    try {
+      if (search.run() == StarSearch.End.EXHAUSTED && !best.hasPlan()) {
+        best = Solution.without(Verdict.UNSOLVABLE, 0);
+      }
+    } finally {
+      progress.accept(
+          "%d states, bound %d, plan of cost %d"
+              .formatted(search.states(), search.lowerBound(), best.cost()));
+      raise(search.lowerBound());
+    }
+  }
+
+  private void raise(long lowerBound) {
+    if (!best.hasPlan()) {
+      return;
+    }
+    long bound = Math.max(best.lowerBound(), Math.min(lowerBound, best.cost()));
+    best =
+        new Solution(
+            bound >= best.cost() ? Verdict.OPTIMAL : Verdict.PLAN,
+            best.operators(),
+            best.cost(),
+            bound);
   }
 
   private long one() {

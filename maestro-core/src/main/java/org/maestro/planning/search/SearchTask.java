@@ -112,6 +112,7 @@ final class SearchTask {
       for (int i = 0; i < operator.changedSums().length; i++) {
         long change = operator.changes()[i];
         if (operator.changedSums()[i] == bound.sum()
+            && change != 0
             && (change > 0 ? bound.least() > Long.MIN_VALUE : bound.most() < Long.MAX_VALUE)) {
           helped.add(b);
         }

@@ -38,6 +38,7 @@ final class StarSearch {
   private final LandmarkCuts cuts;
   private final Patience patience;
   private final long memory;
+  private final int weight;
   private final Consumer<List<Integer>> found;
   private final StateTable centres;
   private final List<int[]> opens = new ArrayList<>();
@@ -55,16 +56,20 @@ final class StarSearch {
 
   /**
    * @param below plans that cost this much or more are not looked for
+   * @param weight of the estimate against the cost so far; with 1 the first plan is the cheapest,
+   *     with more there is one sooner
    * @param found is told each better plan
    */
   StarSearch(
       SearchTask task,
       List<Leaf> leaves,
       long below,
+      int weight,
       long memory,
       Patience patience,
       Consumer<List<Integer>> found) {
     this.task = task;
+    this.weight = weight;
     this.leaves = leaves.toArray(Leaf[]::new);
     this.operators = new CentreOperators(task, this.leaves);
     this.below = below;
@@ -103,9 +108,14 @@ final class StarSearch {
       if (closed[node]) {
         continue;
       }
-      lowerBound = Math.max(lowerBound, total);
-      if (total >= below) {
-        return End.EXHAUSTED;
+      if (weight == 1) {
+        lowerBound = Math.max(lowerBound, total);
+        if (total >= below) {
+          lowerBound = below;
+          return End.EXHAUSTED;
+        }
+      } else if (cost[node] + Math.max(0, estimate[node]) >= below) {
+        continue;
       }
       if (estimate[node] == UNKNOWN) {
         evaluate(node, total);
@@ -135,7 +145,12 @@ final class StarSearch {
       closed[node] = true;
       return;
     }
-    enqueue(node, Math.max(total, cost[node] + estimate[node]), estimate[node]);
+    enqueue(node, total(total, cost[node], estimate[node]), estimate[node]);
+  }
+
+  /** A total never falls along a way, when it is to be a lower bound. */
+  private long total(long before, long paid, long left) {
+    return weight == 1 ? Math.max(before, paid + left) : paid + weight * left;
   }
 
   private void addSources(Leaf leaf, int prices, int open) {
@@ -161,7 +176,7 @@ final class StarSearch {
   }
 
   private void enqueue(int node, long total, long tie) {
-    if (total < below) {
+    if (weight > 1 || total < below) {
       queue.add(total, (int) Math.min(Integer.MAX_VALUE, tie), node);
     }
   }
@@ -228,9 +243,9 @@ final class StarSearch {
     closed[node] = false;
     lookForGoal(node);
     if (estimate[node] == UNKNOWN) {
-      enqueue(node, Math.max(total, reached), hoped);
+      enqueue(node, total(total, reached, weight == 1 ? 0 : hoped), hoped);
     } else {
-      enqueue(node, Math.max(total, reached + estimate[node]), estimate[node]);
+      enqueue(node, total(total, reached, estimate[node]), estimate[node]);
     }
   }
 
