@@ -1,6 +1,7 @@
 package org.maestro.coordination;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -23,10 +24,11 @@ import org.maestro.sl.TypedVariable;
 
 /**
  * What still has to be seen or measured before a goal may be called reached: the things of those
- * goal atoms that are only expected, though an observation of positions could decide them, and the
- * numbers that are only reckoned. For planning, "seen" and "measured" are synthetic predicates that
- * every sensing of the thing or number brings about, and "touched" is what becomes of a thing of
- * which a step changes what could be seen: nothing is carried about only to be seen.
+ * goal atoms that are only expected, though an observation of positions could decide them, the
+ * numbers that are only reckoned, and what was observed so long ago that somebody may have changed
+ * it since. For planning, "seen" and "measured" are synthetic predicates that every sensing of the
+ * thing or number brings about, and "touched" is what becomes of a thing of which a step changes
+ * what could be seen: nothing is carried about only to be seen.
  */
 final class Confirmation {
   private static final String SEEN = "seen%";
@@ -37,17 +39,22 @@ final class Confirmation {
   private final List<Expression.Fluent> numbers;
   private final SortedSet<String> reporters;
   private final List<Belief> objections;
+  private final Optional<Instant> oldest;
 
   private Confirmation(OnlyExpected expected) {
     this.things = expected.things();
     this.numbers = List.copyOf(expected.numbers());
     this.reporters = expected.reporters();
     this.objections = expected.objections();
+    this.oldest = expected.oldest();
   }
 
+  /**
+   * @param notBefore what was observed earlier does not count any more
+   */
   static Optional<Confirmation> needed(
-      Formula goal, Map<String, Term> binding, Snapshot snapshot, Home home) {
-    OnlyExpected expected = new OnlyExpected(snapshot, home);
+      Formula goal, Map<String, Term> binding, Snapshot snapshot, Home home, Instant notBefore) {
+    OnlyExpected expected = new OnlyExpected(snapshot, home, notBefore);
     expected.collect(new Substitution(binding).apply(goal));
     return expected.things().isEmpty() && expected.numbers().isEmpty()
         ? Optional.empty()
@@ -71,6 +78,11 @@ final class Confirmation {
   /** It was seen; but others go on to say otherwise. */
   boolean isOnlyDisputed() {
     return reporters.isEmpty() && !objections.isEmpty();
+  }
+
+  /** When the oldest of what was observed too long ago was observed, if there is any. */
+  Optional<Instant> oldest() {
+    return oldest;
   }
 
   /** Numbers to be measured. */

@@ -67,6 +67,7 @@ final class Economy {
             new PlanningRound.Subject(goalId, tight, Optional.empty(), false),
             Map.of(),
             Set.of(),
+            false,
             () -> without,
             round -> {
               round.tender().award(Map.of());

@@ -12,6 +12,11 @@ import org.maestro.sl.Term;
  * reasons. The coordinator's thread only.
  */
 final class GoalEnding {
+  /** A way that is blocked now is no proof; nobody knows for how long. */
+  private static final String NOT_PROVEN =
+      "It is given up, and not proven to be impossible: what was refused or failed now may be"
+          + " possible later.";
+
   private final PursuitParts parts;
   private final Outlook outlook;
   private final GoalLife life;
@@ -29,7 +34,7 @@ final class GoalEnding {
     this.outlook = parts.outlook();
     this.life = parts.life();
     this.story = parts.story();
-    this.lastTry = new LastTry(parts.ports(), parts.rivals(), outlook);
+    this.lastTry = new LastTry(parts.ports(), parts.rivals(), outlook, parts.exactPrices());
     this.release = release;
     this.course = course;
   }
@@ -76,7 +81,7 @@ final class GoalEnding {
       noPlanToSeeIt();
     } else if (!outlook.isFindingOut() && lastTry.isLeft(round)) {
       life.become(GoalState.WAITING, "what failed or was not priced is tried once more");
-      story.triesOnceMore(LastTry.PAUSE, round.result());
+      story.triesOnceMore(lastTry.pause(), round.result());
       lastTry.afterPause(this::tryOnceMore);
     } else if (outlook.isFindingOut()) {
       giveUp(whyNot);
@@ -95,11 +100,15 @@ final class GoalEnding {
     List<String> reasons = new ArrayList<>(outlook.reasonsOfLeavingAlone());
     reasons.addAll(story.reasons(round.result()));
     round.notCountedOn().ifPresent(reasons::add);
+    if (outlook.restsOnRefusals(round.result())) {
+      reasons.add(NOT_PROVEN);
+    }
     return reasons;
   }
 
   private void tryOnceMore() {
     if (!life.isOver()) {
+      outlook.trustEarlierSteps();
       course.makePlan(Optional.of("what failed or was not priced may be possible now"));
     }
   }

@@ -1,6 +1,7 @@
 package org.maestro.coordination;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
@@ -267,14 +268,21 @@ final class GoalStory {
     String told =
         needed.isOnlyDisputed()
             ? disputed(needed.objections())
-            : "It is done, as far as %s; nobody can confirm it."
-                .formatted(
-                    needed.reporters().isEmpty()
-                        ? "is known"
-                        : String.join(" and ", needed.reporters())
-                            + (needed.reporters().size() == 1 ? " says" : " say"));
+            : needed.reporters().isEmpty() && needed.oldest().isPresent()
+                ? seenLongAgo(needed.oldest().get())
+                : "It is done, as far as %s; nobody can confirm it."
+                    .formatted(
+                        needed.reporters().isEmpty()
+                            ? "is known"
+                            : String.join(" and ", needed.reporters())
+                                + (needed.reporters().size() == 1 ? " says" : " say"));
     tell(StoryEntry.Kind.CONFIRM, told);
     return told;
+  }
+
+  private String seenLongAgo(Instant oldest) {
+    return "It was so when it was observed %d s ago; nobody can observe it again."
+        .formatted(Duration.between(oldest, clock.instant()).toSeconds());
   }
 
   private String disputed(List<Belief> objections) {

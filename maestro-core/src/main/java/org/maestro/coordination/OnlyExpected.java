@@ -1,5 +1,6 @@
 package org.maestro.coordination;
 
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -28,9 +29,10 @@ import org.maestro.sl.Truth;
 import org.maestro.sl.TypedVariable;
 
 /**
- * What a goal that holds rests on without anybody having observed it, or though somebody has said
- * otherwise since: things whose place is only expected or disputed, and observable numbers that are
- * only reckoned. Sources of numbers differ always a little; of these the surer counts.
+ * What a goal that holds rests on without anybody having observed it of late, or though somebody
+ * has said otherwise since: things whose place is only expected, disputed or was seen too long ago,
+ * and observable numbers that are only reckoned or were measured too long ago. Sources of numbers
+ * differ always a little; of these the surer counts.
  */
 final class OnlyExpected {
   private static final String POSITION = "position";
@@ -42,10 +44,17 @@ final class OnlyExpected {
   private final List<Expression.Fluent> numbers = new ArrayList<>();
   private final SortedSet<String> reporters = new TreeSet<>();
   private final Set<Belief> objections = new LinkedHashSet<>();
+  private final Instant notBefore;
+  private Optional<Instant> oldest = Optional.empty();
 
-  OnlyExpected(Snapshot snapshot, Home home) {
+  /**
+   * @param notBefore what was observed earlier has to be observed again: anybody may have changed
+   *     it since
+   */
+  OnlyExpected(Snapshot snapshot, Home home, Instant notBefore) {
     this.snapshot = snapshot;
     this.home = home;
+    this.notBefore = notBefore;
     this.vocabulary = home.vocabulary();
   }
 
@@ -67,6 +76,11 @@ final class OnlyExpected {
     return List.copyOf(objections);
   }
 
+  /** When the oldest of what was observed too long ago was observed. */
+  Optional<Instant> oldest() {
+    return oldest;
+  }
+
   /** Of alternatives the first that holds counts. */
   void collect(Formula formula) {
     if (formula instanceof Formula.And and) {
@@ -82,15 +96,20 @@ final class OnlyExpected {
     } else if (formula instanceof Formula.Atom atom && atom.isGround()) {
       Optional<Formula> derivation = derivation(atom);
       derivation.ifPresentOrElse(this::collect, () -> collectThings(atom));
+    } else if (formula instanceof Formula.Not not
+        && not.operand() instanceof Formula.Atom atom
+        && atom.isGround()) {
+      collectSeenLongAgo(atom);
     }
   }
 
   private void collect(Expression.Fluent number) {
-    Optional<Belief> expected = expected(snapshot.belief(number));
+    Optional<Belief> belief = snapshot.belief(number);
+    Optional<Belief> expected = expected(belief);
     boolean observable =
         vocabulary.predicate(number.name()).filter(PredicateDeclaration::observable).isPresent();
-    if (observable && !numbers.contains(number) && expected.isPresent()) {
-      reporters.add(expected.get().source().agent());
+    if (observable && !numbers.contains(number) && (expected.isPresent() || isOld(belief))) {
+      expected.ifPresent(reckoned -> reporters.add(reckoned.source().agent()));
       numbers.add(number);
     }
   }
@@ -112,7 +131,38 @@ final class OnlyExpected {
       }
     } else if (seeable.isPresent()) {
       collectObjections(atom);
+      collectSeenLongAgo(atom);
     }
+  }
+
+  /** Where a thing is was seen as long ago as the thing. */
+  private void collectSeenLongAgo(Formula.Atom atom) {
+    Optional<PredicateDeclaration> seeable =
+        vocabulary
+            .predicate(atom.predicate())
+            .filter(declared -> declared.observedWhen().isPresent());
+    if (seeable.isEmpty()) {
+      return;
+    }
+    int seen = seeable.get().functional() ? 1 : atom.arguments().size();
+    for (Term argument : atom.arguments().subList(0, seen)) {
+      if (argument instanceof Term.Name name
+          && isOld(position(name).or(() -> snapshot.belief(atom)))) {
+        things.add(name.text());
+      }
+    }
+  }
+
+  private boolean isOld(Optional<Belief> belief) {
+    Optional<Instant> since =
+        belief
+            .filter(b -> b.source().kind() == Source.Kind.OBSERVED)
+            .map(Belief::since)
+            .filter(notBefore::isAfter);
+    since
+        .filter(then -> oldest.filter(o -> !o.isAfter(then)).isEmpty())
+        .ifPresent(then -> oldest = Optional.of(then));
+    return since.isPresent();
   }
 
   /**
@@ -206,10 +256,13 @@ final class OnlyExpected {
   }
 
   private boolean isSeen(Term.Name thing) {
+    Optional<Belief> position = position(thing).filter(belief -> !isExpected(belief));
+    return position.isPresent() && !isOld(position);
+  }
+
+  private Optional<Belief> position(Term.Name thing) {
     return snapshot
         .value(POSITION, List.of(thing))
-        .flatMap(value -> snapshot.belief(new Formula.Atom(POSITION, List.of(thing, value))))
-        .filter(belief -> !isExpected(belief))
-        .isPresent();
+        .flatMap(value -> snapshot.belief(new Formula.Atom(POSITION, List.of(thing, value))));
   }
 }

@@ -1,5 +1,7 @@
 package org.maestro.coordination;
 
+import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -11,6 +13,7 @@ import org.maestro.knowledge.FeatureRun;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.Plan;
+import org.maestro.planning.PlanningResult;
 import org.maestro.planning.PlanningTask;
 import org.maestro.planning.PricedFeature;
 import org.maestro.planning.Step;
@@ -25,6 +28,12 @@ final class Outlook {
   /** Each look in vain takes one; more looks than places and things together are of no use. */
   private static final int MOST_FINDING_OUT = 20;
 
+  /**
+   * What was observed longer ago is observed again before the goal is called reached: as long as a
+   * thing in view stays in view without a word. At more than wall speed messages take longer.
+   */
+  private static final Duration LATELY = Duration.ofSeconds(2);
+
   private final String goalId;
   private final Formula goal;
   private final Ports ports;
@@ -35,8 +44,11 @@ final class Outlook {
   private final Map<StepKey, String> leftAlone = new LinkedHashMap<>();
   private List<PricedFeature> features = List.of();
   private Optional<Confirmation> confirmation = Optional.empty();
+  private Instant confirmedSince = Instant.MIN;
   private boolean findingOut;
   private boolean findOutNext;
+  private boolean trusting;
+  private boolean trustNext;
   private int timesFoundOut;
 
   Outlook(String goalId, GoalRequest request, Ports ports, Rivals rivals) {
@@ -70,13 +82,25 @@ final class Outlook {
 
   /** What has to be seen from now on, besides the goal itself. */
   void confirm(Optional<Confirmation> needed) {
+    if (needed.isPresent() && confirmation.isEmpty()) {
+      confirmedSince = lately();
+    }
     confirmation = needed;
+  }
+
+  private Instant lately() {
+    long millis = (long) (LATELY.toMillis() * Math.max(1, ports.clock().speed()));
+    return ports.clock().instant().minusMillis(millis);
   }
 
   /** What would have to be seen if the goal were called reached with these values. */
   Optional<Confirmation> toBeSeen(Map<String, Term> binding) {
     return Confirmation.needed(
-        goal, binding, ports.knowledge().snapshot(), ports.knowledge().home());
+        goal,
+        binding,
+        ports.knowledge().snapshot(),
+        ports.knowledge().home(),
+        isConfirming() ? confirmedSince : lately());
   }
 
   /** The goal itself, by what is known now, without what would have to be seen. */
@@ -129,6 +153,20 @@ final class Outlook {
   void planBegins() {
     findingOut = findOutNext;
     findOutNext = false;
+    trusting = trustNext;
+    trustNext = false;
+  }
+
+  /**
+   * In the next plan, a step that its member declines now counts as possible after steps that
+   * change the world before it: they may clear its way.
+   */
+  void trustEarlierSteps() {
+    trustNext = true;
+  }
+
+  boolean isTrusting() {
+    return trusting;
   }
 
   Facts factsForPlans() {
@@ -184,6 +222,23 @@ final class Outlook {
         .spent()
         .forEach(step -> barred.put(step, "it was in vain " + SearchLog.ROUNDS + " times"));
     return barred;
+  }
+
+  /** Whether there would be a plan if somebody did what was refused now, or failed. */
+  boolean restsOnRefusals(PlanningResult result) {
+    return result instanceof PlanningResult.Impossible impossible
+        && impossible.explanation().obstacles().stream().anyMatch(this::isOrWouldDoInstead);
+  }
+
+  private boolean isOrWouldDoInstead(PlanningResult.Obstacle obstacle) {
+    return isRefusal(obstacle)
+        || obstacle.cures().stream()
+            .anyMatch(c -> c.conditions().stream().allMatch(this::isRefusal));
+  }
+
+  private boolean isRefusal(PlanningResult.Obstacle obstacle) {
+    return obstacle.kind() == PlanningResult.Obstacle.Kind.STEP
+        && obstacle.subject().filter(step -> !leftAlone.containsKey(step)).isPresent();
   }
 
   /** A step succeeded, and what it found is known. */

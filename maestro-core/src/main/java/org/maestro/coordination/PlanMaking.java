@@ -57,6 +57,7 @@ final class PlanMaking {
             outlook.subject(),
             outlook.barred(),
             without,
+            outlook.isTrusting(),
             outlook::factsForPlans,
             made)
         .start();

@@ -111,6 +111,7 @@ final class PlanningRound {
   private final Subject subject;
   private final Map<StepKey, String> barred;
   private final Set<String> without;
+  private final boolean trusting;
   private final Supplier<? extends Facts> facts;
   private final Consumer<Ended> then;
   private final Set<String> unpriced = new LinkedHashSet<>();
@@ -120,6 +121,10 @@ final class PlanningRound {
   private int questions;
   private int lastChances;
 
+  /**
+   * @param trusting whether a step that is declined now counts as possible after steps that change
+   *     the world
+   */
   PlanningRound(
       Ports ports,
       Roster roster,
@@ -127,6 +132,7 @@ final class PlanningRound {
       Subject subject,
       Map<StepKey, String> barred,
       Set<String> without,
+      boolean trusting,
       Supplier<? extends Facts> facts,
       Consumer<Ended> then) {
     this.ports = ports;
@@ -136,6 +142,7 @@ final class PlanningRound {
     this.barred = barred;
     this.reasons.putAll(barred);
     this.without = without;
+    this.trusting = trusting;
     this.facts = facts;
     this.then = then;
   }
@@ -217,6 +224,7 @@ final class PlanningRound {
 
   private void solved(PlanningTask task, PlanningResult result, Home home, Snapshot snapshot) {
     Map<List<String>, List<Step>> inexact = new LinkedHashMap<>();
+    Set<Step> trusted = new HashSet<>();
     if (result instanceof PlanningResult.Found found) {
       for (Step step : found.plan().steps()) {
         if (!step.exactPrice()) {
@@ -224,6 +232,9 @@ final class PlanningRound {
               .computeIfAbsent(
                   List.of(step.member(), step.feature().name()), k -> new ArrayList<>())
               .add(step);
+          if (trusting && isAfterDeeds(step, found.plan().steps())) {
+            trusted.add(step);
+          }
         }
       }
     }
@@ -249,7 +260,7 @@ final class PlanningRound {
                   memberAndFeature.get(1),
                   steps.stream().map(s -> arguments.of(s.feature(), s.bindings())).toList(),
                   quotes -> {
-                    note(steps, quotes, asked);
+                    note(steps, quotes, asked, trusted);
                     if (--open[0] == 0) {
                       solve();
                     }
@@ -264,7 +275,15 @@ final class PlanningRound {
     return lastChances++ < LAST_CHANCES && exactPrices.forgetUnanswered();
   }
 
-  private void note(List<Step> steps, List<Market.Quote> quotes, Duration asked) {
+  private static boolean isAfterDeeds(Step step, List<Step> plan) {
+    return plan.stream()
+        .filter(earlier -> step.after().contains(earlier.number()))
+        .anyMatch(
+            earlier -> !Sensing.isIn(earlier.feature().effect()) || isAfterDeeds(earlier, plan));
+  }
+
+  private void note(
+      List<Step> steps, List<Market.Quote> quotes, Duration asked, Set<Step> trusted) {
     for (int i = 0; i < steps.size(); i++) {
       Step step = steps.get(i);
       Market.Quote quote =
@@ -280,7 +299,7 @@ final class PlanningRound {
         quote = new Market.Quote.Priced(step.cost(), priced.seconds());
       }
       if (quote instanceof Market.Quote.Declined declined) {
-        decline(step, asked);
+        decline(step, asked, trusted.contains(step));
         reasons.put(step.key(), "it names no price: " + declined.reason());
         unpriced.add(
             "%s (%s: %s)".formatted(step.member(), step.feature().name(), declined.reason()));
@@ -300,8 +319,8 @@ final class PlanningRound {
    * stands. Any other refusal holds for this round only, since it may be due to what others do just
    * now.
    */
-  private void decline(Step step, Duration asked) {
-    if (isPossibleNow(step)) {
+  private void decline(Step step, Duration asked, boolean trusted) {
+    if (isPossibleNow(step) && !trusted) {
       declined.add(step.key());
     } else {
       exactPrices.put(

@@ -93,17 +93,28 @@ final class Cell {
     return standing.isEmpty();
   }
 
+  /**
+   * What has left the place where it was believed to be was moved; so it may be by now where it was
+   * not before.
+   */
   Cell with(Claim claim, Instant now) {
     List<Claim> stay = new ArrayList<>();
     List<Claim> outdone = new ArrayList<>();
+    boolean left = false;
     for (Claim other : standing) {
       if (other.held().isFresh(now)) {
         if (!claim.outdates(other)) {
           stay.add(other);
-        } else if (claim.overrules(other)) {
+          continue;
+        }
+        if (claim.overrules(other)) {
           outdone.add(other);
         }
+        left |= !claim.has() && other.has();
       }
+    }
+    if (left) {
+      stay.removeIf(other -> !other.has() && other.held().since().isBefore(claim.held().since()));
     }
     int place = 0;
     while (place < stay.size() && stay.get(place).weight() >= claim.weight()) {

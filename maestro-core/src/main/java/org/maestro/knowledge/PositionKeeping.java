@@ -3,6 +3,7 @@ package org.maestro.knowledge;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Predicate;
@@ -63,6 +64,37 @@ final class PositionKeeping {
         forget(draft.variable(unknown.atom()));
       } else if (draft.write(fact, voice) && contradicting.contains(fact)) {
         dropPosition(FactReader.atom(fact).arguments().get(0));
+      }
+    }
+    rest.forEach(fact -> withdrawWhatWasSeenWith(fact, voice));
+  }
+
+  /**
+   * What a source observed of a thing together with its position, it does not observe any more: the
+   * thing is not where that source saw it.
+   */
+  private void withdrawWhatWasSeenWith(Fact fact, Voice voice) {
+    if (!(fact instanceof Fact.Excluded excluded) || voice.expects()) {
+      return;
+    }
+    StateVariable variable = draft.variable(excluded.atom());
+    Optional<Held> before =
+        draft
+            .base()
+            .cell(variable)
+            .flatMap(Cell::last)
+            .filter(held -> held.value().equals(new Term.Truth(true)))
+            .filter(held -> held.source().equals(voice.source()));
+    for (Term thing : excluded.atom().arguments()) {
+      StateVariable position = new StateVariable(Declarations.POSITION, List.of(thing));
+      boolean seenWithIt =
+          before.isPresent()
+              && draft.cell(position).orElse(Cell.LOST).standing().stream()
+                  .map(Claim::held)
+                  .filter(held -> held.source().equals(voice.source()))
+                  .anyMatch(held -> held.since().equals(before.get().since()));
+      if (seenWithIt) {
+        withdraw(position, voice.source());
       }
     }
   }

@@ -32,7 +32,7 @@ import org.maestro.sl.SlParser;
  */
 final class Society implements AutoCloseable {
   /** Simulated time that passes before what failed is tried once more and the goal given up. */
-  static final Duration BEFORE_THE_LAST_TRY = Duration.ofSeconds(5);
+  static final Duration BEFORE_THE_LAST_TRY = Duration.ofSeconds(15);
 
   private static final Duration LONGEST = Duration.ofMinutes(20);
   private static final Home HOME = home();

@@ -14,6 +14,7 @@ import org.maestro.ontology.home.HomeLoader;
 /** What cannot be done for a moment is not called impossible. */
 class LastTryTest {
   private static final Duration MOMENT = Duration.ofSeconds(4);
+  private static final Duration LONGER = Duration.ofSeconds(12);
 
   private static Home home;
 
@@ -62,6 +63,37 @@ class LastTryTest {
     GoalOutcome outcome = house.achieve("(in rose zone-a)");
 
     assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+  }
+
+  @Test
+  void aPriceThatIsDeclinedAgainIsAskedForOnceMoreAfterALongerWhile() {
+    house.declines = feature -> feature.equals("move") && house.clock.now().compareTo(LONGER) < 0;
+
+    GoalOutcome outcome = house.achieve("(in rose zone-a)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+  }
+
+  @Test
+  void aWayThatStaysBlockedIsGivenUpAndNotCalledImpossible() {
+    house.declines = "move"::equals;
+
+    GoalOutcome outcome = house.achieve("(in rose zone-a)");
+
+    assertThat(outcome.state()).isEqualTo(GoalState.FAILED);
+    assertThat(outcome.endedAt()).isLessThan(Duration.ofMinutes(1));
+    assertThat(outcome.reasons()).last().asString().contains("not proven to be impossible");
+  }
+
+  @Test
+  void whatEarlierStepsMayClearIsTriedBeforeTheGoalIsGivenUp() {
+    house.ambientLux.put("zone-b", 100.0);
+    house.declines = feature -> feature.equals("move") && !house.calls.contains("pick rose");
+
+    GoalOutcome outcome = house.achieve("(in Cup zone-a)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(house.place).containsEntry("Cup", "zone-a");
   }
 
   @Test

@@ -102,6 +102,31 @@ class LearningTest {
   }
 
   @Test
+  void whatACameraSawBeyondWhatItCoversIsNotThereWhenItSeesItNoMore() {
+    Map<String, Term> bindings = Map.of("object", name("Cup"), "zone", name("zone-b"));
+    succeed("cam-b", LOOK, bindings, seen("1 0 0", "2026-01-01T00:00:00Z"));
+    assertThat(home.truth("(in Cup zone-a)")).isEqualTo(Truth.TRUE);
+    home.pass(Duration.ofSeconds(5));
+
+    succeed("cam-b", LOOK, bindings, Map.of("found", new Term.Truth(false)));
+
+    assertThat(home.truth("(in Cup zone-a)")).isEqualTo(Truth.UNKNOWN);
+    assertThat(home.knowledge.snapshot().value("position", List.of(name("Cup")))).isEmpty();
+  }
+
+  @Test
+  void whatAnotherCameraSeesStaysWhereItIsSeen() {
+    Map<String, Term> bindings = Map.of("object", name("Cup"), "zone", name("zone-b"));
+    succeed("cam-b", LOOK, bindings, seen("1 0 0", "2026-01-01T00:00:00Z"));
+    home.pass(Duration.ofSeconds(1));
+    succeed("cam-a", LOOK, bindings, seen("1.1 0 0", "2026-01-01T00:00:00Z"));
+
+    succeed("cam-b", LOOK, bindings, Map.of("found", new Term.Truth(false)));
+
+    assertThat(home.truth("(in Cup zone-a)")).isEqualTo(Truth.TRUE);
+  }
+
+  @Test
   void inTheDarkNothingIsExcluded() {
     home.state(new Source(Source.Kind.OBSERVED, "lux-b"), "(= (illuminance zone-b) 17)");
     succeed(

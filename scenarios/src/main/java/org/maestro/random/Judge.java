@@ -129,7 +129,9 @@ final class Judge {
   }
 
   private static boolean isGivenUp(String reason) {
-    return reason.startsWith("No plan and no proof") || reason.startsWith("It was planned ");
+    return reason.startsWith("No plan and no proof")
+        || reason.startsWith("It was planned ")
+        || reason.startsWith("It is given up, and not proven");
   }
 
   private Possibilities possibilities(Duration now) {
