@@ -32,6 +32,19 @@ final class MemberCondition {
     return running.isEmpty() ? atRest : running.get(running.size() - 1).feature().runningState();
   }
 
+  /** Whether the state may follow the one at rest. */
+  private boolean mayBecome(String state) {
+    return profile.rules().allows(atRest, state);
+  }
+
+  /** The last resort's state, whatever the rules of states say. */
+  void forced(String state) {
+    atRest = state;
+  }
+
+  /**
+   * @throws IllegalArgumentException when there is no such state, or it may not follow
+   */
   void rest(String state) {
     if (!profile.states().contains(state)) {
       throw new IllegalArgumentException(
@@ -41,7 +54,20 @@ final class MemberCondition {
               + state
               + "'; its description names all");
     }
+    if (!mayBecome(state)) {
+      throw new IllegalArgumentException(
+          "The member %s cannot go from %s to %s; its rules of states do not have it"
+              .formatted(profile.id(), atRest, state));
+    }
     atRest = state;
+  }
+
+  String atRest() {
+    return atRest;
+  }
+
+  boolean isBusy() {
+    return !running.isEmpty();
   }
 
   /**
@@ -72,7 +98,13 @@ final class MemberCondition {
   }
 
   Optional<String> whyDisabled(String feature) {
-    return Optional.ofNullable(disabled.get(feature));
+    return Optional.ofNullable(disabled.get(feature)).or(() -> whyNotFromHere(feature));
+  }
+
+  private Optional<String> whyNotFromHere(String feature) {
+    return Optional.ofNullable(profile.features().get(feature))
+        .filter(known -> !mayBecome(known.runningState()))
+        .map(known -> feature + " cannot start while the member is in the state " + atRest);
   }
 
   MemberState snapshot() {
@@ -83,6 +115,9 @@ final class MemberCondition {
         List.copyOf(values.current()),
         running.stream().map(task -> task.call().id()).toList(),
         waiting.stream().map(task -> task.call().id()).toList(),
-        List.copyOf(disabled.keySet()));
+        profile.features().keySet().stream()
+            .filter(feature -> whyDisabled(feature).isPresent())
+            .sorted()
+            .toList());
   }
 }

@@ -1,5 +1,7 @@
 package org.maestro.rats.member;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -13,6 +15,7 @@ import java.util.regex.Pattern;
  * @param description the JSON-LD document published for MAESTRO
  * @param states Z; {@code safeStates} is a subset with at least one element (M36)
  * @param features F, by id
+ * @param rules how z may change
  */
 public record MemberProfile(
     String id,
@@ -20,7 +23,8 @@ public record MemberProfile(
     Set<String> states,
     String initialState,
     Set<String> safeStates,
-    Map<String, Feature> features) {
+    Map<String, Feature> features,
+    StateRules rules) {
 
   private static final Pattern FEATURE =
       Pattern.compile("[^$/+#\\s\\p{Cntrl}][^/+#\\s\\p{Cntrl}]{0,127}");
@@ -52,12 +56,58 @@ public record MemberProfile(
     }
     Set<String> used = new TreeSet<>(safeStates);
     used.add(initialState);
+    used.addAll(rules.states());
+    features = Collections.unmodifiableMap(new LinkedHashMap<>(features));
+    features.forEach(
+        (name, feature) -> {
+          if (!feature.id().equals(name)) {
+            throw new IllegalArgumentException(
+                "The member %s lists its feature %s under the name %s"
+                    .formatted(id, feature.id(), name));
+          }
+        });
+    Optional<String> unsafe =
+        rules
+            .lastResort()
+            .map(StateRules.LastResort::state)
+            .filter(state -> !safeStates.contains(state));
+    if (unsafe.isPresent()) {
+      throw new IllegalArgumentException(
+          "The last resort of the member " + id + " is no safe state: " + unsafe.get());
+    }
     features.values().forEach(feature -> used.add(feature.runningState()));
     used.removeAll(states);
     if (!used.isEmpty()) {
       throw new IllegalArgumentException(
           "The member " + id + " uses states that are none of its own: " + String.join(", ", used));
     }
+  }
+
+  /** Of a member whose states may follow each other freely. */
+  public MemberProfile(
+      String id,
+      String description,
+      Set<String> states,
+      String initialState,
+      Set<String> safeStates,
+      Map<String, Feature> features) {
+    this(id, description, states, initialState, safeStates, features, StateRules.FREE);
+  }
+
+  /**
+   * F from a list, in its order.
+   *
+   * @throws IllegalArgumentException when two features have the same id (M11)
+   */
+  public static Map<String, Feature> byId(List<Feature> features) {
+    Map<String, Feature> byId = new LinkedHashMap<>();
+    for (Feature feature : features) {
+      if (byId.put(feature.id(), feature) != null) {
+        throw new IllegalArgumentException(
+            "Two features are called " + feature.id() + "; each needs an id of its own");
+      }
+    }
+    return byId;
   }
 
   /**
@@ -67,6 +117,7 @@ public record MemberProfile(
    * @param occupies components; two features that share one never run at the same time (M39)
    * @param continuous established first, ended by cancel or by {@code endedBy}
    * @param runningState z while it runs
+   * @param frequency how often a continuous one tells a value
    */
   public record Feature(
       String id,
@@ -75,7 +126,29 @@ public record MemberProfile(
       boolean continuous,
       Optional<String> endedBy,
       String runningState,
-      Procedure procedure) {}
+      Procedure procedure,
+      Frequency frequency) {
+
+    /** One that tells what it observes whenever it does. */
+    public Feature(
+        String id,
+        Set<String> required,
+        Set<String> occupies,
+        boolean continuous,
+        Optional<String> endedBy,
+        String runningState,
+        Procedure procedure) {
+      this(
+          id,
+          required,
+          occupies,
+          continuous,
+          endedBy,
+          runningState,
+          procedure,
+          Frequency.AS_IT_COMES);
+    }
+  }
 
   /** The current facts a member reports of itself, in MAESTRO-SL; asked on the clock thread. */
   public interface Values {

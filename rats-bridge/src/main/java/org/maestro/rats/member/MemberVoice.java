@@ -2,15 +2,20 @@ package org.maestro.rats.member;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
+import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
+import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.MemberState;
 import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Progress;
+import org.maestro.rats.protocol.ReservedFeature;
 import org.maestro.rats.protocol.Result;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.protocol.WireFormat;
@@ -28,6 +33,7 @@ final class MemberVoice {
 
   private static final Logger LOG = LoggerFactory.getLogger(MemberVoice.class);
   private static final int MOST_UNSENT = 256;
+  private static final Duration RELEASE_TIMEOUT = Duration.ofSeconds(30);
 
   private final String id;
   private final String boot;
@@ -36,6 +42,7 @@ final class MemberVoice {
   private final Transport transport;
   private final WireFormat wire = new WireFormat();
   private final Deque<Publication> unsent = new ArrayDeque<>();
+  private final AtomicLong releases = new AtomicLong();
   private boolean silent;
 
   MemberVoice(MemberProfile profile, String boot, Topics topics, Transport transport) {
@@ -74,6 +81,27 @@ final class MemberVoice {
     publish(
         Publication.stream(
             topics.observation(id, observation.feature()), wire.encode(observation)));
+  }
+
+  /** Something that people should hear of at once. */
+  void alert(String callId, String message) {
+    observation(new Observation(callId, id, ReservedFeature.ALERT, Map.of("message", message)));
+  }
+
+  /** Tells the call's holder that the task comes back, before the outcome does. */
+  void release(Call call, String reason) {
+    Call release =
+        new Call(
+            id + "-" + boot + "-" + releases.incrementAndGet(),
+            Optional.of(call.from()),
+            Optional.empty(),
+            ReservedFeature.RELEASE,
+            Map.of("task", call.id(), "reason", reason),
+            RELEASE_TIMEOUT,
+            id,
+            call.task());
+    publish(
+        Publication.reliable(topics.call(id), wire.encode(release), Optional.of(RELEASE_TIMEOUT)));
   }
 
   void sendUnsent() {

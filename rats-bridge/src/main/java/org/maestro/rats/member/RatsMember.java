@@ -35,7 +35,12 @@ public final class RatsMember implements AutoCloseable {
   private final MemberVoice voice;
   private final MemberCondition condition;
   private final Reception reception;
+  private final ControllerWatch controllers;
+  private Optional<Clock.Timer> byTime = Optional.empty();
+  private String restedIn;
   private boolean announced;
+  private boolean heardItself;
+  private volatile boolean refused;
   private boolean connected;
   private boolean changePending;
   private Optional<MemberState> told = Optional.empty();
@@ -52,11 +57,12 @@ public final class RatsMember implements AutoCloseable {
     this.transport = transport;
     this.clock = clock;
     this.boot = bootId(clock.instant());
+    this.restedIn = "";
     this.voice = new MemberVoice(profile, boot, topics, transport);
     this.condition = new MemberCondition(profile, boot, values);
     CallAnswers answers = new CallAnswers(profile.id(), voice, condition, clock);
-    TaskQueue tasks =
-        new TaskQueue(profile.id(), voice, condition, answers, this::tellState, clock);
+    TaskQueue tasks = new TaskQueue(profile, voice, condition, answers, this::tellState, clock);
+    this.controllers = new ControllerWatch(profile.id(), topics, profile.rules(), tasks, clock);
     this.reception =
         new Reception(
             profile, boot, topics, policy, condition, answers, tasks, this::describe, clock);
@@ -115,7 +121,8 @@ public final class RatsMember implements AutoCloseable {
   /**
    * The member is in another state while at rest, by the world's doing or by time (M35).
    *
-   * @throws IllegalArgumentException when that is none of its states
+   * @throws IllegalArgumentException when that is none of its states, or may not follow the present
+   *     one
    */
   public void rest(String state) {
     condition.rest(state);
@@ -161,6 +168,11 @@ public final class RatsMember implements AutoCloseable {
         topics.status(profile.id()),
         Transport.RetainedMessages.SEND,
         message -> perform(() -> readOwnStatus(message)));
+    transport.subscribe(
+        topics.controllerStatuses(),
+        Transport.RetainedMessages.SEND,
+        message -> perform(() -> controllers.heard(message)));
+    watchTheTime();
     transport.open(
         Optional.of(voice.will()),
         new Transport.ConnectionListener() {
@@ -211,13 +223,37 @@ public final class RatsMember implements AutoCloseable {
       return;
     }
     try {
-      if (wire.decodeStatus(message.payload()).phase() == MemberStatus.Phase.LOST) {
+      MemberStatus status = wire.decodeStatus(message.payload());
+      boolean own = status.boot().equals(boot);
+      heardItself |= own && status.phase() == MemberStatus.Phase.READY;
+      if (status.phase() == MemberStatus.Phase.LOST) {
         voice.status(MemberStatus.Phase.READY);
+      } else if (!own && heardItself && status.phase() != MemberStatus.Phase.DISCONNECTED) {
+        meetTwin(status.boot());
       }
     } catch (MalformedMessageException malformed) {
       LOG.warn("{} found a status of its own that it cannot read", profile.id(), malformed);
       voice.status(MemberStatus.Phase.READY);
     }
+  }
+
+  /** Another member of the same id is alive; the one that started later has to go (M9). */
+  private void meetTwin(String other) {
+    if (boot.compareTo(other) < 0) {
+      LOG.warn("Another member calls itself {} and started later; it is to leave", profile.id());
+      voice.status(MemberStatus.Phase.READY);
+    } else {
+      LOG.error(
+          "There is a member {} already; this one leaves, give it an id of its own", profile.id());
+      refused = true;
+      voice.silence();
+      transport.close();
+    }
+  }
+
+  /** Whether it left because another member of its id was there before. */
+  public boolean isRefused() {
+    return refused;
   }
 
   private void tellPendingChange() {
@@ -226,11 +262,25 @@ public final class RatsMember implements AutoCloseable {
   }
 
   private void tellState() {
+    watchTheTime();
     MemberState now = condition.snapshot();
     if (connected && told.filter(now::equals).isEmpty()) {
       told = Optional.of(now);
       voice.state(now);
     }
+  }
+
+  /** A state that the member may only rest in for a while is left by itself. */
+  private void watchTheTime() {
+    String resting = condition.isBusy() ? "" : condition.atRest();
+    if (resting.equals(restedIn)) {
+      return;
+    }
+    restedIn = resting;
+    byTime.ifPresent(Clock.Timer::cancel);
+    byTime =
+        Optional.ofNullable(profile.rules().byTime().get(resting))
+            .map(after -> clock.schedule(after.time(), profile.id(), () -> rest(after.state())));
   }
 
   private static String bootId(Instant instant) {

@@ -177,6 +177,9 @@ final class Reception {
           feature.id() + " needs the parameters " + String.join(", ", missing));
     } else if (disabled.isPresent()) {
       answers.rejected(call, ErrorCode.DISABLED, disabled.get());
+    } else if (tasks.becomesSafe()) {
+      answers.rejected(
+          call, ErrorCode.DISABLED, profile.id() + " was told to be safe; try when it is");
     } else if (tasks.full()) {
       answers.rejected(
           call, ErrorCode.QUEUE_FULL, "The queue of " + profile.id() + " is full; try later");

@@ -38,6 +38,12 @@ final class Task implements Execution {
 
     void observed(Task task, Map<String, Object> values);
 
+    /** It is given back, and on its way out. */
+    void givenBack(Task task, String reason);
+
+    /** Its exit strategy did not bring the device to a safe state. */
+    void exitFailed(Task task, String message);
+
     void ended(Task task, Outcome outcome, Map<String, Object> values, Optional<RatsError> error);
 
     /** The member is gone: nothing counts any more. */
@@ -51,8 +57,11 @@ final class Task implements Execution {
   private final Keeper keeper;
   private final Clock.Timer timeout;
   private final List<Runnable> afterEnd = new ArrayList<>();
+  private Optional<Clock.Timer> exitLimit = Optional.empty();
   private Phase phase = Phase.WAITING;
   private boolean established;
+  private boolean wentOut;
+  private Duration nextObservation = Duration.ZERO;
   private Map<String, Object> latestValues = Map.of();
   private ExitStrategy strategy = Runnable::run;
 
@@ -110,9 +119,25 @@ final class Task implements Execution {
       end(outcome, Map.of(), error);
     } else if (phase == Phase.RUNNING) {
       phase = Phase.EXITING;
-      clock.schedule(EXIT_LIMIT, owner, () -> exitTookTooLong(outcome));
-      strategy.exit(() -> end(outcome, Map.of(), error));
+      wentOut = true;
+      exitLimit = Optional.of(clock.schedule(EXIT_LIMIT, owner, () -> exitTookTooLong(outcome)));
+      try {
+        strategy.exit(() -> end(outcome, Map.of(), error));
+      } catch (RuntimeException fault) {
+        LOG.error("The exit strategy of {} of {} failed", feature.id(), owner, fault);
+        exitFailed(
+            outcome, "The exit strategy of " + feature.id() + " broke off: " + fault.getMessage());
+      }
     }
+  }
+
+  boolean continuous() {
+    return feature.continuous();
+  }
+
+  /** Whether it was ended through its exit strategy. */
+  boolean wentOut() {
+    return wentOut;
   }
 
   /** Tells how far it is, with the latest values of a stream; on its way out its end is near. */
@@ -149,7 +174,37 @@ final class Task implements Execution {
   public void observed(Map<String, Object> values) {
     if (phase == Phase.RUNNING && established && !keeper.gone()) {
       latestValues = values;
+      if (clock.now().compareTo(nextObservation) < 0) {
+        return;
+      }
+      nextObservation = clock.now().plus(feature.frequency().period(call.parameters()));
       keeper.observed(this, values);
+    }
+  }
+
+  @Override
+  public void observeRegularly(Reading reading) {
+    established(reading.values());
+    observeNext(reading, feature.frequency().period(call.parameters()));
+  }
+
+  private void observeNext(Reading reading, Duration period) {
+    clock.schedule(
+        period,
+        owner,
+        () -> {
+          if (!ended()) {
+            observed(reading.values());
+            observeNext(reading, period);
+          }
+        });
+  }
+
+  @Override
+  public void giveBack(RatsError reason) {
+    if (phase == Phase.RUNNING) {
+      keeper.givenBack(this, reason.message());
+      stop(Outcome.FAILED, Optional.of(reason));
     }
   }
 
@@ -191,17 +246,24 @@ final class Task implements Execution {
   }
 
   private void exitTookTooLong(Outcome outcome) {
+    exitFailed(
+        outcome,
+        "The exit strategy of %s did not end within %d s"
+            .formatted(feature.id(), EXIT_LIMIT.toSeconds()));
+  }
+
+  private void exitFailed(Outcome outcome, String message) {
     if (phase == Phase.EXITING) {
-      String message =
-          "The exit strategy of "
-              + feature.id()
-              + " did not end within "
-              + EXIT_LIMIT.toSeconds()
-              + " s";
-      end(
-          outcome == Outcome.SUCCEEDED ? Outcome.FAILED : outcome,
-          Map.of(),
-          Optional.of(CallAnswers.error(ErrorCode.HARDWARE_FAILURE, message)));
+      keeper.exitFailed(this, message);
+      RatsError error =
+          new RatsError(
+              ErrorCode.HARDWARE_FAILURE,
+              RatsError.Level.ERROR,
+              message,
+              Optional.empty(),
+              List.of(),
+              false);
+      end(outcome == Outcome.SUCCEEDED ? Outcome.FAILED : outcome, Map.of(), Optional.of(error));
     }
   }
 
@@ -209,6 +271,7 @@ final class Task implements Execution {
     if (phase != Phase.ENDED) {
       phase = Phase.ENDED;
       timeout.cancel();
+      exitLimit.ifPresent(Clock.Timer::cancel);
       keeper.ended(this, outcome, values, error);
       List.copyOf(afterEnd).forEach(Runnable::run);
     }

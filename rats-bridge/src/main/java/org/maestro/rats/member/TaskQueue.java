@@ -15,6 +15,8 @@ import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Progress;
 import org.maestro.rats.protocol.RatsError;
 import org.maestro.rats.time.Clock;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * What runs and what waits on a member. A task starts when neither a running one nor one that has
@@ -22,6 +24,7 @@ import org.maestro.rats.time.Clock;
  */
 final class TaskQueue implements Task.Keeper {
 
+  private static final Logger LOG = LoggerFactory.getLogger(TaskQueue.class);
   private static final int MOST_WAITING = 64;
 
   private final String member;
@@ -30,18 +33,21 @@ final class TaskQueue implements Task.Keeper {
   private final CallAnswers answers;
   private final Runnable conditionChanged;
   private final Clock clock;
+  private final StateRules rules;
   private final List<Task> waiting = new ArrayList<>();
   private final List<Task> running = new ArrayList<>();
   private boolean starting;
+  private int becomingSafe;
 
   TaskQueue(
-      String member,
+      MemberProfile profile,
       MemberVoice voice,
       MemberCondition condition,
       CallAnswers answers,
       Runnable conditionChanged,
       Clock clock) {
-    this.member = member;
+    this.member = profile.id();
+    this.rules = profile.rules();
     this.voice = voice;
     this.condition = condition;
     this.answers = answers;
@@ -94,6 +100,7 @@ final class TaskQueue implements Task.Keeper {
    * state (M37).
    */
   void makeSafe(Runnable action) {
+    becomingSafe++;
     List<Task> all = all();
     List<Task> left = new ArrayList<>(all);
     all.forEach(
@@ -111,7 +118,46 @@ final class TaskQueue implements Task.Keeper {
     }
   }
 
+  /** Whether it ends what runs, so that nothing may start. */
+  boolean becomesSafe() {
+    return becomingSafe > 0;
+  }
+
+  /**
+   * Nobody is left who could end what the controller keeps going: it ends now. Tasks that end by
+   * themselves may, and the member rests in a safe state when nothing runs any more.
+   */
+  void abandonedBy(String controller) {
+    List<Task> own = all().stream().filter(task -> task.call().from().equals(controller)).toList();
+    own.stream()
+        .filter(Task::continuous)
+        .forEach(
+            task ->
+                task.stop(Outcome.CANCELED, canceled("The controller " + controller + " is lost")));
+    List<Task> left = new ArrayList<>(own);
+    own.forEach(
+        task ->
+            task.afterEnd(
+                () -> {
+                  left.remove(task);
+                  if (left.isEmpty()) {
+                    restWhenIdle();
+                  }
+                }));
+    if (own.isEmpty()) {
+      restWhenIdle();
+    }
+  }
+
+  private void restWhenIdle() {
+    if (running.isEmpty() && waiting.isEmpty()) {
+      condition.restSafely();
+      changed();
+    }
+  }
+
   private void rest(Runnable action) {
+    becomingSafe--;
     condition.restSafely();
     changed();
     action.run();
@@ -124,7 +170,7 @@ final class TaskQueue implements Task.Keeper {
   }
 
   private void startWhatCan() {
-    if (starting) {
+    if (starting || becomesSafe()) {
       return;
     }
     starting = true;
@@ -203,11 +249,39 @@ final class TaskQueue implements Task.Keeper {
   }
 
   @Override
+  public void givenBack(Task task, String reason) {
+    voice.release(task.call(), reason);
+  }
+
+  @Override
+  public void exitFailed(Task task, String message) {
+    rules
+        .lastResort()
+        .ifPresentOrElse(
+            resort -> {
+              condition.forced(resort.state());
+              force(resort);
+            },
+            condition::restSafely);
+    String alert = message + "; it rests in the state " + condition.atRest();
+    LOG.error("{}: {}", member, alert);
+    voice.alert(task.call().id(), alert);
+  }
+
+  private void force(StateRules.LastResort resort) {
+    try {
+      resort.action().run();
+    } catch (RuntimeException fault) {
+      LOG.error("The last resort of {} failed too", member, fault);
+    }
+  }
+
+  @Override
   public void ended(
       Task task, Outcome outcome, Map<String, Object> values, Optional<RatsError> error) {
     waiting.remove(task);
     boolean ran = running.remove(task);
-    if (ran && (outcome == Outcome.CANCELED || outcome == Outcome.TIMED_OUT)) {
+    if (ran && task.wentOut() && outcome != Outcome.SUCCEEDED) {
       condition.restSafely();
     }
     changed();

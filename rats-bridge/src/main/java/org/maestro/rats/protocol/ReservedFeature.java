@@ -14,6 +14,15 @@ public enum ReservedFeature {
   DESCRIBE("$describe"),
   PING("$ping");
 
+  /** From a member to the holder of a contract: it could do a task too (M43). */
+  public static final String OFFER = "$offer";
+
+  /** From a member to the holder of a contract: it gives a task back (M44). */
+  public static final String RELEASE = "$release";
+
+  /** The stream of what people should hear of at once. */
+  public static final String ALERT = "$alert";
+
   private final String word;
 
   ReservedFeature(String word) {

@@ -92,6 +92,16 @@ public record Topics(String site) {
     return root() + "controller/" + controller + "/status";
   }
 
+  /** Filter: the status of every controller. */
+  public String controllerStatuses() {
+    return controllerStatus("+");
+  }
+
+  /** Which controller a topic {@code controller/{id}/status} belongs to; empty for others. */
+  public Optional<String> controllerOf(String topic) {
+    return after(topic, root() + "controller/").map(rest -> rest.substring(0, end(rest)));
+  }
+
   /** Who called, by the topic; empty on the bare {@code call}. */
   public Optional<String> callerOf(String callTopic) {
     return after(callTopic, root() + "call/");

@@ -21,6 +21,9 @@ public final class InProcessBus {
   /** From publisher to subscriber, and to connect. */
   static final Duration HOP = Duration.ofMillis(1);
 
+  /** Until a client tries again whose place another took. */
+  private static final Duration RECONNECT = Duration.ofMillis(200);
+
   private final Clock clock;
   private final Map<String, InProcessTransport> connected = new LinkedHashMap<>();
   private final List<InProcessTransport> wanting = new ArrayList<>();
@@ -127,6 +130,7 @@ public final class InProcessBus {
     }
     if (former != null) {
       former.lost("another client took the id " + client.clientId());
+      clock.schedule(RECONNECT, former.clientId(), () -> connect(former));
     }
     client.accepted();
   }

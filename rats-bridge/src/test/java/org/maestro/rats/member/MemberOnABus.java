@@ -37,6 +37,7 @@ abstract class MemberOnABus {
   final List<Duration> resultTimes = new ArrayList<>();
   final List<Progress> progress = new ArrayList<>();
   final List<String> observations = new ArrayList<>();
+  final List<Call> calls = new ArrayList<>();
   final List<String> retained = new ArrayList<>();
   Optional<MemberState> state = Optional.empty();
   RatsMember member;
@@ -86,9 +87,12 @@ abstract class MemberOnABus {
     start();
   }
 
+  MemberProfile profile() {
+    return device.profile();
+  }
+
   void start() {
-    member =
-        RatsMember.start(device.profile(), () -> device.facts, bus.client("rose"), "test", clock);
+    member = RatsMember.start(profile(), () -> device.facts, bus.client("rose"), "test", clock);
     run(1);
   }
 

@@ -8,6 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.ErrorCode;
+import org.maestro.rats.protocol.RatsError;
 import org.maestro.rats.time.Clock;
 
 /**
@@ -21,6 +23,9 @@ public final class TestDevice {
   public final List<String> log = new ArrayList<>();
 
   public final List<String> facts = new ArrayList<>(List.of("(level lamp 0)"));
+  boolean gripNeverLetsGo;
+  boolean gripBreaksOnExit;
+  boolean gripFindsItselfJammed;
   private final Clock clock;
   private final String id;
 
@@ -92,14 +97,31 @@ public final class TestDevice {
   private Action gripping() {
     return execution -> {
       execution.onCancel(
-          safe ->
+          safe -> {
+            if (gripBreaksOnExit) {
+              throw new IllegalStateException("meant to break");
+            }
+            if (!gripNeverLetsGo) {
               clock.schedule(
                   Duration.ofSeconds(3),
                   id,
                   () -> {
                     note("put down");
                     safe.run();
-                  }));
+                  });
+            }
+          });
+      if (gripFindsItselfJammed) {
+        execution.giveBack(
+            new RatsError(
+                ErrorCode.HARDWARE_FAILURE,
+                RatsError.Level.WARNING,
+                "the gripper is jammed",
+                Optional.empty(),
+                List.of(),
+                true));
+        return;
+      }
       execution.progress(0.5);
       timed("grip", 2).start(execution);
     };
