@@ -309,5 +309,10 @@ public final class BusLink implements RatsLink {
     public void gone(String member, String life, String why) {
       calls.memberGone(member, life, why);
     }
+
+    @Override
+    public void returned(String member) {
+      calls.resume(member);
+    }
   }
 }

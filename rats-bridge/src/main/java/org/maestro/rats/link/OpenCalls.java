@@ -124,10 +124,19 @@ final class OpenCalls {
    * answered already.
    */
   void resume() {
-    for (Open call : List.copyOf(open.values())) {
-      send(call);
-      sendCancel(call);
-    }
+    List.copyOf(open.values()).forEach(this::sendAgain);
+  }
+
+  /** The same for one member, which may have been away when the others were not. */
+  void resume(String member) {
+    List.copyOf(open.values()).stream()
+        .filter(call -> member(call.call).equals(member))
+        .forEach(this::sendAgain);
+  }
+
+  private void sendAgain(Open call) {
+    send(call);
+    sendCancel(call);
   }
 
   void resultHeard(String sender, Result result) {

@@ -31,6 +31,9 @@ final class Roster {
 
     /** That life of the member is over, and calls to it with it. */
     void gone(String member, String boot, String why);
+
+    /** It shows up again after the bus was away; what was sent meanwhile may have missed it. */
+    void returned(String member);
   }
 
   private final Topics topics;
@@ -125,6 +128,7 @@ final class Roster {
         status.phase() == MemberStatus.Phase.LOST
             || status.phase() == MemberStatus.Phase.DISCONNECTED;
     boolean otherLife = entry.phase.isPresent() && !entry.boot.equals(status.boot());
+    boolean returned = entry.doubted && !leaves && !otherLife;
     entry.doubted = false;
     if (leaves && otherLife && entry.present()) {
       LOG.debug("{} of a former life of {} is ignored", status.phase(), status.member());
@@ -138,6 +142,8 @@ final class Roster {
       watcher.gone(status.member(), formerBoot, "it was started again");
     } else if (leaves) {
       watcher.gone(status.member(), status.boot(), "its connection is gone");
+    } else if (returned) {
+      watcher.returned(status.member());
     }
   }
 
