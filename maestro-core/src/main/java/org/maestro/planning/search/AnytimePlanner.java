@@ -21,6 +21,7 @@ public final class AnytimePlanner {
   /** Of the time that is left, for each search that proves nothing. */
   private static final double SHARE = 0.1;
 
+  private final SettledTask settled;
   private final GroundTask task;
   private final long memory;
   private final Consumer<String> progress;
@@ -32,7 +33,8 @@ public final class AnytimePlanner {
    */
   public AnytimePlanner(GroundTask task, long memory, Consumer<String> progress) {
     this.progress = progress;
-    this.task = task;
+    this.settled = new SettledTask(task);
+    this.task = settled.task();
     this.memory = memory;
   }
 
@@ -159,6 +161,6 @@ public final class AnytimePlanner {
       operators.add(reduced.operators.get(operator));
       cost += reduced.cost[operator];
     }
-    best = new Solution(Verdict.PLAN, operators, cost, best.lowerBound());
+    best = new Solution(Verdict.PLAN, settled.meant(operators), cost, best.lowerBound());
   }
 }

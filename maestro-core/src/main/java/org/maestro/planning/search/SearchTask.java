@@ -176,7 +176,10 @@ final class SearchTask {
   long gap(long[] state, int bound) {
     Bound asked = origin.bounds().get(bound);
     long value = state[words + asked.sum()];
-    return Math.max(0, Math.max(asked.least() - value, value - asked.most()));
+    if (value < asked.least()) {
+      return asked.least() - value;
+    }
+    return value > asked.most() ? value - asked.most() : 0;
   }
 
   boolean isApplicable(long[] state, int operator) {

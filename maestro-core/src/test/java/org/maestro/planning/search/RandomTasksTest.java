@@ -12,6 +12,7 @@ import java.util.OptionalLong;
 import java.util.PriorityQueue;
 import java.util.Random;
 import java.util.stream.IntStream;
+import java.util.stream.LongStream;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.LongRange;
@@ -52,6 +53,92 @@ class RandomTasksTest {
     if (first.hasPlan()) {
       assertThat(costWhenRun(task, first.operators())).isEqualTo(first.cost());
     }
+  }
+
+  @Property(tries = 200)
+  void settlesSumsOfLampsAtLeastCost(@ForAll @LongRange(min = 0, max = 1_000_000) long seed) {
+    GroundTask task = lamps(new Random(seed));
+    OptionalLong least = leastCost(task);
+    Solution solution = new AnytimePlanner(task, MEMORY, line -> {}).solve(Patience.endless());
+    assertThat(solution.hasPlan()).isEqualTo(least.isPresent());
+    if (least.isPresent()) {
+      assertThat(solution.verdict()).isEqualTo(Verdict.OPTIMAL);
+      assertThat(solution.cost()).isEqualTo(least.getAsLong());
+      assertThat(costWhenRun(task, solution.operators())).isEqualTo(least.getAsLong());
+    }
+  }
+
+  /**
+   * Lamps that are switched and cancel what is known; measuring; looks that need what is known and
+   * light in intervals, of which sometimes none lies in the other.
+   */
+  static GroundTask lamps(Random random) {
+    int lamps = 2 + random.nextInt(5);
+    int known = 2 * lamps;
+    int looks = 1 + random.nextInt(2);
+    List<GroundOperator> operators = new ArrayList<>();
+    int[] none = {};
+    for (int lamp = 0; lamp < lamps; lamp++) {
+      int gain = 1 + random.nextInt(9);
+      for (int to = 0; to < 2; to++) {
+        int from = 2 * lamp + 1 - to;
+        operators.add(
+            new GroundOperator(
+                0,
+                new int[] {operators.size()},
+                new int[] {from},
+                new int[] {2 * lamp + to},
+                from < known ? new int[] {from, known} : none,
+                none,
+                new int[] {0},
+                new long[] {to == 1 ? gain : -gain},
+                random.nextInt(9)));
+      }
+    }
+    operators.add(
+        new GroundOperator(
+            0,
+            new int[] {operators.size()},
+            none,
+            new int[] {known},
+            none,
+            none,
+            none,
+            new long[0],
+            random.nextInt(3)));
+    List<GroundTask.Bound> bounds = new ArrayList<>();
+    for (int look = 0; look < looks; look++) {
+      long least = random.nextInt(15);
+      bounds.add(new GroundTask.Bound(0, least, Long.MAX_VALUE));
+      bounds.add(new GroundTask.Bound(0, Long.MIN_VALUE, least + random.nextInt(10)));
+      operators.add(
+          new GroundOperator(
+              0,
+              new int[] {operators.size()},
+              new int[] {known},
+              new int[] {known + 1 + look},
+              none,
+              new int[] {2 * look, 2 * look + 1},
+              none,
+              new long[0],
+              random.nextInt(3)));
+    }
+    BitSet initial = new BitSet();
+    for (int lamp = 0; lamp < lamps; lamp++) {
+      initial.set(2 * lamp + random.nextInt(2));
+    }
+    initial.set(known, random.nextBoolean());
+    return new GroundTask(
+        known + 1 + looks,
+        new long[] {random.nextInt(10)},
+        bounds,
+        operators,
+        initial.stream().toArray(),
+        IntStream.range(known + 1, known + 1 + looks).toArray(),
+        none,
+        BigDecimal.ONE,
+        false,
+        new Numbers());
   }
 
   /** Loosely coupled variables, so that there are leaves; some operators look at others. */
@@ -161,7 +248,7 @@ class RandomTasksTest {
   private static State initial(GroundTask task) {
     BitSet facts = new BitSet();
     IntStream.of(task.initial()).forEach(facts::set);
-    return new State(facts, IntStream.range(0, task.sums().length).mapToObj(i -> 0L).toList());
+    return new State(facts, LongStream.of(task.sums()).boxed().toList());
   }
 
   private static boolean holds(GroundTask task, State state, int[] facts, int[] bounds) {
