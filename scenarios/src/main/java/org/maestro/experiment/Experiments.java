@@ -5,7 +5,8 @@ import java.util.Optional;
 
 /** All experiments. */
 public final class Experiments {
-  private static final List<Experiment> ALL = List.of(new MoveObject(), new Illumination());
+  private static final List<Experiment> ALL =
+      List.of(new MoveObject(), new Illumination(), new OverExposure());
 
   private Experiments() {}
 

@@ -37,7 +37,7 @@ final class MoveFigures {
     double greatest = Math.max(greatest(MoveObject.FIRST, runs), greatest(MoveObject.SECOND, runs));
     heat("11", MoveObject.FIRST, runs, greatest, figures);
     heat("12", MoveObject.SECOND, runs, greatest, figures);
-    runs.forEach(run -> run.picture().ifPresent(figures::add));
+    runs.forEach(run -> figures.addAll(run.pictures()));
     return figures;
   }
 

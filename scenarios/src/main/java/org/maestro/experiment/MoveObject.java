@@ -41,12 +41,8 @@ final class MoveObject implements Experiment {
   @Override
   public List<Setting> settings() {
     List<Setting> settings = new ArrayList<>(Laboratory.settings());
+    settings.addAll(MoveRun.settings());
     settings.addAll(Physics.settings());
-    settings.add(
-        Setting.truth(
-            MoveRun.SOONEST,
-            false,
-            "whether plans are to be over soonest, rather than to cost least (seconds and energy)"));
     settings.add(
         Setting.number(
             PACE, 4, 0.1, 100, "simulated seconds per second of wall time with --paced"));
@@ -152,7 +148,7 @@ final class MoveObject implements Experiment {
     return runs.stream().filter(run -> run.job().equals(job)).toList();
   }
 
-  private static Table table(List<MoveRun> runs) {
+  static Table table(List<MoveRun> runs) {
     Table table =
         new Table(
             "run", "seed", "goal", "success", "duration_s", "lower_bound_s", "replans", "failure");
@@ -182,7 +178,8 @@ final class MoveObject implements Experiment {
             "calls",
             "driven_m",
             "apart_m",
-            "ratio");
+            "ratio",
+            "carried");
     runs.forEach(
         run ->
             table.add(
@@ -195,11 +192,12 @@ final class MoveObject implements Experiment {
                 run.ending().calls(),
                 run.trail().length(),
                 run.apartMetres(),
-                run.ratio()));
+                run.ratio(),
+                String.join(" ", run.moved())));
     return table;
   }
 
-  private static Table story(List<MoveRun> runs) {
+  static Table story(List<MoveRun> runs) {
     Table table = new Table("run", "t_s", "kind", "text");
     for (MoveRun run : runs) {
       for (StoryEntry entry : run.ending().story()) {

@@ -5,14 +5,19 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.Optional;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import org.maestro.experiment.drawing.Figure;
 import org.maestro.experiment.running.Ending;
 import org.maestro.experiment.running.Trail;
 import org.maestro.experiment.running.Trial;
 import org.maestro.experiment.running.TrialSite;
 import org.maestro.experiment.setting.Physics;
+import org.maestro.experiment.setting.Setting;
 import org.maestro.experiment.setting.Settings;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.Home;
@@ -29,6 +34,8 @@ import org.maestro.sim.World;
  * @param boundSeconds nobody could do it in less
  * @param brightestLux the most light upon one of the things at the beginning
  * @param apartMetres between the two in the end
+ * @param moved what was carried somewhere, in the simulated world
+ * @param pictures of what happened; mostly none
  */
 record MoveRun(
     int number,
@@ -42,13 +49,17 @@ record MoveRun(
     double brightestLux,
     double apartMetres,
     Trail trail,
-    Optional<Figure> picture) {
+    List<String> moved,
+    List<Figure> pictures) {
   private static final Duration PATIENCE = Duration.ofMinutes(10);
 
   /** The agent that sees to the light has done so when the goal comes. */
   private static final Duration SETTLED = Duration.ofSeconds(20);
 
-  static final String SOONEST = "platform.soonest";
+  private static final String CAMERA = "cam-1";
+  private static final double MOVED_METRES = 0.2;
+
+  private static final String SOONEST = "platform.soonest";
   static final Duration TRAIL_STEP = Duration.ofMillis(100);
 
   /** One burst of 15 frames at 30 frames a second. */
@@ -59,6 +70,14 @@ record MoveRun(
     String goal() {
       return "(nextTo %s %s)".formatted(carried, target);
     }
+  }
+
+  static List<Setting> settings() {
+    return List.of(
+        Setting.truth(
+            SOONEST,
+            false,
+            "whether plans are to be over soonest, rather than to cost least (seconds and energy)"));
   }
 
   /**
@@ -91,7 +110,12 @@ record MoveRun(
               .orElseThrow();
       Position start = world.position(Laboratory.ROBOT).orElseThrow();
       TopView view = new TopView(home, world);
+      List<Figure> pictures = new ArrayList<>();
       site.run(SETTLED);
+      if (drawn) {
+        pictures.add(photo(site, number));
+      }
+      Map<String, Position> before = places(world);
       Duration begun = site.clock().now();
       Ending ending = site.pursue(job.goal(), PATIENCE);
       double seconds = ending.seconds(site.clock().now());
@@ -102,6 +126,9 @@ record MoveRun(
               begun,
               begun.plusMillis(Math.round(1e3 * seconds)),
               TRAIL_STEP);
+      if (drawn) {
+        pictures.add(picture(view, number));
+      }
       return new MoveRun(
           number,
           seed,
@@ -114,8 +141,23 @@ record MoveRun(
           brightest,
           world.distance(job.carried(), job.target()),
           trail,
-          drawn ? Optional.of(picture(view, number)) : Optional.empty());
+          Laboratory.THINGS.stream()
+              .filter(thing -> before.get(thing).distance(places(world).get(thing)) > MOVED_METRES)
+              .toList(),
+          pictures);
     }
+  }
+
+  private static Map<String, Position> places(World world) {
+    return Laboratory.THINGS.stream()
+        .collect(Collectors.toMap(thing -> thing, thing -> world.position(thing).orElseThrow()));
+  }
+
+  private static Figure photo(TrialSite site, int number) {
+    return Figure.of(
+        "camera-" + number,
+        "What camera 1 shows when run %d begins.".formatted(number),
+        site.simulated().photo(CAMERA));
   }
 
   private static Figure picture(TopView view, int number) {
@@ -149,9 +191,16 @@ record MoveRun(
     if (success) {
       return "";
     }
+    String taken =
+        moved.isEmpty() || moved.contains(job.carried())
+            ? ""
+            : " In truth %s was carried off.".formatted(String.join(", ", moved));
     return ending.claimed()
-        ? "The platform says that it is done, but it is not: the two are %.2f m apart."
-            .formatted(apartMetres)
-        : ending.explanation();
+        ? String.format(
+            Locale.ROOT,
+            "The platform says that it is done, but it is not: the two are %.2f m apart.%s",
+            apartMetres,
+            taken)
+        : ending.explanation() + taken;
   }
 }
