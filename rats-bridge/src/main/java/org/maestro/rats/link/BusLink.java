@@ -10,6 +10,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.maestro.rats.protocol.Call;
+import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.CostExchange;
 import org.maestro.rats.protocol.MalformedMessageException;
@@ -54,6 +55,7 @@ public final class BusLink implements RatsLink {
   private final Transport transport;
   private final Clock clock;
   private final WireFormat wire = new WireFormat();
+  private final Complaints complaints = new Complaints();
   private final Roster roster;
   private final OpenCalls calls;
   private final List<MemberListener> listeners = new ArrayList<>();
@@ -68,8 +70,8 @@ public final class BusLink implements RatsLink {
     this.topics = topics;
     this.transport = transport;
     this.clock = clock;
-    this.calls = new OpenCalls(controller, topics, transport, clock);
-    this.roster = new Roster(topics, new RosterWatcher());
+    this.calls = new OpenCalls(controller, topics, transport, clock, complaints);
+    this.roster = new Roster(topics, complaints, new RosterWatcher());
   }
 
   /**
@@ -279,11 +281,13 @@ public final class BusLink implements RatsLink {
     transport.subscribe(filter, retained, message -> perform(() -> handle(handler, message)));
   }
 
-  private static void handle(Consumer<Message> handler, Message message) {
+  private void handle(Consumer<Message> handler, Message message) {
     try {
       handler.accept(message);
     } catch (MalformedMessageException malformed) {
-      LOG.warn("On {}: {}; the message is ignored", message.topic(), malformed.getMessage());
+      if (complaints.isDue(topics.speakerOf(message.topic()))) {
+        LOG.warn("On {}: {}; the message is ignored", message.topic(), malformed.getMessage());
+      }
     }
   }
 

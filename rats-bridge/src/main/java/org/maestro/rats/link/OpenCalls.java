@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
 import org.maestro.rats.protocol.Call;
+import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Outcome;
@@ -44,10 +45,13 @@ final class OpenCalls {
   private final Topics topics;
   private final Transport transport;
   private final Clock clock;
+  private final Complaints complaints;
   private final WireFormat wire = new WireFormat();
   private final Map<String, Open> open = new LinkedHashMap<>();
 
-  OpenCalls(String controller, Topics topics, Transport transport, Clock clock) {
+  OpenCalls(
+      String controller, Topics topics, Transport transport, Clock clock, Complaints complaints) {
+    this.complaints = complaints;
     this.controller = controller;
     this.topics = topics;
     this.transport = transport;
@@ -248,9 +252,9 @@ final class OpenCalls {
         call.call.id(), member(call.call), outcome, UNKNOWN_STATE, Map.of(), Optional.of(error));
   }
 
-  private static boolean isFrom(Open call, String sender, String from) {
+  private boolean isFrom(Open call, String sender, String from) {
     boolean right = sender.equals(member(call.call)) && from.equals(sender);
-    if (!right) {
+    if (!right && complaints.isDue(sender)) {
       LOG.warn("{} answers the call {} in the name of {}: ignored", sender, call.call.id(), from);
     }
     return right;

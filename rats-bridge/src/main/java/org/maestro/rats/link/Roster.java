@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.MalformedMessageException;
 import org.maestro.rats.protocol.MemberState;
 import org.maestro.rats.protocol.MemberStatus;
@@ -38,11 +39,13 @@ final class Roster {
 
   private final Topics topics;
   private final Watcher watcher;
+  private final Complaints complaints;
   private final WireFormat wire = new WireFormat();
   private final Map<String, Entry> entries = new LinkedHashMap<>();
   private volatile List<RatsLink.Member> members = List.of();
 
-  Roster(Topics topics, Watcher watcher) {
+  Roster(Topics topics, Complaints complaints, Watcher watcher) {
+    this.complaints = complaints;
     this.topics = topics;
     this.watcher = watcher;
   }
@@ -180,18 +183,20 @@ final class Roster {
     return topics.memberOf(message.topic());
   }
 
-  private static boolean isOwn(String sender, String member, Message message) {
-    if (!sender.equals(member)) {
+  private boolean isOwn(String sender, String member, Message message) {
+    if (!sender.equals(member) && complaints.isDue(sender)) {
       LOG.warn("A message of {} on the topic {} is ignored", member, message.topic());
     }
     return sender.equals(member);
   }
 
-  private static <T> Optional<T> decoded(Message message, Supplier<T> decoder) {
+  private <T> Optional<T> decoded(Message message, Supplier<T> decoder) {
     try {
       return Optional.of(decoder.get());
     } catch (MalformedMessageException malformed) {
-      LOG.warn("On {}: {}; the message is ignored", message.topic(), malformed.getMessage());
+      if (complaints.isDue(topics.speakerOf(message.topic()))) {
+        LOG.warn("On {}: {}; the message is ignored", message.topic(), malformed.getMessage());
+      }
       return Optional.empty();
     }
   }

@@ -3,6 +3,7 @@ package org.maestro.rats.member;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
+import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.MalformedMessageException;
 import org.maestro.rats.protocol.MemberState;
 import org.maestro.rats.protocol.MemberStatus;
@@ -38,6 +39,7 @@ public final class RatsMember implements AutoCloseable {
   private final ControllerWatch controllers;
   private Optional<Clock.Timer> byTime = Optional.empty();
   private String restedIn;
+  private final Complaints complaints = new Complaints();
   private boolean announced;
   private boolean heardItself;
   private volatile boolean refused;
@@ -232,7 +234,12 @@ public final class RatsMember implements AutoCloseable {
         meetTwin(status.boot());
       }
     } catch (MalformedMessageException malformed) {
-      LOG.warn("{} found a status of its own that it cannot read", profile.id(), malformed);
+      if (complaints.isDue(profile.id())) {
+        LOG.warn(
+            "{} found a status of its own that it cannot read: {}",
+            profile.id(),
+            malformed.getMessage());
+      }
       voice.status(MemberStatus.Phase.READY);
     }
   }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.maestro.rats.protocol.Call;
+import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.CostExchange;
 import org.maestro.rats.protocol.ErrorCode;
@@ -38,6 +39,7 @@ final class Reception {
   private final Runnable describe;
   private final Clock clock;
   private final WireFormat wire = new WireFormat();
+  private final Complaints complaints = new Complaints();
 
   Reception(
       MemberProfile profile,
@@ -62,7 +64,7 @@ final class Reception {
 
   void heard(Message message, Duration arrivedAt) {
     if (message.retained()) {
-      LOG.warn("{} does not execute a call that was sent with the retain flag", profile.id());
+      complain(message, "was sent with the retain flag, and is not executed");
       return;
     }
     Call call;
@@ -74,17 +76,23 @@ final class Reception {
     }
     Optional<String> caller = topics.callerOf(message.topic());
     if (caller.isPresent() && !caller.get().equals(call.from())) {
-      LOG.warn(
-          "{} ignores a call of {} in the name of {}", profile.id(), caller.get(), call.from());
+      complain(message, "came in the name of " + call.from() + ", and is ignored");
     } else if (caller.isEmpty() && policy.isSecured()) {
-      LOG.warn("{} ignores a call on the bare topic: this site is secured", profile.id());
+      complain(message, "came on the bare topic of a secured site, and is ignored");
     } else if (isForMe(call)) {
       take(call, message.remainingExpiry(), arrivedAt);
     }
   }
 
+  private void complain(Message message, String what) {
+    String sender = topics.callerOf(message.topic()).orElse(message.topic());
+    if (complaints.isDue(sender)) {
+      LOG.warn("{} heard of {}: the call {}", profile.id(), sender, what);
+    }
+  }
+
   private void refuseMalformed(Message message, MalformedMessageException malformed) {
-    LOG.debug("{} heard a malformed call: {}", profile.id(), malformed.getMessage());
+    complain(message, "is malformed: " + malformed.getMessage());
     Optional<String> caller = topics.callerOf(message.topic());
     wire.addressOf(message.payload())
         .filter(address -> address.member().equals(profile.id()) && caller.isPresent())

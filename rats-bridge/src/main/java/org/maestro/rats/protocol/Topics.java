@@ -123,6 +123,15 @@ public record Topics(String site) {
         : Optional.empty();
   }
 
+  /** Who speaks on a topic: the one that it names as its sender, else the topic itself. */
+  public String speakerOf(String topic) {
+    return callerOf(topic)
+        .or(() -> memberOf(topic))
+        .or(() -> controllerOf(topic))
+        .or(() -> senderOf(topic))
+        .orElse(topic);
+  }
+
   private String member(String id) {
     return root() + "member/" + id + "/";
   }

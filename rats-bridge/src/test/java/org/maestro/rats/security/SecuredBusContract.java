@@ -68,7 +68,7 @@ abstract class SecuredBusContract {
     Path files = SecuredSite.files(directory);
     Logger root = (Logger) LoggerFactory.getLogger(Logger.ROOT_LOGGER_NAME);
     ListAppender<ILoggingEvent> log = new ListAppender<>();
-    Logger own = (Logger) LoggerFactory.getLogger("org.maestro");
+    Logger own = (Logger) LoggerFactory.getLogger("org.maestro.rats");
     Level former = own.getLevel();
     log.start();
     root.addAppender(log);
