@@ -15,6 +15,7 @@ import org.maestro.knowledge.Belief;
 import org.maestro.knowledge.Dispute;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.knowledge.Source;
+import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
@@ -108,10 +109,21 @@ final class OnlyExpected {
     Optional<Belief> expected = expected(belief);
     boolean observable =
         vocabulary.predicate(number.name()).filter(PredicateDeclaration::observable).isPresent();
-    if (observable && !numbers.contains(number) && (expected.isPresent() || isOld(belief))) {
+    boolean measured =
+        expected.isEmpty() && belief.filter(said -> !isMeasured(number, said)).isEmpty();
+    if (observable && !numbers.contains(number) && (!measured || isOld(belief))) {
       expected.ifPresent(reckoned -> reporters.add(reckoned.source().agent()));
       numbers.add(number);
     }
+  }
+
+  /** Who only declined a step for its sake is no witness of a number. */
+  private boolean isMeasured(Expression.Fluent number, Belief belief) {
+    Device device = home.devices().get(belief.source().agent());
+    return belief.source().kind() != Source.Kind.OBSERVED
+        || device == null
+        || device.features().stream()
+            .anyMatch(feature -> Sensing.names(feature.effect()).contains(number.name()));
   }
 
   private void collectThings(Formula.Atom atom) {

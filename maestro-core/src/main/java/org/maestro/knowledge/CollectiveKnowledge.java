@@ -40,6 +40,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private final History history;
   private final Optional<HistoryFile> file;
   private final Statements statements = new Statements();
+  private final Sights sights = new Sights();
   private final Ageing ageing;
   private volatile World world;
   private long serial;
@@ -159,7 +160,11 @@ public final class CollectiveKnowledge implements KnowledgeBase {
           Lesson lesson = new Lesson(world, present, run);
           return write(
               Confidence.voice(world.home(), lesson.source(), run, present),
-              (draft, positions) -> lesson.facts(draft, positions::forget));
+              (draft, positions) -> {
+                List<Fact> facts = lesson.facts(draft, positions::forget);
+                sights.note(run, facts, world, present);
+                return facts;
+              });
         });
   }
 
@@ -235,7 +240,11 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     long[] next = {first};
     Draft draft = new Draft(world, now, () -> next[0]++);
     PositionKeeping positions = new PositionKeeping(draft, this::view);
-    positions.write(lessons.read(draft, positions), voice);
+    List<Fact> facts = lessons.read(draft, positions);
+    positions.write(facts, voice);
+    if (facts.stream().anyMatch(Fact.Equation.class::isInstance)) {
+      sights.ended(view(draft.world())).forEach(positions::forget);
+    }
     Outcome outcome = Outcome.of(draft, now);
     serial = next[0];
     Source source = voice.source();

@@ -68,6 +68,16 @@ class SeenLatelyTest {
   }
 
   @Test
+  void whoDeclinedForLackOfLightIsNoWitnessOfTheLight() {
+    observe("cam-a", "(= (illuminance zone-a) 30)");
+
+    GoalOutcome outcome = house.achieve("(<= (illuminance zone-a) 50)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isFalse();
+    assertThat(house.calls).contains("measureIllumination lux-a");
+  }
+
+  @Test
   void whatWasSeenJustNowNeedsNoLook() {
     GoalOutcome outcome = house.achieve("(in Cup zone-b)");
 

@@ -61,6 +61,28 @@ class BobsHomeKnowledgeTest {
   }
 
   @Test
+  void whatWasInViewIsNotInViewWhenItIsTooDarkForThat() {
+    Source sensor = new Source(Source.Kind.OBSERVED, "lux-b");
+    knowledge.state(sensor, List.of("(= (illuminance zone-b) 100)"));
+    knowledge.learn(
+        new FeatureRun(
+            "cam-b",
+            knowledge.home().vocabulary().features().get("observeObject"),
+            Map.of("object", new Term.Name("Cup"), "zone", new Term.Name("zone-b")),
+            true,
+            Map.of("found", new Term.Truth(true), "pose", new Term.Text("4.5 1.5 0")),
+            List.of()));
+    assertThat(truth("(canSee cam-b Cup)")).isEqualTo(Truth.TRUE);
+    knowledge.state(sensor, List.of("(= (illuminance zone-b) 90)"));
+    assertThat(truth("(canSee cam-b Cup)")).isEqualTo(Truth.TRUE);
+
+    knowledge.state(sensor, List.of("(= (illuminance zone-b) 17)"));
+
+    assertThat(truth("(canSee cam-b Cup)")).isNotEqualTo(Truth.TRUE);
+    assertThat(truth("(in Cup zone-b)")).isEqualTo(Truth.TRUE);
+  }
+
+  @Test
   void whatWasNotFoundSaysHowMuchOfThePlaceWasCovered() {
     FeatureType observe = knowledge.home().vocabulary().features().get("observeObject");
     knowledge.state(
