@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
-import java.util.Random;
+import java.util.SplittableRandom;
 import org.maestro.experiment.setting.Setting;
 import org.maestro.experiment.setting.Settings;
 import org.maestro.hal.Position;
@@ -75,7 +75,7 @@ final class Laboratory {
   static Scene scene(Settings settings, Home home, int run, long seed) {
     Scene scene = Shipped.scene("arena-windows", home);
     double noise = settings.number(BY_HAND);
-    Random random = new Random(seed);
+    SplittableRandom random = new SplittableRandom(seed);
     for (String thing : THINGS) {
       Scene.Entry entry = scene.of(thing);
       Position place = entry.position().orElseThrow();

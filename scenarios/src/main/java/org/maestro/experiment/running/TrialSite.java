@@ -96,6 +96,16 @@ public final class TrialSite implements AutoCloseable {
     return site.world();
   }
 
+  /** The member goes from the bus, and works on by itself; on the stepped clock only. */
+  public void cut(String member) {
+    site.bus().cut(member);
+  }
+
+  /** It is back. */
+  public void mend(String member) {
+    site.bus().mend(member);
+  }
+
   public SimulatedHome simulated() {
     return site.simulated();
   }
