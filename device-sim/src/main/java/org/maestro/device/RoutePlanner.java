@@ -21,12 +21,13 @@ import org.maestro.ontology.home.Segment;
 public final class RoutePlanner {
 
   private static final int SIDES = 16;
-  private static final double TOLERANCE = 1e-6;
+  private static final double TOLERANCE = FreeFloor.TOLERANCE;
   private static final double OUTWARD = 1e-4;
 
   private final List<Segment> walls;
   private final List<Obstacle> obstacles;
   private final double radius;
+  private final FreeFloor floor;
 
   /**
    * @param radius of the body; metres
@@ -35,15 +36,12 @@ public final class RoutePlanner {
     this.walls = List.copyOf(walls);
     this.obstacles = List.copyOf(obstacles);
     this.radius = radius;
+    this.floor = new FreeFloor(walls, obstacles, radius);
   }
 
   /** Whether the body may stand there. */
   public boolean isFree(Point2 point) {
-    return walls.stream().allMatch(wall -> wall.distance(point) >= radius - TOLERANCE)
-        && obstacles.stream()
-            .allMatch(
-                obstacle ->
-                    obstacle.middle().distance(point) >= obstacle.radius() + radius - TOLERANCE);
+    return floor.isFree(point);
   }
 
   /**
@@ -51,20 +49,7 @@ public final class RoutePlanner {
    * first.
    */
   public boolean isFreeWay(Point2 from, Point2 to) {
-    Segment way = new Segment(from, to);
-    for (Segment wall : walls) {
-      double needed = Math.min(radius, wall.distance(from));
-      if (wall.intersects(way) || distance(wall, way) < needed - TOLERANCE) {
-        return false;
-      }
-    }
-    for (Obstacle obstacle : obstacles) {
-      double needed = Math.min(obstacle.radius() + radius, obstacle.middle().distance(from));
-      if (way.distance(obstacle.middle()) < needed - TOLERANCE) {
-        return false;
-      }
-    }
-    return true;
+    return floor.isFreeWay(from, to);
   }
 
   /**
@@ -87,13 +72,44 @@ public final class RoutePlanner {
       return Optional.empty();
     }
     List<Point2> free = List.copyOf(nodes.subList(1, firstCorner));
+    Optional<Route> straight = straight(start, free);
+    if (straight.isPresent()) {
+      return straight;
+    }
     nodes.addAll(corners());
     double[] rest = new double[nodes.size()];
     for (int i = 0; i < rest.length; i++) {
-      Point2 node = nodes.get(i);
-      rest[i] = free.stream().mapToDouble(node::distance).min().orElseThrow();
+      boolean goal = i > 0 && i < firstCorner;
+      rest[i] = goal ? 0 : distanceToNearest(nodes.get(i), free);
     }
     return search(nodes, firstCorner, rest);
+  }
+
+  /** Straight to the nearest goal, if that way is free: then no other is shorter. */
+  private Optional<Route> straight(Point2 start, List<Point2> goals) {
+    double least = distanceToNearest(start, goals);
+    double best = Double.POSITIVE_INFINITY;
+    Point2 nearest = start;
+    for (Point2 goal : goals) {
+      double length = start.distance(goal);
+      if (length <= least + TOLERANCE && length < best - TOLERANCE && isFreeWay(start, goal)) {
+        best = length;
+        nearest = goal;
+      }
+    }
+    return Double.isInfinite(best)
+        ? Optional.empty()
+        : Optional.of(new Route(List.of(nearest), best));
+  }
+
+  private static double distanceToNearest(Point2 node, List<Point2> goals) {
+    double least = Double.POSITIVE_INFINITY;
+    for (Point2 goal : goals) {
+      double x = goal.x() - node.x();
+      double y = goal.y() - node.y();
+      least = Math.min(least, x * x + y * y);
+    }
+    return Math.sqrt(least);
   }
 
   private List<Point2> corners() {
@@ -117,6 +133,7 @@ public final class RoutePlanner {
         new PriorityQueue<>(
             Comparator.comparingDouble(Entry::estimate).thenComparingInt(Entry::node));
     double best = Double.POSITIVE_INFINITY;
+    FreeFloor.Memory memory = new FreeFloor.Memory();
     length[0] = 0;
     open.add(new Entry(0, rest[0]));
     while (!open.isEmpty()) {
@@ -133,7 +150,7 @@ public final class RoutePlanner {
         if (!closed[next]
             && reached < length[next] - TOLERANCE
             && reached + rest[next] < best - TOLERANCE
-            && isFreeWay(nodes.get(node), nodes.get(next))) {
+            && floor.isFreeWay(nodes.get(node), nodes.get(next), memory)) {
           length[next] = reached;
           before[next] = node;
           if (next < firstCorner) {
@@ -153,12 +170,6 @@ public final class RoutePlanner {
     }
     Collections.reverse(way);
     return new Route(way, length);
-  }
-
-  private static double distance(Segment first, Segment second) {
-    return Math.min(
-        Math.min(first.distance(second.from()), first.distance(second.to())),
-        Math.min(second.distance(first.from()), second.distance(first.to())));
   }
 
   private static void addPolygon(List<Point2> points, Point2 middle, double clearance) {

@@ -1,6 +1,7 @@
 package org.maestro.launch;
 
 import java.io.PrintWriter;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -10,6 +11,8 @@ import java.util.function.Function;
 import org.maestro.bench.BenchReport;
 import org.maestro.bench.CoordinationBench;
 import org.maestro.bench.LargeHome;
+import org.maestro.bench.SimulationBench;
+import org.maestro.ontology.home.Home;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -17,13 +20,17 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** Runs a benchmark and prints its figures. */
-@Command(name = "bench", description = "Run a benchmark: coordination.")
+@Command(name = "bench", description = "Run a benchmark: coordination or sim.")
 final class BenchCommand implements Callable<Integer> {
   private static final Map<String, Function<Consumer<String>, BenchReport>> BENCHES =
       new TreeMap<>(
           Map.of(
               "coordination",
-              progress -> new CoordinationBench(new LargeHome(20, 20, 5), 100, progress).run()));
+              progress -> new CoordinationBench(new LargeHome(20, 20, 5), 100, progress).run(),
+              "sim",
+              BenchCommand::simulation));
+
+  private static final Duration MEASURED_TIME = Duration.ofSeconds(10);
 
   @Spec private CommandSpec spec;
 
@@ -32,6 +39,17 @@ final class BenchCommand implements Callable<Integer> {
 
   @Option(names = "--json", description = "Print one JSON document.")
   private boolean json;
+
+  private static BenchReport simulation(Consumer<String> progress) {
+    Home arena = Shipped.home("arena");
+    return new SimulationBench(
+            arena,
+            Shipped.scene("arena-dark", arena),
+            "(nextTo GreenObject RedObject1)",
+            MEASURED_TIME,
+            progress)
+        .run();
+  }
 
   @Override
   public Integer call() {

@@ -23,6 +23,13 @@ record TopicFilter(String text, List<String> levels) {
   }
 
   boolean matches(String topic) {
+    String first = levels.get(0);
+    if (!first.equals("+") && !first.equals("#") && !topic.startsWith(first)) {
+      return false;
+    }
+    if (text.indexOf('+') < 0 && text.indexOf('#') < 0) {
+      return text.equals(topic);
+    }
     String[] parts = topic.split("/", -1);
     for (int index = 0; index < levels.size(); index++) {
       String level = levels.get(index);
