@@ -268,7 +268,8 @@ public abstract class MaestroAgent extends Agent {
     }
 
     private boolean isFromYellowPages(ACLMessage message) {
-      return message.getSender().equals(getDefaultDF());
+      AID sender = message.getSender();
+      return sender.getName().startsWith(FIPANames.DEFAULT_DF) && sender.equals(getDefaultDF());
     }
 
     private void handle(ACLMessage message) {

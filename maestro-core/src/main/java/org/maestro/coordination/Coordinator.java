@@ -222,6 +222,9 @@ public final class Coordinator {
 
   public void knowledgeChanged(KnowledgeBase.Change change) {
     exactPrices.forget(change.source().agent());
+    if (rivals.all().isEmpty()) {
+      return;
+    }
     Interest changed = Interest.of(change.facts(), ports.knowledge().home().vocabulary());
     rivals.run(() -> rivals.all().forEach(pursuit -> pursuit.knowledgeChanged(change, changed)));
   }

@@ -71,7 +71,7 @@ final class BudgetedSearch {
                 + mostStates
                 + " states; allow more states or state a smaller goal.");
       } else if (round.outcome() instanceof OptimalSearch.Outcome.TooDear tooDear) {
-        next = Math.max(next, tooDear.atLeast());
+        next = Math.max(tooDear.atLeast(), Math.min(next, Math.nextDown(ground.beyond())));
       } else if (round.beyond() == Double.POSITIVE_INFINITY) {
         return new PlanningResult.Impossible(
             new Explanation(List.of(ObstacleText.ofGoal(task.goal())), false));

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.PriorityQueue;
@@ -13,25 +14,26 @@ import java.util.function.ToDoubleFunction;
 /**
  * Which operators a plan within a budget can use. Each step of a plan that leaves nothing out helps
  * another step, and that one yet another, up to the goal: the least cost of such a chain, the step
- * itself included, is what a plan costs at least that uses it. Found backwards from the goal, the
- * cheapest chain first, so that an operator out of budget need not even be made.
+ * itself included, and what has to be paid before the step can be taken, is what a plan costs at
+ * least that uses it. Found backwards from the goal, the cheapest chain first, so that an operator
+ * out of budget need not even be made.
  */
 final class ChainCosts {
 
   /** Makes the operators that change a variable. */
   interface Source {
     /**
-     * All operators that change the {@link Variable} or {@link NumberVariable}, as far as they cost
-     * no more than is left.
+     * All operators that bring an {@link Aim} about, or change a {@link Variable} or {@link
+     * NumberVariable}, as far as they cost no more than is left.
      *
      * @return the least cost of those that were left out because they cost more, infinite when
      *     there are none
      */
-    double changing(Object target, double left, List<Operator> into);
+    double changing(Object want, double left, List<Operator> into);
   }
 
-  /** A target whose turn comes when all chains that cost less have been followed. */
-  private record Turn(double cost, long sequence, Object target) implements Comparable<Turn> {
+  /** A want whose turn comes when all chains that cost less have been followed. */
+  private record Turn(double cost, long sequence, Object want) implements Comparable<Turn> {
     @Override
     public int compareTo(Turn other) {
       int byCost = Double.compare(cost, other.cost);
@@ -43,9 +45,12 @@ final class ChainCosts {
 
   private final Source source;
   private final ToDoubleFunction<Operator> leastCost;
+  private final ToDoubleFunction<Operator> costAhead;
   private final double budget;
   private final Map<Object, Double> needed = new HashMap<>();
   private final Set<Object> active = new HashSet<>();
+  private final Set<Object> watched = new HashSet<>();
+  private final Map<Object, Set<Object>> dormant = new HashMap<>();
   private final Map<Operator, Double> chains = new LinkedHashMap<>();
   private final Map<Object, List<Touch>> touching = new HashMap<>();
   private final PriorityQueue<Turn> queue = new PriorityQueue<>();
@@ -54,11 +59,17 @@ final class ChainCosts {
 
   /**
    * @param leastCost of an operator in any state
+   * @param costAhead what has to be paid at least for other steps before an operator can be used
    * @param budget in cost units; may be infinite
    */
-  ChainCosts(Source source, ToDoubleFunction<Operator> leastCost, double budget) {
+  ChainCosts(
+      Source source,
+      ToDoubleFunction<Operator> leastCost,
+      ToDoubleFunction<Operator> costAhead,
+      double budget) {
     this.source = source;
     this.leastCost = leastCost;
+    this.costAhead = costAhead;
     this.budget = budget;
   }
 
@@ -66,11 +77,11 @@ final class ChainCosts {
     need(goal, 0);
     while (!queue.isEmpty()) {
       Turn turn = queue.remove();
-      if (turn.cost() > needed.get(turn.target())) {
+      if (turn.cost() > needed.get(turn.want())) {
         continue;
       }
       List<Operator> changing = new ArrayList<>();
-      double cheapest = source.changing(turn.target(), budget - turn.cost(), changing);
+      double cheapest = source.changing(turn.want(), budget - turn.cost(), changing);
       beyond = Math.min(beyond, turn.cost() + cheapest);
       for (Operator operator : changing) {
         accept(operator, turn.cost() + leastCost.applyAsDouble(operator));
@@ -79,9 +90,18 @@ final class ChainCosts {
     return this;
   }
 
+  private static Object target(Object want) {
+    return want instanceof Aim aim ? aim.variable() : want;
+  }
+
   /** Whether a plan within the budget may use the operator. */
   boolean allows(Operator operator) {
     return chains.containsKey(operator);
+  }
+
+  /** All that a plan within the budget may use, in a stable order. */
+  Set<Operator> allowed() {
+    return chains.keySet();
   }
 
   /** What a plan costs at least that uses the operator; infinite beyond the budget. */
@@ -103,6 +123,11 @@ final class ChainCosts {
     if (before != null && before <= cost) {
       return;
     }
+    double whole = before == null ? cost + costAhead.applyAsDouble(operator) : cost;
+    if (whole > budget) {
+      beyond = Math.min(beyond, whole);
+      return;
+    }
     chains.put(operator, cost);
     need(operator.precondition(), cost);
     operator.price().cost().forEachVariable(variable -> activate(variable, cost));
@@ -114,11 +139,13 @@ final class ChainCosts {
             .computeIfAbsent(target, absent -> new ArrayList<>())
             .add(new Touch(operator, change));
       }
-      if (active.contains(target)) {
+      if (watched.contains(target)) {
         needAllOf(change, cost);
-      } else if (needed.containsKey(target)) {
-        activate(target, needed.get(target));
       }
+      for (Object want : dormant.getOrDefault(target, Set.of())) {
+        activate(want, needed.get(want));
+      }
+      dormant.remove(target);
     }
   }
 
@@ -126,6 +153,10 @@ final class ChainCosts {
     change.condition().forEachLeaf(leaf -> activateVariables(leaf, cost));
     if (change instanceof Change.Adjust adjust) {
       adjust.value().forEachVariable(variable -> activate(variable, cost));
+    } else if (change instanceof Change.Find find
+        && !new Aim(find.variable(), find.value()).isFindable()) {
+      // Only what is not known can be found: something has to end what is known first.
+      activate(find.variable(), cost);
     }
   }
 
@@ -145,7 +176,13 @@ final class ChainCosts {
 
   private void needLeaf(Condition leaf, double cost) {
     if (leaf instanceof Condition.Literal literal) {
-      need(literal.variable(), literal.holdsFor(literal.variable().initialCode()), cost);
+      Variable variable = literal.variable();
+      need(
+          literal.question() == Condition.Question.IS
+              ? new Aim(variable, literal.value())
+              : variable,
+          literal.holdsFor(variable.initialCode()),
+          cost);
     } else if (leaf instanceof Condition.NumberKnown known) {
       need(known.variable(), Quantity.isUnknown(known.variable().initial()) != known.known(), cost);
     } else if (leaf instanceof Condition.Compare compare) {
@@ -155,24 +192,24 @@ final class ChainCosts {
   }
 
   /** What holds at first matters once somebody may change it. */
-  private void need(Object target, boolean holdsAtFirst, double cost) {
-    if (!holdsAtFirst || active.contains(target) || touching.containsKey(target)) {
-      activate(target, cost);
+  private void need(Object want, boolean holdsAtFirst, double cost) {
+    if (!holdsAtFirst || active.contains(want) || touching.containsKey(target(want))) {
+      activate(want, cost);
     } else {
-      needed.merge(target, cost, Math::min);
+      needed.merge(want, cost, Math::min);
+      dormant.computeIfAbsent(target(want), absent -> new LinkedHashSet<>()).add(want);
     }
   }
 
-  private void activate(Object target, double cost) {
-    Double before = needed.get(target);
-    boolean isNew = active.add(target);
-    if (isNew || cost < before) {
+  private void activate(Object want, double cost) {
+    Double before = needed.get(want);
+    if (active.add(want) || cost < before) {
       double least = before == null ? cost : Math.min(before, cost);
-      needed.put(target, least);
-      queue.add(new Turn(least, sequence++, target));
+      needed.put(want, least);
+      queue.add(new Turn(least, sequence++, want));
     }
-    if (isNew) {
-      for (Touch touch : touching.getOrDefault(target, List.of())) {
+    if (watched.add(target(want))) {
+      for (Touch touch : touching.getOrDefault(target(want), List.of())) {
         needAllOf(touch.change(), chains.get(touch.operator()));
       }
     }

@@ -87,26 +87,36 @@ record GroundProblem(
 
   /** What a plan costs at least that uses an operator, for those within the budget. */
   ChainCosts chains(ToDoubleFunction<Operator> leastCost, double budget) {
-    Map<Object, List<Operator>> byTarget = byTarget(operators);
-    ChainCosts.Source source =
-        (target, left, into) -> {
-          into.addAll(byTarget.getOrDefault(target, List.of()));
-          return Double.POSITIVE_INFINITY;
-        };
-    return new ChainCosts(source, leastCost, budget).follow(goal.condition());
-  }
-
-  private static Map<Object, List<Operator>> byTarget(List<Operator> operators) {
-    Map<Object, List<Operator>> byTarget = new LinkedHashMap<>();
+    Map<Object, List<Operator>> byWant = byTarget(operators);
     for (Operator operator : operators) {
       for (Change change : operator.changes()) {
-        List<Operator> changing =
-            byTarget.computeIfAbsent(change.target(), absent -> new ArrayList<>());
-        if (changing.isEmpty() || changing.get(changing.size() - 1) != operator) {
-          changing.add(operator);
+        if (change instanceof Change.OfVariable of && !(change instanceof Change.Remove)) {
+          add(operator, new Aim(of.variable(), of.value()), byWant);
         }
       }
     }
+    ChainCosts.Source source =
+        (want, left, into) -> {
+          into.addAll(byWant.getOrDefault(want, List.of()));
+          return Double.POSITIVE_INFINITY;
+        };
+    return new ChainCosts(source, leastCost, operator -> 0, budget).follow(goal.condition());
+  }
+
+  static Map<Object, List<Operator>> byTarget(List<Operator> operators) {
+    Map<Object, List<Operator>> byTarget = new LinkedHashMap<>();
+    for (Operator operator : operators) {
+      for (Change change : operator.changes()) {
+        add(operator, change.target(), byTarget);
+      }
+    }
     return byTarget;
+  }
+
+  private static void add(Operator operator, Object want, Map<Object, List<Operator>> byWant) {
+    List<Operator> changing = byWant.computeIfAbsent(want, absent -> new ArrayList<>());
+    if (changing.isEmpty() || changing.get(changing.size() - 1) != operator) {
+      changing.add(operator);
+    }
   }
 }

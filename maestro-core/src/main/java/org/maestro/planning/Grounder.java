@@ -1,8 +1,9 @@
 package org.maestro.planning;
 
 import java.util.ArrayList;
-import java.util.Collection;
+import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -11,6 +12,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import java.util.function.IntFunction;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
@@ -45,8 +47,12 @@ final class Grounder {
   private final Map<String, List<Integer>> templatesChanging = new HashMap<>();
   private final LeastPrice leastPrice;
   private final Map<PricedFeature, Double> leastPrices = new IdentityHashMap<>();
+  private final CostAhead costAhead = new CostAhead(this::settingPrices);
   private final GroundGoal goal;
+  private final Set<String> removed = new HashSet<>();
+  private final Map<FeatureType, Set<String>> addedBy = new IdentityHashMap<>();
   private final Map<Instance, List<Operator>> made = new HashMap<>();
+  private final Map<Operator, Integer> templateOf = new HashMap<>();
   private final Map<Object, Map<Integer, List<Operator>>> changing = new HashMap<>();
 
   Grounder(PlanningTask task) {
@@ -82,6 +88,7 @@ final class Grounder {
         templatesChanging.computeIfAbsent(name, absent -> new ArrayList<>()).add(i);
       }
     }
+    changedBy.keySet().forEach(type -> removed.addAll(Signature.removedBy(type.effect())));
     this.leastPrice = new LeastPrice(task.facts(), signature);
     this.goal = GroundGoal.of(task.goal(), signature, facts, preconditions);
   }
@@ -121,17 +128,75 @@ final class Grounder {
    */
   Grounded ground(double budget) {
     ChainCosts chains =
-        new ChainCosts(this::changing, this::leastCost, budget).follow(goal.condition());
-    Relevance relevance = new Relevance(target -> changingWithin(target, chains));
+        new ChainCosts(
+                this::changing,
+                this::leastCost,
+                Double.isFinite(budget) ? costAhead::of : operator -> 0,
+                budget)
+            .follow(goal.condition());
+    Map<Object, List<Operator>> byTarget = byTarget(chains);
+    Relevance relevance = new Relevance(target -> byTarget.getOrDefault(target, List.of()));
     relevance.close(goal.condition());
     return new Grounded(GroundProblem.reduced(relevance, goal), chains.beyond());
   }
 
   /** What the operator costs at least, in any state. */
   double leastCost(Operator operator) {
-    return operator.price().cost() instanceof NumberExpression.Constant constant
+    return leastCost(operator.price(), operator.feature());
+  }
+
+  private double leastCost(StepPrice price, PricedFeature feature) {
+    return price.cost() instanceof NumberExpression.Constant constant
         ? constant.number()
-        : leastPrice(operator.feature());
+        : leastPrice(feature);
+  }
+
+  private Map<Integer, Double> settingPrices(Aim aim) {
+    Map<Integer, Double> prices = new TreeMap<>();
+    for (int template : templatesChanging.getOrDefault(aim.variable().predicate(), List.of())) {
+      PricedFeature feature = features.get(template);
+      if (mayBringAbout(feature.type(), aim)) {
+        forEachInstance(
+            template,
+            aim,
+            bindings ->
+                prices.merge(
+                    template, leastCost(factory.price(feature, bindings), feature), Math::min));
+      }
+    }
+    return prices;
+  }
+
+  /** Only what is not known can be found. */
+  private boolean mayBringAbout(FeatureType type, Aim aim) {
+    return aim.isFindable()
+        || removed.contains(aim.variable().predicate())
+        || addedBy
+            .computeIfAbsent(type, absent -> Signature.addedBy(type.effect()))
+            .contains(aim.variable().predicate());
+  }
+
+  /** The instances that may bring about or change what is wanted. */
+  private void forEachInstance(int template, Object want, Consumer<Map<String, Term>> consumer) {
+    Object target = target(want);
+    String name = name(target);
+    List<Term> arguments =
+        new ArrayList<>(
+            target instanceof Variable variable
+                ? variable.arguments()
+                : ((NumberVariable) target).fluent().arguments());
+    if (want instanceof Aim aim && aim.variable().functional()) {
+      arguments.add(aim.variable().value(aim.value()));
+    }
+    template(template).forEachInstanceChanging(name, arguments, isSymmetric(name), consumer);
+  }
+
+  private static Object target(Object want) {
+    return want instanceof Aim aim ? aim.variable() : want;
+  }
+
+  private boolean isSymmetric(String name) {
+    return signature.declaration(name).map(PredicateDeclaration::symmetric).orElse(false);
   }
 
   private double leastPrice(PricedFeature feature) {
@@ -153,26 +218,21 @@ final class Grounder {
     return List.of();
   }
 
-  private double changing(Object target, double left, List<Operator> into) {
+  private double changing(Object want, double left, List<Operator> into) {
     double cheapestLeftOut = Double.POSITIVE_INFINITY;
-    for (int template : templatesChanging.getOrDefault(name(target), List.of())) {
-      double price = leastPrice(features.get(template));
+    for (int template : templatesChanging.getOrDefault(name(target(want)), List.of())) {
+      PricedFeature feature = features.get(template);
+      if (want instanceof Aim aim && !mayBringAbout(feature.type(), aim)) {
+        continue;
+      }
+      double price = leastPrice(feature);
       if (price <= left) {
-        into.addAll(changing(target, template));
+        into.addAll(changing(want, template));
       } else {
         cheapestLeftOut = Math.min(cheapestLeftOut, price);
       }
     }
     return cheapestLeftOut;
-  }
-
-  private Collection<Operator> changingWithin(Object target, ChainCosts chains) {
-    Set<Operator> found = new LinkedHashSet<>();
-    changing
-        .getOrDefault(target, Map.of())
-        .values()
-        .forEach(operators -> operators.stream().filter(chains::allows).forEach(found::add));
-    return found;
   }
 
   private static String name(Object target) {
@@ -181,39 +241,39 @@ final class Grounder {
         : ((NumberVariable) target).fluent().name();
   }
 
-  /** The operators of one feature that change the target. */
-  private List<Operator> changing(Object target, int template) {
+  /** The operators of one feature that bring about or change what is wanted. */
+  private List<Operator> changing(Object want, int template) {
     Map<Integer, List<Operator>> byTemplate =
-        changing.computeIfAbsent(target, absent -> new TreeMap<>());
+        changing.computeIfAbsent(want, absent -> new TreeMap<>());
     List<Operator> known = byTemplate.get(template);
     if (known == null) {
-      String name = name(target);
-      List<Term> arguments =
-          target instanceof Variable variable
-              ? variable.arguments()
-              : ((NumberVariable) target).fluent().arguments();
-      boolean symmetric =
-          signature.declaration(name).map(PredicateDeclaration::symmetric).orElse(false);
       Set<Operator> found = new LinkedHashSet<>();
-      template(template)
-          .forEachInstanceChanging(
-              name,
-              arguments,
-              symmetric,
-              bindings ->
-                  made(template, bindings).stream()
-                      .filter(operator -> changes(operator, target))
-                      .forEach(found::add));
+      forEachInstance(
+          template,
+          want,
+          bindings ->
+              made(template, bindings).stream()
+                  .filter(operator -> changes(operator, want))
+                  .forEach(found::add));
       known = List.copyOf(found);
       byTemplate.put(template, known);
     }
     return known;
   }
 
-  private static boolean changes(Operator operator, Object target) {
+  /** By what they change, the features in their order. */
+  private Map<Object, List<Operator>> byTarget(ChainCosts chains) {
+    List<Operator> allowed = new ArrayList<>(chains.allowed());
+    allowed.sort(Comparator.comparingInt(operator -> templateOf.get(operator)));
+    return GroundProblem.byTarget(allowed);
+  }
+
+  private static boolean changes(Operator operator, Object want) {
     List<Change> changes = operator.changes();
     for (int i = 0; i < changes.size(); i++) {
-      if (changes.get(i).target() == target) {
+      if (want instanceof Aim aim
+          ? aim.isReachedBy(changes.get(i))
+          : changes.get(i).target() == want) {
         return true;
       }
     }
@@ -233,6 +293,7 @@ final class Grounder {
       if (forExplanation) {
         known = known.stream().map(operator -> withWhatIsMissing(operator, template)).toList();
       }
+      known.forEach(operator -> templateOf.put(operator, template));
       made.put(instance, known);
     }
     return known;

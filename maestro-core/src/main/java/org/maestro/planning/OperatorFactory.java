@@ -23,8 +23,7 @@ final class OperatorFactory {
 
   /** The operator of a feature instance; none when it can never be done. */
   List<Operator> operators(PricedFeature feature, Map<String, Term> parameters) {
-    Map<String, Term> bindings = new HashMap<>(parameters);
-    bindings.put("self", new Term.Name(feature.member()));
+    Map<String, Term> bindings = withSelf(feature, parameters);
     Condition precondition = preconditions.condition(feature.type().precondition(), bindings);
     if (precondition == Constant.FALSE) {
       return List.of();
@@ -36,6 +35,17 @@ final class OperatorFactory {
     }
     List<Change> changes = effects.changes(feature.type().effect(), bindings);
     return List.of(new Operator(feature, parameters, precondition, changes, price));
+  }
+
+  /** What an instance costs, whether it can be done or not. */
+  StepPrice price(PricedFeature feature, Map<String, Term> parameters) {
+    return price(feature, parameters, withSelf(feature, parameters));
+  }
+
+  private static Map<String, Term> withSelf(PricedFeature feature, Map<String, Term> parameters) {
+    Map<String, Term> bindings = new HashMap<>(parameters);
+    bindings.put("self", new Term.Name(feature.member()));
+    return bindings;
   }
 
   private StepPrice price(

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
@@ -31,7 +32,7 @@ final class Signature {
     Set<FeatureType> types = Collections.newSetFromMap(new IdentityHashMap<>());
     for (PricedFeature feature : features) {
       if (types.add(feature.type())) {
-        collect(feature.type().effect(), changed);
+        changed.addAll(changedBy(feature.type().effect()));
       }
     }
   }
@@ -39,27 +40,59 @@ final class Signature {
   /** The names of what an effect may change or find out. */
   static Set<String> changedBy(Effect effect) {
     Set<String> names = new LinkedHashSet<>();
-    collect(effect, names);
+    forEachPart(
+        effect,
+        part -> {
+          if (part instanceof Effect.Add add) {
+            names.add(add.atom().predicate());
+          } else if (part instanceof Effect.Delete delete) {
+            names.add(delete.atom().predicate());
+          } else if (part instanceof Effect.SenseAtom sense) {
+            names.add(sense.atom().predicate());
+          } else if (part instanceof Effect.SenseNumber sense) {
+            names.add(sense.fluent().name());
+          } else if (part instanceof Effect.Change change) {
+            names.add(change.fluent().name());
+          }
+        });
     return names;
   }
 
-  private static void collect(Effect effect, Set<String> changed) {
+  /** Predicates that the effect makes true, other than by finding out. */
+  static Set<String> addedBy(Effect effect) {
+    Set<String> names = new LinkedHashSet<>();
+    forEachPart(
+        effect,
+        part -> {
+          if (part instanceof Effect.Add add) {
+            names.add(add.atom().predicate());
+          }
+        });
+    return names;
+  }
+
+  /** Predicates that the effect makes untrue, so that they may have to be found out again. */
+  static Set<String> removedBy(Effect effect) {
+    Set<String> names = new LinkedHashSet<>();
+    forEachPart(
+        effect,
+        part -> {
+          if (part instanceof Effect.Delete delete) {
+            names.add(delete.atom().predicate());
+          }
+        });
+    return names;
+  }
+
+  private static void forEachPart(Effect effect, Consumer<Effect> consumer) {
     if (effect instanceof Effect.All all) {
-      all.effects().forEach(part -> collect(part, changed));
+      all.effects().forEach(part -> forEachPart(part, consumer));
     } else if (effect instanceof Effect.When when) {
-      collect(when.effect(), changed);
+      forEachPart(when.effect(), consumer);
     } else if (effect instanceof Effect.Forall forall) {
-      collect(forall.effect(), changed);
-    } else if (effect instanceof Effect.Add add) {
-      changed.add(add.atom().predicate());
-    } else if (effect instanceof Effect.Delete delete) {
-      changed.add(delete.atom().predicate());
-    } else if (effect instanceof Effect.SenseAtom sense) {
-      changed.add(sense.atom().predicate());
-    } else if (effect instanceof Effect.SenseNumber sense) {
-      changed.add(sense.fluent().name());
-    } else if (effect instanceof Effect.Change change) {
-      changed.add(change.fluent().name());
+      forEachPart(forall.effect(), consumer);
+    } else {
+      consumer.accept(effect);
     }
   }
 
