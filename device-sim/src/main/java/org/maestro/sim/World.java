@@ -39,6 +39,7 @@ public final class World {
   private final Set<String> openDoors = new TreeSet<>();
   private final List<WorldEvent.Listener> listeners = new CopyOnWriteArrayList<>();
   private FloorPlan plan;
+  private List<Segment> walls;
   private boolean ended;
 
   World(Home home, Scene scene, Clock clock, long seed, PhysicalParameters parameters) {
@@ -55,6 +56,7 @@ public final class World {
       }
     }
     this.plan = map.plan(openDoors);
+    this.walls = FloorMap.walls(plan);
   }
 
   private void begin(String name, Scene.Entry entry) {
@@ -240,6 +242,7 @@ public final class World {
         openDoors.remove(door);
       }
       plan = map.plan(openDoors);
+      walls = FloorMap.walls(plan);
       light.changed();
     }
     tell(open ? WorldEvent.Kind.OPENED : WorldEvent.Kind.CLOSED, door, Optional.empty());
@@ -463,7 +466,7 @@ public final class World {
   }
 
   synchronized List<Segment> walls() {
-    return FloorMap.walls(plan);
+    return walls;
   }
 
   synchronized double slipOf(String robot) {

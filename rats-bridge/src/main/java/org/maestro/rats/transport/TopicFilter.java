@@ -22,13 +22,20 @@ record TopicFilter(String text, List<String> levels) {
     return new TopicFilter(text, levels);
   }
 
+  private int firstWildcard() {
+    int plus = text.indexOf('+');
+    int hash = text.indexOf('#');
+    return plus < 0 || hash < 0 ? Math.max(plus, hash) : Math.min(plus, hash);
+  }
+
   boolean matches(String topic) {
-    String first = levels.get(0);
-    if (!first.equals("+") && !first.equals("#") && !topic.startsWith(first)) {
-      return false;
-    }
-    if (text.indexOf('+') < 0 && text.indexOf('#') < 0) {
+    int wildcard = firstWildcard();
+    if (wildcard < 0) {
       return text.equals(topic);
+    }
+    // most topics are told apart by what stands before; a/# is for a, too
+    if (!topic.startsWith(text.substring(0, Math.max(0, wildcard - 1)))) {
+      return false;
     }
     String[] parts = topic.split("/", -1);
     for (int index = 0; index < levels.size(); index++) {

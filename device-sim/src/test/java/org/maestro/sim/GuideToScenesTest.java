@@ -1,0 +1,55 @@
+package org.maestro.sim;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.maestro.ontology.home.Home;
+
+/** Each example of the guide is read, and lived through for five minutes. */
+class GuideToScenesTest {
+
+  private static final Home BOB = Homes.home("bob");
+
+  private static String guide() throws IOException {
+    return Files.readString(Path.of("../docs/guide-scenes.md"));
+  }
+
+  static List<String> examples() throws IOException {
+    return Pattern.compile("```turtle\n(.*?)```", Pattern.DOTALL)
+        .matcher(guide())
+        .results()
+        .map(match -> match.group(1))
+        .toList();
+  }
+
+  @ParameterizedTest
+  @MethodSource("examples")
+  void runs(String example) {
+    Scene scene =
+        SceneLoader.load(
+            "guide", new ByteArrayInputStream(example.getBytes(StandardCharsets.UTF_8)), BOB);
+    try (Homes homes = new Homes(BOB, scene, 1)) {
+      homes.clock.run(Duration.ofMinutes(5));
+      assertThat(homes.world().bodies()).contains("rose");
+    }
+  }
+
+  @Test
+  void namesEveryFault() throws IOException {
+    String guide = guide();
+    for (Deed deed : Deed.values()) {
+      assertThat(guide).contains("`" + deed.name().toLowerCase(Locale.ROOT));
+    }
+  }
+}
