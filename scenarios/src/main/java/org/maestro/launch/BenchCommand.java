@@ -9,6 +9,7 @@ import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.maestro.bench.BenchReport;
+import org.maestro.bench.BusBench;
 import org.maestro.bench.CoordinationBench;
 import org.maestro.bench.LargeHome;
 import org.maestro.bench.SimulationBench;
@@ -20,11 +21,13 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** Runs a benchmark and prints its figures. */
-@Command(name = "bench", description = "Run a benchmark: coordination or sim.")
+@Command(name = "bench", description = "Run a benchmark: bus, coordination or sim.")
 final class BenchCommand implements Callable<Integer> {
   private static final Map<String, Function<Consumer<String>, BenchReport>> BENCHES =
       new TreeMap<>(
           Map.of(
+              "bus",
+              progress -> new BusBench(progress).run(),
               "coordination",
               progress -> new CoordinationBench(new LargeHome(20, 20, 5), 100, progress).run(),
               "sim",

@@ -63,7 +63,9 @@ public final class RatsMember implements AutoCloseable {
     this.voice = new MemberVoice(profile, boot, topics, transport);
     this.condition = new MemberCondition(profile, boot, values);
     CallAnswers answers = new CallAnswers(profile.id(), voice, condition, clock);
-    TaskQueue tasks = new TaskQueue(profile, voice, condition, answers, this::tellState, clock);
+    TaskQueue tasks =
+        new TaskQueue(
+            profile, voice, condition, answers, this::tellState, this::stateChanged, clock);
     this.controllers = new ControllerWatch(profile.id(), topics, profile.rules(), tasks, clock);
     this.reception =
         new Reception(
@@ -163,6 +165,9 @@ public final class RatsMember implements AutoCloseable {
         topics.calls(),
         Transport.RetainedMessages.IGNORE,
         message -> {
+          if (wire.isForAnother(message.payload(), profile.id())) {
+            return;
+          }
           Duration arrivedAt = clock.now();
           perform(() -> reception.heard(message, arrivedAt));
         });

@@ -59,6 +59,7 @@ final class Task implements Execution {
   private final List<Runnable> afterEnd = new ArrayList<>();
   private Optional<Clock.Timer> exitLimit = Optional.empty();
   private Phase phase = Phase.WAITING;
+  private final List<Progress> owed = new ArrayList<>();
   private boolean established;
   private boolean wentOut;
   private Duration nextObservation = Duration.ZERO;
@@ -129,6 +130,18 @@ final class Task implements Execution {
             outcome, "The exit strategy of " + feature.id() + " broke off: " + fault.getMessage());
       }
     }
+  }
+
+  /** A sign of life that its caller is still to be told. */
+  void owe(Progress sign) {
+    owed.add(sign);
+  }
+
+  /** Nothing once it has ended. */
+  List<Progress> takeOwed() {
+    List<Progress> taken = phase == Phase.ENDED ? List.of() : List.copyOf(owed);
+    owed.clear();
+    return taken;
   }
 
   boolean continuous() {

@@ -32,6 +32,7 @@ final class TaskQueue implements Task.Keeper {
   private final MemberCondition condition;
   private final CallAnswers answers;
   private final Runnable conditionChanged;
+  private final Runnable conditionChanging;
   private final Clock clock;
   private final StateRules rules;
   private final List<Task> waiting = new ArrayList<>();
@@ -45,6 +46,7 @@ final class TaskQueue implements Task.Keeper {
       MemberCondition condition,
       CallAnswers answers,
       Runnable conditionChanged,
+      Runnable conditionChanging,
       Clock clock) {
     this.member = profile.id();
     this.rules = profile.rules();
@@ -52,6 +54,7 @@ final class TaskQueue implements Task.Keeper {
     this.condition = condition;
     this.answers = answers;
     this.conditionChanged = conditionChanged;
+    this.conditionChanging = conditionChanging;
     this.clock = clock;
   }
 
@@ -65,7 +68,7 @@ final class TaskQueue implements Task.Keeper {
     waiting.add(task);
     startWhatCan();
     if (waiting.contains(task)) {
-      changed();
+      changing();
     }
   }
 
@@ -74,7 +77,14 @@ final class TaskQueue implements Task.Keeper {
    * told how far the call is.
    */
   void tellAgain(Call call) {
-    all().stream().filter(task -> task.call().equals(call)).findFirst().ifPresent(Task::tellAgain);
+    all().stream()
+        .filter(task -> task.call().equals(call))
+        .findFirst()
+        .ifPresent(
+            task -> {
+              task.tellAgain();
+              tellWhatIsOwed(task);
+            });
   }
 
   /**
@@ -201,7 +211,7 @@ final class TaskQueue implements Task.Keeper {
     waiting.remove(task);
     running.add(task);
     endWhatThisEnds(task);
-    changed();
+    changing();
     task.start();
   }
 
@@ -231,6 +241,12 @@ final class TaskQueue implements Task.Keeper {
     return Optional.of(CallAnswers.error(ErrorCode.CANCELED, message));
   }
 
+  /** To be told unless it is over in the same moment. */
+  private void changing() {
+    condition.tasks(running, waiting);
+    conditionChanging.run();
+  }
+
   private void changed() {
     condition.tasks(running, waiting);
     conditionChanged.run();
@@ -239,8 +255,18 @@ final class TaskQueue implements Task.Keeper {
   @Override
   public void progressed(
       Task task, Progress.Kind kind, double fraction, Map<String, Object> values) {
-    Call call = task.call();
-    voice.progress(call.from(), new Progress(call.id(), member, kind, fraction, values));
+    boolean untilAnswered = kind == Progress.Kind.ACCEPTED || kind == Progress.Kind.STARTED;
+    task.owe(new Progress(task.call().id(), member, kind, fraction, values));
+    if (untilAnswered) {
+      clock.schedule(Duration.ZERO, member, () -> tellWhatIsOwed(task));
+    } else {
+      tellWhatIsOwed(task);
+    }
+  }
+
+  /** What is answered at once needs no sign of life before. */
+  private void tellWhatIsOwed(Task task) {
+    task.takeOwed().forEach(sign -> voice.progress(task.call().from(), sign));
   }
 
   @Override

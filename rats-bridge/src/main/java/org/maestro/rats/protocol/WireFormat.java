@@ -1,7 +1,9 @@
 package org.maestro.rats.protocol;
 
 import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.StreamReadFeature;
 import com.fasterxml.jackson.databind.DeserializationFeature;
@@ -38,7 +40,8 @@ public final class WireFormat {
 
   private static final long LONGEST_TIMEOUT_MILLIS = Duration.ofDays(7).toMillis();
 
-  private final JsonMapper mapper =
+  /** One for all, as it is large, and never changes. */
+  private static final JsonMapper MAPPER =
       JsonMapper.builder(
               JsonFactory.builder()
                   .streamReadConstraints(
@@ -83,10 +86,38 @@ public final class WireFormat {
       return Optional.empty();
     }
     try {
-      Fields fields = new Fields(mapper.readTree(payload), "");
+      Fields fields = new Fields(MAPPER.readTree(payload), "");
       return Optional.of(new CallAddress(fields.text("id", Rule.ID), fields.text("r", Rule.NAME)));
     } catch (IOException | MalformedMessageException unreadable) {
       return Optional.empty();
+    }
+  }
+
+  /**
+   * Whether a call names another receiver than this one. Looks no further than it must, as
+   * everybody hears all calls; false when it cannot tell.
+   */
+  public boolean isForAnother(byte[] call, String member) {
+    if (call.length > MOST_BYTES) {
+      return false;
+    }
+    try (JsonParser parser = MAPPER.createParser(call)) {
+      if (parser.nextToken() != JsonToken.START_OBJECT) {
+        return false;
+      }
+      while (parser.nextToken() == JsonToken.FIELD_NAME) {
+        boolean receiver = parser.currentName().equals("r");
+        JsonToken value = parser.nextToken();
+        if (receiver) {
+          return value == JsonToken.VALUE_STRING
+              && !parser.getText().isEmpty()
+              && !parser.getText().equals(member);
+        }
+        parser.skipChildren();
+      }
+      return false;
+    } catch (IOException unreadable) {
+      return false;
     }
   }
 
@@ -238,7 +269,7 @@ public final class WireFormat {
   private byte[] bytes(Map<String, Object> fields) {
     JsonValues.require(fields);
     try {
-      return mapper.writeValueAsBytes(fields);
+      return MAPPER.writeValueAsBytes(fields);
     } catch (JsonProcessingException unwritable) {
       throw new IllegalArgumentException(
           "The message " + fields.get("id") + " cannot be written as JSON", unwritable);
@@ -252,7 +283,7 @@ public final class WireFormat {
     }
     JsonNode root;
     try {
-      root = mapper.readTree(payload);
+      root = MAPPER.readTree(payload);
     } catch (IOException unreadable) {
       throw new MalformedMessageException(
           "payload",
