@@ -135,6 +135,22 @@ class StateRulesTest extends MemberOnABus {
     assertThat(results.get(results.size() - 1).outcome()).isEqualTo(Outcome.SUCCEEDED);
   }
 
+  /** M37: however much is asked of it at the same time. */
+  @Test
+  void isSafeWithinATenthOfASecondWhateverWaits() {
+    for (int number = 0; number < 200; number++) {
+      send(call("c" + number, "drive", Map.of("to", "a")));
+    }
+    Duration before = clock.now();
+    send(with(call("s1", "$safe", Map.of()), Optional.empty()));
+    run(1);
+    int safe = results.indexOf(results.stream().filter(r -> r.id().equals("s1")).findFirst().get());
+    assertThat(resultTimes.get(safe).minus(before)).isLessThan(Duration.ofMillis(100));
+    assertThat(state.orElseThrow().running()).isEmpty();
+    assertThat(state.orElseThrow().queue()).isEmpty();
+    assertThat(results).hasSize(201);
+  }
+
   /** M9: a second member of the same id leaves, whichever client id it has. */
   @Test
   void theSecondOfTheSameIdHasToLeave() {
