@@ -6,7 +6,12 @@ import java.util.Optional;
 /** All experiments. */
 public final class Experiments {
   private static final List<Experiment> ALL =
-      List.of(new MoveObject(), new Illumination(), new OverExposure(), new JoinLeave());
+      List.of(
+          new MoveObject(),
+          new Illumination(),
+          new OverExposure(),
+          new JoinLeave(),
+          new BrokenCup());
 
   private Experiments() {}
 

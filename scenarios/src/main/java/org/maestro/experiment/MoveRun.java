@@ -160,7 +160,7 @@ record MoveRun(
         site.simulated().photo(CAMERA));
   }
 
-  private static Figure picture(TopView view, int number) {
+  static Figure picture(TopView view, int number) {
     try {
       Path file = Files.createTempFile("maestro-run", ".png");
       try {

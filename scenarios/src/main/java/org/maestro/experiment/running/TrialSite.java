@@ -11,6 +11,7 @@ import org.maestro.coordination.Story;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.platform.GoalReport;
+import org.maestro.rats.member.MemberProfile;
 import org.maestro.rats.time.Clock;
 import org.maestro.sim.SimulatedHome;
 import org.maestro.sim.World;
@@ -104,6 +105,11 @@ public final class TrialSite implements AutoCloseable {
   /** It is back. */
   public void mend(String member) {
     site.bus().mend(member);
+  }
+
+  /** A member that is none of the simulated devices joins; it leaves with the site. */
+  public void join(MemberProfile profile, MemberProfile.Values values) {
+    site.join(profile, values);
   }
 
   public SimulatedHome simulated() {

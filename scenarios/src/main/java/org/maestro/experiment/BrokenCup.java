@@ -1,0 +1,187 @@
+package org.maestro.experiment;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import org.maestro.experiment.drawing.Bars;
+import org.maestro.experiment.drawing.Figure;
+import org.maestro.experiment.drawing.Ink;
+import org.maestro.experiment.measuring.Share;
+import org.maestro.experiment.measuring.Spread;
+import org.maestro.experiment.measuring.Table;
+import org.maestro.experiment.page.Page;
+import org.maestro.experiment.running.Progress;
+import org.maestro.experiment.setting.Physics;
+import org.maestro.experiment.setting.Setting;
+
+/**
+ * The example of the paper's introduction: a sensor robot inspects a broken cup, a gripper robot
+ * collects its shards, a vacuum robot takes the rest.
+ */
+final class BrokenCup implements Experiment {
+
+  @Override
+  public String name() {
+    return "broken-cup";
+  }
+
+  @Override
+  public String purpose() {
+    return "one robot inspects, one collects the shards, one vacuums (section 1)";
+  }
+
+  @Override
+  public int usualRuns() {
+    return 10;
+  }
+
+  @Override
+  public List<Setting> settings() {
+    return Physics.settings();
+  }
+
+  @Override
+  public Findings carryOut(Request request, Progress progress) {
+    List<CupRun> runs = new ArrayList<>();
+    for (int run = 1; run <= request.runs(); run++) {
+      CupRun carriedOut = CupRun.carryOut(run, request.seedOf(run), request.settings());
+      runs.add(carriedOut);
+      progress.passed(
+          run,
+          request.runs(),
+          String.format(
+              Locale.ROOT,
+              "%s in %.1f s",
+              carriedOut.success() ? "cleaned up" : "not cleaned up",
+              carriedOut.seconds()));
+    }
+    Map<String, Table> tables = new LinkedHashMap<>();
+    tables.put("runs", table(runs));
+    tables.put("deeds", deeds(runs));
+    List<Figure> figures = figures(runs);
+    Share reached = new Share((int) runs.stream().filter(CupRun::success).count(), runs.size());
+    Spread times = times(runs);
+    return new Findings(
+        name(),
+        List.of(
+            new Findings.Result("runs", runs.size(), ""),
+            new Findings.Result("cleaned up, in the simulated world", reached.hits(), ""),
+            new Findings.Result("time, mean", times.mean(), "s")),
+        tables,
+        figures,
+        page(request, runs, reached, times, figures));
+  }
+
+  private static Spread times(List<CupRun> runs) {
+    return Spread.of(runs.stream().filter(CupRun::success).mapToDouble(CupRun::seconds).toArray());
+  }
+
+  private static Table table(List<CupRun> runs) {
+    Table table =
+        new Table(
+            "run", "seed", "goal", "success", "duration_s", "lower_bound_s", "replans", "failure");
+    runs.forEach(
+        run ->
+            table.add(
+                run.number(),
+                run.seed(),
+                CupRun.GOAL,
+                run.success(),
+                run.seconds(),
+                Double.NaN,
+                run.ending().replans(),
+                run.failure()));
+    return table;
+  }
+
+  private static Table deeds(List<CupRun> runs) {
+    Table table = new Table("run", "t_s", "robot", "deed");
+    runs.forEach(
+        run ->
+            run.deeds()
+                .forEach(
+                    deed -> table.add(run.number(), deed.second(), deed.robot(), deed.what())));
+    return table;
+  }
+
+  private static List<Figure> figures(List<CupRun> runs) {
+    List<Figure> figures = new ArrayList<>();
+    figures.add(
+        Figure.of(
+            "times",
+            "Time of each run, from the goal to the report of the vacuum robot.",
+            Bars.draw(
+                "Time until the cup is cleaned up",
+                "run",
+                "time (s)",
+                runs.stream()
+                    .map(
+                        run ->
+                            new Bars.Bar(
+                                run.seconds(),
+                                "cleaned up",
+                                Ink.GREEN,
+                                !run.success(),
+                                OptionalDouble.empty()))
+                    .toList(),
+                List.of(),
+                "")));
+    runs.forEach(run -> figures.addAll(run.pictures()));
+    return figures;
+  }
+
+  private static Page page(
+      Request request, List<CupRun> runs, Share reached, Spread times, List<Figure> figures) {
+    Page page =
+        new Page(
+            "The broken cup",
+            "The paper's introduction: a cup is broken; a robot with sensors checks it, a robot with a gripper collects the shards, a vacuum robot takes the rest. The goal is one sentence: the cup is cleaned up. Who does what, and in which order, the planner finds from what the robots say of themselves; the words for it stand in the home's file alone.",
+            request.command("broken-cup"));
+    page.heading("Paper and measurement")
+        .comparison(
+            List.of(
+                new Page.Row(
+                    "three robots, in that order",
+                    "an example; not carried out",
+                    reached.text() + " cleaned up in that order",
+                    "judged from what robots did in the simulated world and from where the shards lie"),
+                new Page.Row(
+                    "time",
+                    "not told",
+                    times.count() == 0
+                        ? "none was cleaned up"
+                        : String.format(
+                            Locale.ROOT, "%.1f s ± %.1f s", times.mean(), times.deviation()),
+                    "")));
+    page.heading("Figures");
+    figures.forEach(page::figure);
+    page.heading("What was done in run 1")
+        .table(
+            List.of("at (s)", "robot", "deed"),
+            runs.get(0).deeds().stream()
+                .map(
+                    deed ->
+                        List.of(
+                            String.format(Locale.ROOT, "%.1f", deed.second()),
+                            deed.robot(),
+                            deed.what()))
+                .toList());
+    page.heading("Runs that failed")
+        .table(
+            List.of("run", "why"),
+            runs.stream()
+                .filter(run -> !run.success())
+                .map(run -> List.of(String.valueOf(run.number()), run.failure()))
+                .toList());
+    page.heading("What was assumed")
+        .list(
+            List.of(
+                "Sensor robot and vacuum robot are members that no driver of the simulation knows: they go straight at 0.5 m/s to what a call is about, and work there for the time that their description states.",
+                "The sensor robot sees whether the cup is broken, and where a shard lies, without error.",
+                "The shards lie where they fell, not quite the same in each run. lower_bound_s is empty: no bound was reckoned."));
+    return page.settings(request.settings());
+  }
+}
