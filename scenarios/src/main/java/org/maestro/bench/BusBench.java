@@ -45,6 +45,9 @@ public final class BusBench {
   public BenchReport run() {
     List<BenchReport.Row> rows = new ArrayList<>();
     byte[] payload = payload();
+    // First, while nothing else has lived in this heap.
+    progress.accept(IDLE + " idle members: heap");
+    BenchReport.Row idle = heap();
     try (EmbeddedBroker broker = EmbeddedBroker.start();
         PacedClock clock = new PacedClock(1)) {
       progress.accept("one member: from call to result");
@@ -58,8 +61,7 @@ public final class BusBench {
         rows.add(throughput(members, bare));
       }
     }
-    progress.accept(IDLE + " idle members: heap");
-    rows.add(heap());
+    rows.add(idle);
     return new BenchReport("bus", BenchReport.thisMachine(), rows);
   }
 
