@@ -12,6 +12,7 @@ import org.maestro.bench.BenchReport;
 import org.maestro.bench.BusBench;
 import org.maestro.bench.CoordinationBench;
 import org.maestro.bench.LargeHome;
+import org.maestro.bench.PlannerBench;
 import org.maestro.bench.SimulationBench;
 import org.maestro.ontology.home.Home;
 import picocli.CommandLine.Command;
@@ -21,7 +22,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** Runs a benchmark and prints its figures. */
-@Command(name = "bench", description = "Run a benchmark: bus, coordination or sim.")
+@Command(name = "bench", description = "Run a benchmark: bus, coordination, planner or sim.")
 final class BenchCommand implements Callable<Integer> {
   private static final Map<String, Function<Consumer<String>, BenchReport>> BENCHES =
       new TreeMap<>(
@@ -30,6 +31,8 @@ final class BenchCommand implements Callable<Integer> {
               progress -> new BusBench(progress).run(),
               "coordination",
               progress -> new CoordinationBench(new LargeHome(20, 20, 5), 100, progress).run(),
+              "planner",
+              progress -> new PlannerBench(20, progress).run(),
               "sim",
               BenchCommand::simulation));
 

@@ -7,10 +7,12 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.Grounder;
 import org.maestro.planning.ground.GroundingException;
+import org.maestro.planning.ground.LiftedTask;
 import org.maestro.planning.ground.Patience;
 import org.maestro.planning.pddl.PddlException;
 import org.maestro.planning.pddl.PddlReader;
@@ -66,12 +68,20 @@ final class PlanCommand implements Callable<Integer> {
     }
     Patience patience = Patience.seconds(deadline - sinceStart(), () -> false);
     try {
-      GroundTask task = Grounder.ground(PddlReader.read(domain, problem), patience);
+      LiftedTask lifted = PddlReader.read(domain, problem);
+      tell("read");
+      GroundTask task = Grounder.ground(lifted, patience);
+      tell("%d operators, %d facts".formatted(task.operators().size(), task.facts()));
       long memory = Runtime.getRuntime().maxMemory() / 10 * 6;
       AnytimePlanner planner = new AnytimePlanner(task, memory, this::tell);
       return print(task, first ? planner.first(patience) : planner.solve(patience));
     } catch (PddlException | GroundingException e) {
       throw CommandException.badInput(e.getMessage());
+    } catch (CancellationException e) {
+      spec.commandLine()
+          .getOut()
+          .println("; no plan found in time: the problem is still being made ground");
+      return NOTHING_FOUND;
     } catch (NoSuchFileException e) {
       throw CommandException.badInput("There is no file %s.".formatted(e.getMessage()));
     } catch (IOException e) {

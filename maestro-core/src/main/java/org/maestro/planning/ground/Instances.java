@@ -24,7 +24,7 @@ final class Instances {
   private final boolean[] changing;
   private final RelevantAtoms relevant;
   private final Patience patience;
-  private final Patterns seen = new Patterns();
+  private final Relation[] seen;
   private final Deque<Fact> queue = new ArrayDeque<>();
   private final List<Instance> instances = new ArrayList<>();
   private final List<Schema> schemas;
@@ -52,6 +52,8 @@ final class Instances {
     this.changing = changing;
     this.relevant = relevant;
     this.patience = patience;
+    this.seen = new Relation[relations.length];
+    Arrays.setAll(seen, symbol -> new Relation(task.objects().size()));
     this.schemas = new ArrayList<>(task.schemas());
     schemas.add(task.goal());
   }
@@ -98,8 +100,9 @@ final class Instances {
   }
 
   private void reach(int symbol, int[] objects) {
-    if ((relevant.mayHaveToHold(symbol, objects) || relevant.mayHaveToLack(symbol, objects))
-        && seen.add(new Atom(symbol, objects))) {
+    if (seen[symbol].number(objects) < 0
+        && (relevant.mayHaveToHold(symbol, objects) || relevant.mayHaveToLack(symbol, objects))) {
+      seen[symbol].add(objects);
       queue.add(new Fact(symbol, objects));
     }
   }

@@ -16,11 +16,18 @@ import java.util.Set;
  * predicates in the numbering of symbols.
  */
 final class RelevantAtoms {
-  /** So many bindings of static conditions are told apart. */
-  private static final int MOST_SPLITS = 48;
+  /** So many bindings of one condition are told apart. */
+  private static final int MOST_SPLITS = 300;
+
+  /** And so many of each further one. */
+  private static final int MOST_FURTHER_SPLITS = 12;
 
   private final LiftedTask task;
   private final Relation[] statics;
+
+  /** Of each predicate the tuples that may ever hold, as far as they are known; or null. */
+  private final Relation[] possible;
+
   private final Spokes spokes;
   private final Patterns holding = new Patterns();
   private final Patterns lacking = new Patterns();
@@ -40,6 +47,12 @@ final class RelevantAtoms {
   RelevantAtoms(LiftedTask task, Relation[] statics) {
     this.task = task;
     this.statics = statics;
+    this.possible = statics.clone();
+    for (int symbol = 0; symbol < statics.length; symbol++) {
+      if (statics[symbol] == null) {
+        possible[symbol] = possible(symbol);
+      }
+    }
     this.spokes = new Spokes(task);
     task.schemas().forEach(schema -> numberOf.put(schema, numberOf.size()));
     for (Atom atom : task.initial()) {
@@ -54,6 +67,47 @@ final class RelevantAtoms {
     while (!open.isEmpty()) {
       open.remove().run();
     }
+  }
+
+  /** What may hold of a predicate all whose achievers name its objects in one static condition. */
+  private Relation possible(int symbol) {
+    Relation relation = new Relation(task.objects().size());
+    for (Atom atom : task.initial()) {
+      if (atom.symbol() == symbol && relation.number(atom.terms()) < 0) {
+        relation.add(atom.terms());
+      }
+    }
+    for (Schema schema : task.schemas()) {
+      for (Atom added : schema.additions()) {
+        if (added.symbol() == symbol) {
+          Atom cover = cover(schema, added);
+          if (cover == null) {
+            return null;
+          }
+          for (int i = 0; i < statics[cover.symbol()].size(); i++) {
+            int[] bound = bind(schema, unbound(schema), cover, statics[cover.symbol()].tuple(i));
+            if (bound != null && relation.number(added.ground(bound)) < 0) {
+              relation.add(added.ground(bound));
+            }
+          }
+        }
+      }
+    }
+    return relation;
+  }
+
+  private Atom cover(Schema schema, Atom added) {
+    for (Literal literal : schema.conditions()) {
+      Atom atom = literal.atom();
+      if (literal.positive()
+          && statics[atom.symbol()] != null
+          && Arrays.stream(added.terms())
+              .filter(Atom::isParameter)
+              .allMatch(term -> Arrays.stream(atom.terms()).anyMatch(other -> other == term))) {
+        return atom;
+      }
+    }
+    return null;
   }
 
   /** Whether it may matter that the ground atom holds. */
@@ -86,36 +140,41 @@ final class RelevantAtoms {
     split(schema, binding, 0);
   }
 
-  /** Binds parameters by static conditions that leave few choices, and then adds the rest. */
+  /** Binds parameters by conditions that leave few choices, and then adds the rest. */
   private void split(Schema schema, int[] binding, int depth) {
     Atom best = null;
-    int fewest = MOST_SPLITS + 1;
+    int fewest = 0;
+    int lowest = Integer.MAX_VALUE;
     for (Literal literal : schema.conditions()) {
       Atom atom = literal.atom();
-      if (!literal.positive() || statics[atom.symbol()] == null) {
+      if (!literal.positive() || possible[atom.symbol()] == null) {
         continue;
       }
       int[] pattern = atom.ground(binding);
       boolean open = Arrays.stream(pattern).anyMatch(object -> object < 0);
       boolean bound = Arrays.stream(pattern).anyMatch(object -> object >= 0);
       if (bound) {
-        int count = count(statics[atom.symbol()], pattern);
+        int count = count(possible[atom.symbol()], pattern);
         if (count == 0) {
           return;
         }
-        if (open && count < fewest) {
+        // What is changed tells more: whoever it leaves open opens whole predicates.
+        int rank = statics[atom.symbol()] == null || count == 1 ? count : MOST_SPLITS + count;
+        if (open && count <= MOST_SPLITS && rank < lowest) {
+          lowest = rank;
           fewest = count;
           best = atom;
         }
       }
     }
-    if (best == null || depth > 0 && fewest > MOST_SPLITS >> depth) {
+    if (best == null || depth > 0 && fewest > MOST_FURTHER_SPLITS) {
       addConditions(schema, binding);
       return;
     }
-    Relation.Matches matches = statics[best.symbol()].matching(best.ground(binding));
+    Relation.Matches matches = possible[best.symbol()].matching(best.ground(binding));
     for (int i = 0; i < matches.size(); i++) {
-      int[] bound = bind(schema, binding, best, statics[best.symbol()].tuple(matches.numbers()[i]));
+      int[] bound =
+          bind(schema, binding, best, possible[best.symbol()].tuple(matches.numbers()[i]));
       if (bound != null) {
         split(schema, bound, fewest == 1 ? depth : depth + 1);
       }

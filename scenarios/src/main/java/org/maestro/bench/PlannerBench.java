@@ -1,0 +1,139 @@
+package org.maestro.bench;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.math.BigDecimal;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.maestro.planning.ground.GroundTask;
+import org.maestro.planning.ground.Grounder;
+import org.maestro.planning.ground.LiftedTask;
+import org.maestro.planning.ground.Patience;
+import org.maestro.planning.pddl.PddlReader;
+import org.maestro.planning.search.AnytimePlanner;
+import org.maestro.planning.search.Solution;
+
+/**
+ * The planner on random homes of 10 to 1,000 agents, in one warm process, grounding included: the
+ * time until the first plan, and until it is proven that none is cheaper, or the gap that is left
+ * at a deadline. The baseline, when it is installed, is Fast Downward with landmark cuts on the
+ * same problems, in a process of its own. One busy thread.
+ */
+public final class PlannerBench {
+  private static final int[] AGENTS = {10, 100, 1000};
+  private static final int RUNS = 5;
+  private static final long MEMORY = 1_500_000_000L;
+
+  private final double deadlineSeconds;
+  private final Peer peer;
+  private final Consumer<String> progress;
+  private final String domain = resource("/planning/home-domain.pddl");
+
+  /**
+   * @param deadlineSeconds for the proof of each problem, and for the peer's
+   * @param progress told what is being done
+   */
+  public PlannerBench(double deadlineSeconds, Consumer<String> progress) {
+    this.deadlineSeconds = deadlineSeconds;
+    this.progress = progress;
+    this.peer = new Peer(deadlineSeconds);
+  }
+
+  /** Measures, one problem after the other. */
+  public BenchReport run() {
+    warmUp();
+    List<BenchReport.Row> rows = new ArrayList<>();
+    for (int agents : AGENTS) {
+      for (PlanningHome.Wish wish : PlanningHome.Wish.values()) {
+        String problem = new PlanningHome(agents, 1).problem(wish);
+        String name =
+            "%d agents, %s"
+                .formatted(agents, wish.name().toLowerCase(Locale.ROOT).replace('_', ' '));
+        progress.accept(name);
+        measure(name, problem, rows);
+      }
+    }
+    return new BenchReport("planner", BenchReport.thisMachine(), rows);
+  }
+
+  private void warmUp() {
+    progress.accept("warming up");
+    for (int i = 0; i < 20; i++) {
+      for (PlanningHome.Wish wish : PlanningHome.Wish.values()) {
+        LiftedTask task = read(new PlanningHome(i < 15 ? 10 : 100, i).problem(wish));
+        solve(task, Patience.seconds(0.5, () -> false));
+      }
+    }
+  }
+
+  private LiftedTask read(String problem) {
+    return PddlReader.parse("domain", domain, "problem", problem);
+  }
+
+  private static Solution solve(LiftedTask task, Patience patience) {
+    return new AnytimePlanner(Grounder.ground(task, patience), MEMORY, line -> {}).solve(patience);
+  }
+
+  private void measure(String name, String problem, List<BenchReport.Row> rows) {
+    LiftedTask task = read(problem);
+    double[] first = new double[RUNS];
+    for (int run = 0; run < RUNS; run++) {
+      first[run] =
+          milliseconds(
+              () -> {
+                GroundTask ground = Grounder.ground(task, Patience.endless());
+                return new AnytimePlanner(ground, MEMORY, line -> {}).first(Patience.endless());
+              });
+    }
+    rows.add(BenchReport.Row.of(name + ": first plan", median(first), "ms"));
+    Solution[] last = new Solution[1];
+    List<Double> proofs = new ArrayList<>();
+    for (int run = 0; run < RUNS && (run == 0 || proofs.get(0) < 2000); run++) {
+      proofs.add(
+          milliseconds(
+              () -> last[0] = solve(task, Patience.seconds(deadlineSeconds, () -> false))));
+    }
+    OptionalDouble baseline = peer.milliseconds(domain, problem);
+    double proof = median(proofs.stream().mapToDouble(Double::doubleValue).toArray());
+    String end =
+        last[0].verdict() == Solution.Verdict.OPTIMAL
+            ? ": proven cheapest, cost " + cost(last[0].cost(), task)
+            : last[0].hasPlan()
+                ? ": stopped, cost %s, bound %s"
+                    .formatted(cost(last[0].cost(), task), cost(last[0].lowerBound(), task))
+                : ": " + last[0].verdict().name().toLowerCase(Locale.ROOT);
+    rows.add(new BenchReport.Row(name + end, proof, "ms", baseline));
+  }
+
+  private static String cost(long units, LiftedTask task) {
+    BigDecimal unit = Grounder.ground(task, Patience.endless()).unit();
+    return BigDecimal.valueOf(units).divide(unit).stripTrailingZeros().toPlainString();
+  }
+
+  private static double milliseconds(Supplier<Solution> work) {
+    long start = System.nanoTime();
+    work.get();
+    return (System.nanoTime() - start) / 1e6;
+  }
+
+  private static double median(double[] values) {
+    double[] sorted = values.clone();
+    Arrays.sort(sorted);
+    return sorted[sorted.length / 2];
+  }
+
+  private static String resource(String name) {
+    try (InputStream in = PlannerBench.class.getResourceAsStream(name)) {
+      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}
