@@ -1,0 +1,175 @@
+package org.maestro.planning.pddl;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.zip.GZIPOutputStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.maestro.planning.ground.GroundTask;
+import org.maestro.planning.ground.Grounder;
+import org.maestro.planning.ground.Patience;
+import org.maestro.planning.search.AnytimePlanner;
+import org.maestro.planning.search.Solution;
+
+class PddlReaderTest {
+  private static final String DOMAIN =
+      """
+      (define (domain lamps)
+        (:requirements :strips :typing :negative-preconditions :equality :fluents
+          :existential-preconditions)
+        (:types lamp room)
+        (:predicates (on ?l - lamp) (in ?l - lamp ?r - room) (seen ?r - room) (other ?r ?s - room))
+        (:functions (total-cost) - number (lux ?r - room) (gain ?l - lamp))
+        (:action switch-on
+          :parameters (?l - lamp ?r - room)
+          :precondition (and (in ?l ?r) (not (on ?l)))
+          :effect (and (on ?l) (increase (lux ?r) (gain ?l)) (increase (total-cost) 2.5)))
+        (:action look
+          :parameters (?r - room)
+          :precondition (and (>= (lux ?r) 72) (<= (lux ?r) 80) (exists (?l - lamp) (in ?l ?r)))
+          :effect (and (seen ?r) (increase (total-cost) 1)))
+        (:action compare
+          :parameters (?r ?s - room)
+          :precondition (and (not (= ?r ?s)) (seen ?r))
+          :effect (other ?r ?s)))
+      """;
+  private static final String PROBLEM =
+      """
+      (define (problem p) (:domain lamps)
+        (:objects a b c - lamp r s - room)
+        (:init (in a r) (in b r) (in c r) (= (total-cost) 0) (= (lux r) 1.5) (= (lux s) 0)
+          (= (gain a) 40) (= (gain b) 45.25) (= (gain c) 35))
+        (:goal (exists (?x - room) (other r ?x)))
+        (:metric minimize (total-cost)))
+      """;
+
+  @Test
+  void readsNumbersNegationEqualityAndExistence() {
+    List<String> plan = plan(DOMAIN, PROBLEM, "6");
+    assertThat(plan)
+        .containsExactlyInAnyOrder(
+            "(switch-on a r)", "(switch-on c r)", "(look r)", "(compare r s)");
+    assertThat(plan).endsWith("(compare r s)");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        ":equality | :derived-predicates | :derived-predicates",
+        "(not (on ?l))) | (or (on ?l))) | (or",
+        "(and (on ?l) | (and (when (on ?l) (seen ?r)) | (when",
+        "(increase (total-cost) 1) | (assign (total-cost) 1) | (assign",
+        "(seen ?r)) | (sen ?r)) | sen ",
+        "?l - lamp ?r - room) | ?l - lamp ?r - hall) | ?r - hall",
+        "(on ?l) (increase | (on ?m) (increase | ?m) (increase"
+      })
+  void namesWhatItDoesNotUnderstandWithLineAndColumn(String from, String to, String named) {
+    int at = DOMAIN.lastIndexOf(from);
+    String domain = DOMAIN.substring(0, at) + to + DOMAIN.substring(at + from.length());
+    String before = domain.substring(0, domain.indexOf(named));
+    long line = before.chars().filter(c -> c == '\n').count() + 1;
+    int column = before.length() - before.lastIndexOf('\n');
+    assertThatThrownBy(() -> PddlReader.parse("d", domain, "p", PROBLEM))
+        .isInstanceOf(PddlException.class)
+        .hasMessageStartingWith("d:%d:%d: ".formatted(line, column));
+  }
+
+  @Test
+  void namesAnObjectThatIsMissing() {
+    assertThatThrownBy(
+            () -> PddlReader.parse("d", DOMAIN, "p", PROBLEM.replace("(in c r)", "(in z r)")))
+        .hasMessage("p:3:32: There is no object z; declare it in (:objects ...).");
+    assertThatThrownBy(() -> PddlReader.parse("d", DOMAIN, "p", PROBLEM.replace("(:goal", "(:g")))
+        .hasMessageStartingWith("p:5:3: (:g ...) is not supported.");
+    assertThatThrownBy(() -> PddlReader.parse("d", DOMAIN.substring(0, 300), "p", PROBLEM))
+        .hasMessageContaining("is never closed");
+  }
+
+  @Test
+  void readsCompressedFiles(@TempDir Path folder) throws IOException {
+    Path domain = folder.resolve("d.pddl");
+    Path problem = folder.resolve("p.pddl.gz");
+    Files.writeString(domain, DOMAIN);
+    try (GZIPOutputStream out = new GZIPOutputStream(Files.newOutputStream(problem))) {
+      out.write(PROBLEM.getBytes());
+    }
+    assertThat(PddlReader.read(domain, problem).objects()).hasSize(5);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "home-domain, paper-next, 21",
+    "home-domain, paper-see-other-room, 21",
+    "home-domain, home-0010-next2-s1, 65",
+    "battery-domain, batt-0010-next2-s1, 32"
+  })
+  void provesTheCheapestPlanOfHomes(String domain, String problem, String cost) throws IOException {
+    String domainText = resource(domain);
+    String problemText = resource(problem);
+    plan(domainText, problemText, cost);
+    // The order of facts plays no part, costs times 7 make plans cost 7 times as much.
+    String shuffled = problemText.replaceAll("(?s)\\(:init(.*?)\\n    \\(at", "(:init\n    (at");
+    plan(domainText, shuffled, cost);
+    plan(
+        domainText,
+        problemText.replaceAll("\\(= (\\(\\S+-cost [^)]*\\)) (\\d+)\\)", "(= $1 $20)"),
+        cost + "0");
+  }
+
+  @Test
+  void provesThatThereIsNoPlan() throws IOException {
+    GroundTask task = ground(resource("home-domain"), resource("home-0010-nolight-s1"));
+    assertThat(solve(task).verdict()).isEqualTo(Solution.Verdict.UNSOLVABLE);
+  }
+
+  @Test
+  void takesACheaperDeviceAndNoUselessOne() throws IOException {
+    String domain = resource("home-domain");
+    String problem = resource("paper-next");
+    String useless =
+        problem
+            .replace("camera1 camera2", "camera0 camera1 camera2")
+            .replace("(:init", "(:init (online camera0) (= (observe-cost camera0) 1)");
+    plan(domain, useless, "21");
+    plan(
+        domain,
+        problem.replace("(= (observe-cost camera1) 2)", "(= (observe-cost camera1) 1)"),
+        "20");
+    Solution without = solve(ground(domain, problem.replace("(online camera1)", "")));
+    assertThat(without.cost()).isGreaterThanOrEqualTo(21);
+  }
+
+  private static List<String> plan(String domain, String problem, String cost) {
+    GroundTask task = ground(domain, problem);
+    Solution solution = solve(task);
+    assertThat(solution.verdict()).isEqualTo(Solution.Verdict.OPTIMAL);
+    List<String> plan = solution.operators().stream().map(task.names()::operator).toList();
+    List<String> steps = plan.stream().filter(step -> !step.isEmpty()).toList();
+    assertThat(new PlanExecutor(domain, problem).cost(steps)).isEqualByComparingTo(cost);
+    assertThat(task.unit().multiply(new java.math.BigDecimal(cost)))
+        .isEqualByComparingTo(java.math.BigDecimal.valueOf(solution.cost()));
+    return steps;
+  }
+
+  private static GroundTask ground(String domain, String problem) {
+    return Grounder.ground(PddlReader.parse("d", domain, "p", problem), Patience.endless());
+  }
+
+  private static Solution solve(GroundTask task) {
+    return new AnytimePlanner(task, 200_000_000, line -> {}).solve(Patience.endless());
+  }
+
+  private static String resource(String name) throws IOException {
+    try (var in = PddlReaderTest.class.getResourceAsStream(name + ".pddl")) {
+      return new String(in.readAllBytes());
+    }
+  }
+}
