@@ -61,6 +61,7 @@ final class BrokenCup implements Experiment {
     Map<String, Table> tables = new LinkedHashMap<>();
     tables.put("runs", table(runs));
     tables.put("deeds", deeds(runs));
+    tables.put("story", story(runs));
     List<Figure> figures = figures(runs);
     Share reached = new Share((int) runs.stream().filter(CupRun::success).count(), runs.size());
     Spread times = times(runs);
@@ -104,6 +105,22 @@ final class BrokenCup implements Experiment {
             run.deeds()
                 .forEach(
                     deed -> table.add(run.number(), deed.second(), deed.robot(), deed.what())));
+    return table;
+  }
+
+  private static Table story(List<CupRun> runs) {
+    Table table = new Table("run", "t_s", "kind", "text");
+    for (CupRun run : runs) {
+      run.ending()
+          .story()
+          .forEach(
+              entry ->
+                  table.add(
+                      run.number(),
+                      entry.at().minus(run.ending().begun()).toMillis() / 1e3,
+                      entry.kind(),
+                      entry.text()));
+    }
     return table;
   }
 

@@ -100,7 +100,12 @@ record CupRun(
         });
   }
 
+  /** What is in a hand, or has left the kitchen, does not lie on its floor. */
   private static Map<String, Object> seen(TrialSite site, String thing) {
+    if (site.world().holder(thing).isPresent()
+        || site.world().zone(thing).filter("kitchen"::equals).isEmpty()) {
+      return Map.of("found", false);
+    }
     Position place = site.world().position(thing).orElseThrow();
     return Map.of("found", true, "pose", List.of(place.x(), place.y(), place.z()));
   }

@@ -12,7 +12,7 @@ import org.maestro.sim.Scene;
 /**
  * What one run is made from.
  *
- * @param name of the platform; another for each run of a process
+ * @param name that the platform's begins with
  * @param seed of all chance in the world
  * @param allocation what plans are to be best in
  * @param pace simulated seconds per second of wall time, over MQTT; empty: stepped, within the
@@ -35,11 +35,23 @@ public record Trial(
   LocalSite open() {
     SiteSettings settings =
         new SiteSettings(
-                name, home, Optional.of(scene), seed, Optional.empty(), 0, false, Optional.empty())
+                nameOfItsOwn(),
+                home,
+                Optional.of(scene),
+                seed,
+                Optional.empty(),
+                0,
+                false,
+                Optional.empty())
             .with(physics)
             .withAllocation(allocation);
     return pace.isPresent()
         ? LocalSite.paced(settings, pace.getAsDouble())
         : LocalSite.stepped(settings);
+  }
+
+  /** A platform ends some seconds after its site is closed; until then its name is taken. */
+  private String nameOfItsOwn() {
+    return name + "-" + Long.toString(System.nanoTime(), Character.MAX_RADIX);
   }
 }
