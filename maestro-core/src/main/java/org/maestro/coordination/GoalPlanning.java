@@ -118,7 +118,10 @@ final class GoalPlanning {
       makePlan(why);
     } else if (round.result() instanceof PlanningResult.Found found
         && !(parts.outlook().isFindingOut() && found.plan().steps().isEmpty())) {
-      found.atLeast().ifPresent(atLeast -> parts.story().notProven(atLeast, found.plan()));
+      found
+          .atLeast()
+          .ifPresent(
+              atLeast -> parts.story().notProven(round.task().objective(), atLeast, found.plan()));
       note(found.plan(), round);
       course.adopt(found.plan(), round.tender());
     } else {

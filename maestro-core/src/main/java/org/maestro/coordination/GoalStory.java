@@ -12,6 +12,7 @@ import org.maestro.knowledge.Belief;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.knowledge.Source;
 import org.maestro.ontology.vocabulary.Price;
+import org.maestro.planning.Objective;
 import org.maestro.planning.Plan;
 import org.maestro.planning.PlanningResult;
 import org.maestro.planning.Step;
@@ -194,12 +195,15 @@ final class GoalStory {
             + ".");
   }
 
-  /** The planner broke its search off: a shorter plan may exist. */
-  void notProven(double atLeast, Plan plan) {
+  /** The planner broke its search off: a better plan may exist. */
+  void notProven(Objective objective, double atLeast, Plan plan) {
     tell(
         StoryEntry.Kind.PLAN,
-        "That this plan is over first is not proven: it takes %s s, none takes less than %s s."
-            .formatted(Sentences.number(plan.seconds()), Sentences.number(atLeast)));
+        objective == Objective.CHEAPEST
+            ? "That this plan is the cheapest is not proven: it costs %s, none costs less than %s."
+                .formatted(Sentences.number(plan.cost()), Sentences.number(atLeast))
+            : "That this plan is over first is not proven: it takes %s s, none takes less than %s s."
+                .formatted(Sentences.number(plan.seconds()), Sentences.number(atLeast)));
   }
 
   void begun(Step step, int steps) {

@@ -19,6 +19,9 @@ final class BudgetedSearch {
   /** For plans that begin a search elsewhere: they are worth less time. */
   private static final int MOST_STATES_BESIDE = 1_000;
 
+  /** How many times as much as the cheapest a plan may cost that is taken for want of a better. */
+  private static final double HASTE = 5;
+
   /** For the plan that is over first. */
   private static final int MOST_SCHEDULES = 20_000;
 
@@ -66,10 +69,8 @@ final class BudgetedSearch {
           return result.get();
         }
       } else if (round.outcome() instanceof OptimalSearch.Outcome.BoundReached) {
-        return new PlanningResult.GaveUp(
-            "No plan and no proof that there is none within "
-                + mostStates
-                + " states; allow more states or state a smaller goal.");
+        return somePlan(ground.bounds().map(CostBounds::least).orElse(0.0))
+            .orElseGet(this::givenUp);
       } else if (round.outcome() instanceof OptimalSearch.Outcome.TooDear tooDear) {
         next = Math.max(tooDear.atLeast(), Math.min(next, Math.nextDown(ground.beyond())));
       } else if (round.beyond() == Double.POSITIVE_INFINITY) {
@@ -79,6 +80,33 @@ final class BudgetedSearch {
       budget = next;
       ground = budget >= ground.beyond() ? ground(budget) : ground;
     }
+  }
+
+  private PlanningResult givenUp() {
+    return new PlanningResult.GaveUp(
+        "No plan and no proof that there is none within "
+            + mostStates
+            + " states; allow more states or state a smaller goal.");
+  }
+
+  /** Where the cheapest plan is too hard to find, any is better than none. */
+  private Optional<PlanningResult> somePlan(double atLeast) {
+    if (!weighingSearches || task.objective() != Objective.CHEAPEST) {
+      return Optional.empty();
+    }
+    Pruning.Pruned pruned =
+        Pruning.pruned(grounder.ground(Double.POSITIVE_INFINITY).problem().placed());
+    if (!pruned.isSolvable()) {
+      return Optional.empty();
+    }
+    GroundProblem problem = pruned.problem().placed();
+    LandmarkCut cuts = new LandmarkCut(new RelaxedProblem(problem));
+    if (!(OptimalSearch.hasty(problem, cuts, mostStates, HASTE).run()
+        instanceof OptimalSearch.Outcome.Found found)) {
+      return Optional.empty();
+    }
+    Plan plan = PlanBuilder.plan(problem, found.operators());
+    return Optional.of(new PlanningResult.Found(plan, OptionalDouble.of(atLeast), plan.members()));
   }
 
   private Ground ground(double budget) {

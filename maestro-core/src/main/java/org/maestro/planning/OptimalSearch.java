@@ -64,6 +64,7 @@ final class OptimalSearch {
   private final LandmarkCut heuristic;
   private final int mostStates;
   private final double mostCost;
+  private final double haste;
   private final SettledSums sums;
   private final Map<State, Node> nodes = new HashMap<>();
   private final PriorityQueue<Entry> queue = new PriorityQueue<>();
@@ -74,11 +75,23 @@ final class OptimalSearch {
    * @param mostCost that a plan may have; may be infinite
    */
   OptimalSearch(GroundProblem problem, LandmarkCut heuristic, int mostStates, double mostCost) {
+    this(problem, heuristic, mostStates, mostCost, 1);
+  }
+
+  private OptimalSearch(
+      GroundProblem problem, LandmarkCut heuristic, int mostStates, double mostCost, double haste) {
+    this.haste = haste;
     this.problem = problem;
     this.heuristic = heuristic;
     this.mostStates = mostStates;
     this.mostCost = mostCost;
     this.sums = new SettledSums(heuristic.settings(), problem.initial().numbers());
+  }
+
+  /** A search for some plan, which may cost up to that many times as much as the cheapest. */
+  static OptimalSearch hasty(
+      GroundProblem problem, LandmarkCut heuristic, int mostStates, double times) {
+    return new OptimalSearch(problem, heuristic, mostStates, Double.POSITIVE_INFINITY, times);
   }
 
   Outcome run() {
@@ -115,8 +128,14 @@ final class OptimalSearch {
     node.estimate = heuristic.estimate(node.state);
     node.landmarks = heuristic.landmarkOperators();
     if (node.estimate < Double.POSITIVE_INFINITY) {
-      enqueue(node, Math.max(totalBefore, total(node.cost + node.estimate)), node.estimate);
+      enqueue(node, total(totalBefore, node.cost, node.estimate), node.estimate);
     }
+  }
+
+  private long total(long totalBefore, double cost, double estimate) {
+    return haste > 1
+        ? total(cost + haste * estimate)
+        : Math.max(totalBefore, total(cost + estimate));
   }
 
   private void expand(Node node, long totalBefore) {
@@ -150,9 +169,9 @@ final class OptimalSearch {
     node.operator = operator;
     node.depth = parent.depth + 1;
     if (node.estimate == UNEVALUATED) {
-      enqueue(node, Math.max(totalBefore, total(cost)), hoped);
+      enqueue(node, total(totalBefore, cost, haste > 1 ? hoped : 0), hoped);
     } else {
-      enqueue(node, Math.max(totalBefore, total(cost + node.estimate)), node.estimate);
+      enqueue(node, total(totalBefore, cost, node.estimate), node.estimate);
     }
   }
 
