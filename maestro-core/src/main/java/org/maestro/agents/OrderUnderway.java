@@ -21,6 +21,8 @@ import org.maestro.sl.Term;
  * failed. The order may be sent before the contract is settled only if there is none.
  */
 final class OrderUnderway implements Crew.Performance {
+  private static final Optional<String> NO_REASON = Optional.of("no reason given");
+
   private final MaestroAgent agent;
   private final AID receiver;
   private final Crew.Order order;
@@ -172,9 +174,12 @@ final class OrderUnderway implements Crew.Performance {
         case ACLMessage.INFORM ->
             new Crew.Report(true, words.termsOf("outputs"), Optional.empty(), List.of());
         case ACLMessage.FAILURE, ACLMessage.REFUSE ->
-            failed(
-                words.string("problem").or(() -> words.string("reason")).orElse("no reason given"),
-                refs(words));
+            new Crew.Report(
+                false,
+                Map.of(),
+                words.string("problem").or(() -> words.string("reason")).or(() -> NO_REASON),
+                refs(words),
+                words.string("begun").filter("false"::equals).isEmpty());
         default -> misunderstood(reply);
       };
     } catch (SlSyntaxException | NoSuchElementException e) {

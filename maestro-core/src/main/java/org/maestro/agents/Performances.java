@@ -230,6 +230,7 @@ final class Performances {
         Words.content(
             "inform",
             Words.named("outcome", Words.name(outcome.name().toLowerCase())),
+            Words.named("begun", Words.name(String.valueOf(report.begun()))),
             Words.named("problem", Words.text(report.problem().orElse("no reason given"))),
             Words.named("refs", refs)));
   }

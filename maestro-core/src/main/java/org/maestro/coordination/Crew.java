@@ -65,10 +65,21 @@ public interface Crew {
    * @param outputs empty unless it succeeded
    * @param problem one sentence unless it succeeded
    * @param refs facts that a failure teaches
+   * @param begun false when the member did not even start, so that all is as it was
    */
   record Report(
       boolean succeeded,
       Map<String, Term> outputs,
       Optional<String> problem,
-      List<FeatureRun.Learnt> refs) {}
+      List<FeatureRun.Learnt> refs,
+      boolean begun) {
+
+    public Report(
+        boolean succeeded,
+        Map<String, Term> outputs,
+        Optional<String> problem,
+        List<FeatureRun.Learnt> refs) {
+      this(succeeded, outputs, problem, refs, true);
+    }
+  }
 }

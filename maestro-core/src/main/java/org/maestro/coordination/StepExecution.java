@@ -145,6 +145,7 @@ final class StepExecution {
         report.succeeded(),
         report.outputs(),
         report.refs(),
-        Optional.of(before));
+        Optional.of(before),
+        report.begun());
   }
 }

@@ -15,6 +15,7 @@ import org.maestro.sl.Term;
  * @param before what was known when the step began: the effect's conditions and amounts are read
  *     from it, for the member may have told its new state before the result came; absent: what is
  *     known when the result is learnt
+ * @param begun false when the member did not even start, so that all is as it was
  */
 public record FeatureRun(
     String member,
@@ -23,7 +24,8 @@ public record FeatureRun(
     boolean succeeded,
     Map<String, Term> outputs,
     List<Learnt> refs,
-    Optional<Snapshot> before) {
+    Optional<Snapshot> before,
+    boolean begun) {
 
   public FeatureRun(
       String member,
@@ -32,7 +34,7 @@ public record FeatureRun(
       boolean succeeded,
       Map<String, Term> outputs,
       List<Learnt> refs) {
-    this(member, feature, bindings, succeeded, outputs, refs, Optional.empty());
+    this(member, feature, bindings, succeeded, outputs, refs, Optional.empty(), true);
   }
 
   /** A fluent or atom in MAESTRO-SL and the value found: a number, or a truth value. */

@@ -60,11 +60,13 @@ final class Lesson {
       }
       return facts;
     }
-    EffectReader.touched(feature.effect(), bindings, before).stream()
-        .filter(atom -> isUncertain(atom.predicate()))
-        .map(draft::variable)
-        .filter(variable -> !isOwnWord(variable))
-        .forEach(forget);
+    if (run.begun()) {
+      EffectReader.touched(feature.effect(), bindings, before).stream()
+          .filter(atom -> isUncertain(atom.predicate()))
+          .map(draft::variable)
+          .filter(variable -> !isOwnWord(variable))
+          .forEach(forget);
+    }
     return run.refs().stream().map(ref -> FactReader.read(ref, run.member())).toList();
   }
 

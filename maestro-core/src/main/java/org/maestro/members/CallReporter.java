@@ -8,6 +8,7 @@ import java.util.concurrent.Executor;
 import org.maestro.coordination.Crew;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Progress;
@@ -90,6 +91,22 @@ public final class CallReporter implements RatsLink.CallListener {
             .error()
             .map(RatsError::message)
             .or(() -> Optional.of(result.outcome().name().toLowerCase())),
-        refs);
+        refs,
+        result.error().map(RatsError::code).filter(CallReporter::isOfTheCallItself).isEmpty());
+  }
+
+  /** Whether it says that the call as it stands could not be started. */
+  private static boolean isOfTheCallItself(ErrorCode code) {
+    return switch (code) {
+      case MALFORMED,
+          UNSUPPORTED_VERSION,
+          UNKNOWN_FEATURE,
+          INVALID_PARAMETERS,
+          DISABLED,
+          QUEUE_FULL,
+          NOT_AUTHORISED ->
+          true;
+      default -> false;
+    };
   }
 }

@@ -145,7 +145,8 @@ class BobsHomeKnowledgeTest {
             true,
             Map.of(),
             List.of(),
-            Optional.of(before)));
+            Optional.of(before),
+            true));
 
     assertThat(number("(illuminance zone-b)")).isCloseTo(47, within(0.5));
   }

@@ -150,7 +150,8 @@ class LearningTest {
             true,
             Map.of(),
             List.of(),
-            Optional.of(before)));
+            Optional.of(before),
+            true));
 
     assertThat(home.number("(illuminance zone-b)")).hasValue(110);
     assertThat(
@@ -208,7 +209,8 @@ class LearningTest {
             true,
             Map.of(),
             List.of(),
-            Optional.of(before)));
+            Optional.of(before),
+            true));
   }
 
   @Test
@@ -241,6 +243,23 @@ class LearningTest {
     assertThat(home.truth("(nextTo Cup Bob)")).isEqualTo(Truth.UNKNOWN);
     assertThat(home.truth("(in Bob zone-b)")).as("another's place").isEqualTo(Truth.TRUE);
     assertThat(home.truth("(open rose)")).as("a plain fact").isEqualTo(Truth.FALSE);
+  }
+
+  @Test
+  void whatWasNotEvenBegunLeavesAllAsItWas() {
+    home.state(Household.CAMERA, "(position Cup \"4 0 0\")");
+    home.knowledge.learn(
+        new FeatureRun(
+            "rose",
+            PICK,
+            Map.of("object", name("Cup"), "self", name("rose")),
+            false,
+            Map.of(),
+            List.of(),
+            Optional.empty(),
+            false));
+
+    assertThat(home.truth("(in Cup zone-b)")).isEqualTo(Truth.TRUE);
   }
 
   @Test
