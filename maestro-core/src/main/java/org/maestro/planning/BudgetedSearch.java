@@ -72,7 +72,8 @@ final class BudgetedSearch {
         return somePlan(ground.bounds().map(CostBounds::least).orElse(0.0))
             .orElseGet(this::givenUp);
       } else if (round.outcome() instanceof OptimalSearch.Outcome.TooDear tooDear) {
-        next = Math.max(tooDear.atLeast(), Math.min(next, Math.nextDown(ground.beyond())));
+        double soon = Math.max(tooDear.atLeast(), Math.min(next, Math.nextDown(ground.beyond())));
+        next = soon > budget ? soon : next;
       } else if (round.beyond() == Double.POSITIVE_INFINITY) {
         return new PlanningResult.Impossible(
             new Explanation(List.of(ObstacleText.ofGoal(task.goal())), false));
