@@ -19,17 +19,23 @@ final class AclCrew implements Crew {
   private final Function<String, Optional<AID>> agentOf;
   private final Contracts contracts;
   private final Misconduct misconduct;
+  private final Function<String, Optional<String>> clientOf;
   private final Map<OrderUnderway, String> underway = new LinkedHashMap<>();
 
+  /**
+   * @param clientOf for whom others are ordered, by the goal's id, where they want to know it
+   */
   AclCrew(
       MaestroAgent agent,
       Function<String, Optional<AID>> agentOf,
       Contracts contracts,
-      Misconduct misconduct) {
+      Misconduct misconduct,
+      Function<String, Optional<String>> clientOf) {
     this.agent = agent;
     this.agentOf = agentOf;
     this.contracts = contracts;
     this.misconduct = misconduct;
+    this.clientOf = clientOf;
   }
 
   @Override
@@ -40,7 +46,8 @@ final class AclCrew implements Crew {
       agent.tell(() -> reported.accept(OrderUnderway.failed(member + " has no agent", List.of())));
       return () -> {};
     }
-    OrderUnderway performance = new OrderUnderway(agent, receiver.get(), order, misconduct);
+    OrderUnderway performance =
+        new OrderUnderway(agent, receiver.get(), order, clientOf.apply(order.goalId()), misconduct);
     underway.put(performance, member);
     performance.reportTo(
         report -> {

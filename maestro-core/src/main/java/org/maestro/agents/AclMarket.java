@@ -107,19 +107,4 @@ final class AclMarket implements Market {
       // Nobody bid, nobody is to be told.
     }
   }
-
-  /** A round with the bids of those who were not asked. */
-  private record WithOthers(Tender round, List<Bid> others) implements Tender {
-    @Override
-    public List<Bid> bids() {
-      List<Bid> all = new ArrayList<>(round.bids());
-      all.addAll(others);
-      return List.copyOf(all);
-    }
-
-    @Override
-    public void award(Map<String, List<Step>> parts) {
-      round.award(parts);
-    }
-  }
 }

@@ -43,8 +43,10 @@ final class Deliberation {
       Misconduct misconduct) {
     this.agent = agent;
     this.mind = mind;
-    this.crew = new AclCrew(agent, this::agentOf, contracts, misconduct);
-    Market market = new AclMarket(agent, this::agentOf, contracts, misconduct);
+    Clients clients = new Clients(mind.knowledge(), this::requester, misconduct);
+    this.crew = new AclCrew(agent, this::agentOf, contracts, misconduct, clients::of);
+    Market market =
+        new PermittedMarket(new AclMarket(agent, this::agentOf, contracts, misconduct), clients);
     this.coordinator = new Coordinator(ports(clock, market, crew, story, journal));
   }
 
@@ -65,7 +67,8 @@ final class Deliberation {
       Optional<OwnMember> own) {
     this.agent = agent;
     this.mind = mind;
-    this.crew = new AclCrew(agent, this::agentOf, contracts, misconduct);
+    this.crew =
+        new AclCrew(agent, this::agentOf, contracts, misconduct, goalId -> Optional.empty());
     Market market = new AclMarket(agent, this::agentOf, contracts, misconduct);
     this.coordinator =
         new Coordinator(
@@ -92,6 +95,10 @@ final class Deliberation {
 
   Coordinator coordinator() {
     return coordinator;
+  }
+
+  private Optional<String> requester(String goalId) {
+    return coordinator.requester(goalId);
   }
 
   /** From now on what changes in the collective knowledge is noticed. */

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import org.maestro.coordination.Story;
 import org.maestro.members.MemberNews;
@@ -45,7 +46,9 @@ public final class GenericAgent extends MaestroAgent {
   private final transient PriceResponder prices;
   private final transient Optional<OwnGoals> goals;
   private boolean announced;
+  private transient Rights rights = Rights.UNKNOWN;
   private final transient Set<AID> listeners = new LinkedHashSet<>();
+  private final transient Once objections = new Once();
 
   /**
    * @param describedBy reads a description (first argument) that a member (second) sent; throws a
@@ -76,7 +79,7 @@ public final class GenericAgent extends MaestroAgent {
     super(time);
     this.member = member;
     this.link = link;
-    this.prices = new PriceResponder(this, view);
+    this.prices = new PriceResponder(this, view, this::objection);
     this.news = new MemberNews(member, view, describedBy, new Teller());
     this.performances = new Performances(this, member, link, view, news, this::say);
     OwnMember own = new OwnMember(member, view, performances);
@@ -133,6 +136,7 @@ public final class GenericAgent extends MaestroAgent {
         ANSWER_WITHIN,
         reply -> {
           if (reply.getPerformative() == ACLMessage.INFORM && view.isReady()) {
+            rights = Rights.read(Words.of(Words.parse(reply.getContent()).get(0)));
             announced = true;
             announce("ready", "described");
             pursue();
@@ -232,8 +236,9 @@ public final class GenericAgent extends MaestroAgent {
       Words words = Words.of(content);
       switch (content.operator()) {
         case "perform" ->
-            when(message, ACLMessage.REQUEST, () -> performances.perform(message, words));
-        case "cost" -> when(message, ACLMessage.REQUEST, () -> performances.cost(message, words));
+            when(message, ACLMessage.REQUEST, () -> allowed(message, words, performances::perform));
+        case "cost" ->
+            when(message, ACLMessage.REQUEST, () -> allowed(message, words, performances::cost));
         case "cancel" -> cancel(message, words);
         case "subscribe" -> when(message, ACLMessage.SUBSCRIBE, () -> subscribe(message));
         case "query-ref" -> goals.ifPresent(own -> GoalWords.list(this, message, own));
@@ -262,6 +267,22 @@ public final class GenericAgent extends MaestroAgent {
   protected void takeDown() {
     goals.ifPresent(OwnGoals::end);
     super.takeDown();
+  }
+
+  /** Only who may ask for the feature is answered (A28). */
+  private void allowed(ACLMessage message, Words words, BiConsumer<ACLMessage, Words> deed) {
+    objection(message, words, words.string("feature").orElse(""))
+        .ifPresentOrElse(
+            reason -> refuse(message, ACLMessage.REFUSE, reason),
+            () -> deed.accept(message, words));
+  }
+
+  private Optional<String> objection(ACLMessage message, Words words, String feature) {
+    Optional<String> objection = rights.objection(message, words, member, feature);
+    objection
+        .filter(objections::isNew)
+        .ifPresent(reason -> LOG.warn("{} refuses: {}", member, reason));
+    return objection;
   }
 
   /** A device must not move because of a message that does not order it to. */

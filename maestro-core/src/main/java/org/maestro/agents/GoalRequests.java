@@ -15,6 +15,7 @@ import org.maestro.coordination.InvalidGoalException;
 import org.maestro.coordination.Journal;
 import org.maestro.coordination.Recovery;
 import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.ontology.home.AccessList;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
@@ -81,11 +82,19 @@ final class GoalRequests {
           "initCNP needs a goal, such as (initCNP (:goal (nextTo Cup Bob))).");
       return;
     }
-    String requester = message.getSender().getLocalName();
+    Caller requester = Caller.of(message);
+    if (!AccessList.of(knowledge.home()).knows(requester.names())) {
+      agent.refuse(
+          message,
+          ACLMessage.REFUSE,
+          "No maestro:Permission of the home lets %s ask anybody for anything."
+              .formatted(String.join(" or ", requester.names())));
+      return;
+    }
     try {
       String id =
           coordinator.submit(
-              GoalWords.request(goal, requester, words, agent.clock().now()),
+              GoalWords.request(goal, requester.toString(), words, agent.clock().now()),
               news -> answer(message, news),
               outcome -> endings.ended(goal, outcome));
       journal.afterwards(

@@ -3,6 +3,7 @@ package org.maestro.agents;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -16,6 +17,7 @@ import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.knowledge.Question;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.knowledge.Source;
+import org.maestro.ontology.home.AccessList;
 import org.maestro.ontology.home.Device;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
@@ -93,9 +95,18 @@ public final class KnowledgeAgent extends MaestroAgent {
   }
 
   private void informed(ACLMessage message, Words words) {
+    Optional<String> forged = spokenFor(message, words);
+    if (forged.isPresent()) {
+      refuse(message, ACLMessage.REFUSE, forged.get());
+      return;
+    }
+    List<Content.Argument> answer = new ArrayList<>();
+    answer.add(Words.named("done", Words.name("noted")));
     if (words.string("description").isPresent()) {
-      knowledge.describe(
-          describedBy.apply(words.string("description").get(), words.string("member").orElse("")));
+      Device device =
+          describedBy.apply(words.string("description").get(), words.string("member").orElse(""));
+      knowledge.describe(device);
+      answer.addAll(Rights.words(AccessList.of(knowledge.home()), device));
     } else if (words.find("facts").isPresent()) {
       knowledge.state(
           new Source(Source.Kind.STATED, words.string("source").orElse("unnamed")),
@@ -104,11 +115,20 @@ public final class KnowledgeAgent extends MaestroAgent {
       learn(words);
     }
     if (message.getPerformative() == ACLMessage.REQUEST) {
-      reply(
-          message,
-          ACLMessage.INFORM,
-          Words.content("inform", Words.named("done", Words.name("noted"))));
+      reply(message, ACLMessage.INFORM, new Content("inform", answer));
     }
+  }
+
+  /** Where it is proven who speaks, nobody but its own agent speaks for a device. */
+  private Optional<String> spokenFor(ACLMessage message, Words words) {
+    Caller caller = Caller.of(message);
+    return words
+        .string("source")
+        .or(() -> words.string("member"))
+        .filter(source -> caller.user().isPresent())
+        .filter(knowledge.home().devices()::containsKey)
+        .filter(source -> !source.equals(caller.agent()))
+        .map(source -> "%s does not speak for %s; its own agent does.".formatted(caller, source));
   }
 
   private void learn(Words words) {

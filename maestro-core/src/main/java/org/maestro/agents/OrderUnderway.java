@@ -26,16 +26,23 @@ final class OrderUnderway implements Crew.Performance {
   private final MaestroAgent agent;
   private final AID receiver;
   private final Crew.Order order;
+  private final Optional<String> client;
   private final Misconduct misconduct;
   private Consumer<Crew.Report> reported = report -> {};
   private Optional<String> conversation = Optional.empty();
   private boolean agreed;
   private boolean over;
 
-  OrderUnderway(MaestroAgent agent, AID receiver, Crew.Order order, Misconduct misconduct) {
+  OrderUnderway(
+      MaestroAgent agent,
+      AID receiver,
+      Crew.Order order,
+      Optional<String> client,
+      Misconduct misconduct) {
     this.agent = agent;
     this.receiver = receiver;
     this.order = order;
+    this.client = client;
     this.misconduct = misconduct;
   }
 
@@ -60,7 +67,8 @@ final class OrderUnderway implements Crew.Performance {
 
   private void send() {
     ACLMessage request =
-        agent.message(ACLMessage.REQUEST, receiver, Orders.order(order, agent.getLocalName()));
+        agent.message(
+            ACLMessage.REQUEST, receiver, Orders.order(order, agent.getLocalName(), client));
     conversation =
         Optional.of(
             agent

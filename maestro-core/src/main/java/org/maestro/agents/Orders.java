@@ -31,11 +31,13 @@ final class Orders {
   /**
    * @param caller the agent that orders: each names calls by itself, and members take all of them
    *     for calls of one controller
+   * @param client for whom it orders, where that matters
    */
-  static Content order(Crew.Order order, String caller) {
+  static Content order(Crew.Order order, String caller, Optional<String> client) {
     List<Content.Argument> arguments = new ArrayList<>();
     arguments.add(Words.named("goal", Words.name(order.goalId())));
     order.call().ifPresent(call -> arguments.addAll(call(call, caller)));
+    client.ifPresent(name -> arguments.add(Words.named("for", Words.text(name))));
     arguments.add(Words.named("feature", Words.name(order.step().feature().name())));
     arguments.add(Words.named("timeout", Words.number(order.timeout().toMillis())));
     arguments.add(parameters("parameters", order.parameters()));

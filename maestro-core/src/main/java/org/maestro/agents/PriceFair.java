@@ -37,7 +37,8 @@ public final class PriceFair {
   private static final class Seller extends MaestroAgent {
     private static final long serialVersionUID = 1L;
     private final transient MemberView view = new MemberView();
-    private final transient PriceResponder prices = new PriceResponder(this, view);
+    private final transient PriceResponder prices =
+        new PriceResponder(this, view, PriceResponder.Access.OPEN);
 
     Seller(AgentTime time, Device device) {
       super(time);

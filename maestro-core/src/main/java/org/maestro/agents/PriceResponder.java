@@ -8,6 +8,7 @@ import jade.proto.states.MsgReceiver;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Price;
@@ -28,11 +29,22 @@ final class PriceResponder {
 
   private final MaestroAgent agent;
   private final MemberView view;
+  private final Access access;
   private int unnamed;
 
-  PriceResponder(MaestroAgent agent, MemberView view) {
+  /** Who may ask for what. */
+  interface Access {
+    /** Everybody for everything. */
+    Access OPEN = (message, words, feature) -> Optional.empty();
+
+    /** Why not, in a part of a sentence. */
+    Optional<String> objection(ACLMessage message, Words words, String feature);
+  }
+
+  PriceResponder(MaestroAgent agent, MemberView view, Access access) {
     this.agent = agent;
     this.view = view;
+    this.access = access;
   }
 
   /** The session that the message begins; empty when it is no call for prices. */
@@ -58,12 +70,11 @@ final class PriceResponder {
       return answer;
     }
     try {
-      List<Content> prices = prices(cfp);
+      List<String> objections = new ArrayList<>();
+      List<Content> prices = prices(cfp, objections::add);
       if (prices.isEmpty()) {
-        String name = agent.getLocalName();
         answer.setPerformative(ACLMessage.REFUSE);
-        answer.setContent(
-            reason(view.isReady() ? name + " has none of these features" : name + " is not there"));
+        answer.setContent(reason(objections.isEmpty() ? nothingToOffer() : objections.get(0)));
       } else {
         answer.setPerformative(ACLMessage.PROPOSE);
         answer.setReplyByDate(agent.replyBy(agent.patience().offer()));
@@ -76,17 +87,27 @@ final class PriceResponder {
     return answer;
   }
 
+  private String nothingToOffer() {
+    return agent.getLocalName()
+        + (view.isReady() ? " has none of these features" : " is not there");
+  }
+
   private static String reason(String sentence) {
     return Words.print(Words.content("inform", Words.named("reason", Words.text(sentence))));
   }
 
-  private List<Content> prices(ACLMessage cfp) {
+  private List<Content> prices(ACLMessage cfp, Consumer<String> objections) {
     List<Content> prices = new ArrayList<>();
     for (Content content : Words.parse(cfp.getContent())) {
-      for (Term name : Words.of(content).find("features").map(Words::terms).orElse(List.of())) {
+      Words words = Words.of(content);
+      for (Term name : words.find("features").map(Words::terms).orElse(List.of())) {
         Optional<FeatureType> feature =
             view.isReady() ? view.feature(Words.plain(name)) : Optional.empty();
-        feature.ifPresent(f -> prices.add(price(f)));
+        feature.ifPresent(
+            f ->
+                access
+                    .objection(cfp, words, f.name())
+                    .ifPresentOrElse(objections, () -> prices.add(price(f))));
       }
     }
     return prices;

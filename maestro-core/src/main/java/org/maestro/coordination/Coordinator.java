@@ -275,6 +275,11 @@ public final class Coordinator {
     return goals;
   }
 
+  /** Who asked for a goal that is pursued now. */
+  public Optional<String> requester(String goalId) {
+    return Optional.ofNullable(pursuits.get(goalId)).map(goal -> goal.status().requester());
+  }
+
   /** The highest number that a goal's id has had. */
   public int lastGoalNumber() {
     return lastNumber;

@@ -20,6 +20,7 @@ import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
 import org.maestro.agents.MaestroAgent;
 import org.maestro.agents.stepping.SteppedMailService;
+import org.maestro.platform.guard.Guard;
 
 /**
  * Starts and ends JADE containers with safe defaults: loopback only, no multicast, no MTP, no files
@@ -43,6 +44,14 @@ final class JadeRuntime {
   private JadeRuntime() {}
 
   static AgentContainer main(String platformName, int port, Path fileDirectory) {
+    return main(platformName, port, fileDirectory, Optional.empty());
+  }
+
+  /**
+   * @param guard of a secured site; empty: whoever reaches the port may join
+   */
+  static AgentContainer main(
+      String platformName, int port, Path fileDirectory, Optional<Guard> guard) {
     // JADE reads it when its first class loads; without it a process has room for one platform
     // only.
     System.setProperty("jade.enable.multiple.platforms", "true");
@@ -52,6 +61,8 @@ final class JadeRuntime {
     properties.setProperty(Profile.LOCAL_PORT, String.valueOf(port));
     properties.setProperty(Profile.MAIN_PORT, String.valueOf(port));
     properties.setProperty(Profile.MAIN_HOST, LOOPBACK);
+    guard.ifPresent(own -> own.guard(properties));
+    guard.ifPresent(own -> own.listen(properties));
     AgentContainer container;
     synchronized (ONE_AT_A_TIME) {
       container = Runtime.instance().createMainContainer(new ProfileImpl(properties));
@@ -68,13 +79,15 @@ final class JadeRuntime {
    *
    * @param platformName needed where several platforms live in this process; elsewhere the main
    *     container tells it
+   * @param entry how it is let in
    */
   static AgentContainer join(
       Optional<String> platformName,
       String host,
       int mainPort,
       String containerName,
-      Path fileDirectory) {
+      Path fileDirectory,
+      Entry entry) {
     Properties properties = common(fileDirectory);
     properties.setProperty(Profile.MAIN, "false");
     platformName.ifPresent(name -> properties.setProperty(Profile.PLATFORM_ID, name));
@@ -82,6 +95,8 @@ final class JadeRuntime {
     properties.setProperty(Profile.MAIN_PORT, String.valueOf(mainPort));
     properties.setProperty(Profile.LOCAL_PORT, String.valueOf(freePort()));
     properties.setProperty(Profile.CONTAINER_NAME, containerName);
+    entry.guard().ifPresent(own -> own.guard(properties));
+    entry.guard().filter(own -> entry.first()).ifPresent(own -> own.listen(properties));
     AgentContainer container;
     synchronized (ONE_AT_A_TIME) {
       container = Runtime.instance().createAgentContainer(new ProfileImpl(properties));
@@ -92,6 +107,16 @@ final class JadeRuntime {
               .formatted(containerName, host, mainPort));
     }
     return container;
+  }
+
+  /**
+   * How a container comes into a platform.
+   *
+   * @param guard of a secured site; empty on an open one
+   * @param first whether no other container of the platform is in this process
+   */
+  record Entry(Optional<Guard> guard, boolean first) {
+    static final Entry OPEN = new Entry(Optional.empty(), true);
   }
 
   /**
@@ -120,10 +145,16 @@ final class JadeRuntime {
   /**
    * Finds out in bounded time whether a platform listens there, which JADE itself does not.
    *
-   * @throws PlatformStartException when none does
+   * @throws PlatformStartException when none does, or it lets nobody of this process in
    */
-  static void requirePlatform(String host, int mainPort) {
-    if (!answers(host, mainPort)) {
+  static void requirePlatform(String host, int mainPort, Optional<Guard> guard) {
+    guard
+        .flatMap(own -> own.objection(host, mainPort))
+        .ifPresent(
+            objection -> {
+              throw new PlatformStartException(objection);
+            });
+    if (guard.isEmpty() && !answers(host, mainPort)) {
       throw new PlatformStartException(
           "No platform answers at %s:%d; start one with ./maestro run, or name another with --main HOST:PORT."
               .formatted(host, mainPort));

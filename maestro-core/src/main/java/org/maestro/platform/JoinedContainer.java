@@ -22,6 +22,7 @@ import org.maestro.agents.GenericAgent;
 import org.maestro.agents.SupervisorAgent;
 import org.maestro.agents.Words;
 import org.maestro.ontology.home.Device;
+import org.maestro.platform.guard.Guard;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
@@ -64,10 +65,34 @@ public final class JoinedContainer implements AutoCloseable {
    */
   public static JoinedContainer join(
       Optional<String> platform, String host, int port, String name, Clock clock) {
-    JadeRuntime.requirePlatform(host, port);
-    Function<String, AgentContainer> newContainer =
-        called -> JadeRuntime.join(platform, host, port, called, temporaryDirectory());
-    AgentContainer container = newContainer.apply(name);
+    return join(platform, host, port, name, clock, Optional.empty());
+  }
+
+  /**
+   * Joins the platform of a secured site.
+   *
+   * @param guard by which this process is let in; empty on an open site
+   * @throws PlatformStartException when no platform answers there, or it refuses
+   */
+  public static JoinedContainer join(
+      Optional<String> platform,
+      String host,
+      int port,
+      String name,
+      Clock clock,
+      Optional<Guard> guard) {
+    JadeRuntime.requirePlatform(host, port, guard);
+    BiFunction<String, Boolean, AgentContainer> joining =
+        (called, first) ->
+            JadeRuntime.join(
+                platform,
+                host,
+                port,
+                called,
+                temporaryDirectory(),
+                new JadeRuntime.Entry(guard, first));
+    Function<String, AgentContainer> newContainer = called -> joining.apply(called, false);
+    AgentContainer container = joining.apply(name, true);
     AgentTime time = AgentTime.of(clock);
     DeskAgent desk = new DeskAgent(time);
     JadeRuntime.start(container, name + "-desk", desk);

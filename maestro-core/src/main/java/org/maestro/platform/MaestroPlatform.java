@@ -95,7 +95,12 @@ public final class MaestroPlatform implements AutoCloseable {
         new TopicContainers(
             topic ->
                 JadeRuntime.join(
-                    Optional.of(settings.name()), "127.0.0.1", port, topic, fileDirectory));
+                    Optional.of(settings.name()),
+                    "127.0.0.1",
+                    port,
+                    topic,
+                    fileDirectory,
+                    new JadeRuntime.Entry(settings.guard(), false)));
     this.mind = new Mind(knowledge, planner, settings.decisionTime());
     this.past = memory.past();
     Past ofCentre = past.ofCentre();
@@ -125,7 +130,7 @@ public final class MaestroPlatform implements AutoCloseable {
     int port = JadeRuntime.claim(settings.port());
     PlatformMemory memory = PlatformMemory.open(settings, knowledge, clock);
     Path files = temporaryDirectory();
-    AgentContainer main = JadeRuntime.main(settings.name(), port, files);
+    AgentContainer main = JadeRuntime.main(settings.name(), port, files, settings.guard());
     MaestroPlatform platform =
         new MaestroPlatform(
             settings, knowledge, planner, link, clock, describedBy, memory, files, port, main);

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
 import org.maestro.agents.Patience;
+import org.maestro.platform.guard.Guard;
 
 /**
  * How a platform is to run.
@@ -19,6 +20,7 @@ import org.maestro.agents.Patience;
  * @param dataDirectory where the journal of goals is kept, from which the next platform goes on
  *     after this one's death; empty: goals end with the platform
  * @param patience of the agents with each other
+ * @param guard of a secured site; empty: whoever reaches the port may join and speak as anybody
  */
 public record PlatformSettings(
     String name,
@@ -29,7 +31,8 @@ public record PlatformSettings(
     Duration decisionTime,
     Optional<Path> storyDirectory,
     Optional<Path> dataDirectory,
-    Patience patience) {
+    Patience patience,
+    Optional<Guard> guard) {
 
   /** Of a platform whose agents wait for each other as long as usual. */
   public PlatformSettings(
@@ -50,7 +53,23 @@ public record PlatformSettings(
         decisionTime,
         storyDirectory,
         dataDirectory,
-        Patience.standard());
+        Patience.standard(),
+        Optional.empty());
+  }
+
+  /** Of a platform that is guarded. */
+  public PlatformSettings with(Optional<Guard> other) {
+    return new PlatformSettings(
+        name,
+        port,
+        gui,
+        brokerUri,
+        site,
+        decisionTime,
+        storyDirectory,
+        dataDirectory,
+        patience,
+        other);
   }
 
   /** Of a platform whose goals end with it. */

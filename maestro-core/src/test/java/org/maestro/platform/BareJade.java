@@ -5,6 +5,7 @@ import jade.wrapper.AgentController;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.maestro.agents.MaestroAgent;
+import org.maestro.platform.guard.Guard;
 
 /** JADE as the platform starts it, for tests of single agents. */
 public final class BareJade implements AutoCloseable {
@@ -14,10 +15,18 @@ public final class BareJade implements AutoCloseable {
   private final AgentContainer main;
 
   public BareJade(String name, Path files) {
+    this(name, files, Optional.empty());
+  }
+
+  public BareJade(String name, Path files, Optional<Guard> guard) {
     this.name = name;
     this.files = files;
     this.port = JadeRuntime.claim(0);
-    this.main = JadeRuntime.main(name, port, files);
+    this.main = JadeRuntime.main(name, port, files, guard);
+  }
+
+  public int port() {
+    return port;
   }
 
   public AgentContainer main() {
@@ -25,7 +34,18 @@ public final class BareJade implements AutoCloseable {
   }
 
   public AgentContainer join(String container) {
-    return JadeRuntime.join(Optional.of(name), "127.0.0.1", port, container, files);
+    return join(container, Optional.empty());
+  }
+
+  /** Within this process, so that it needs no connection of its own. */
+  public AgentContainer join(String container, Optional<Guard> guard) {
+    return JadeRuntime.join(
+        Optional.of(name),
+        "127.0.0.1",
+        port,
+        container,
+        files,
+        new JadeRuntime.Entry(guard, false));
   }
 
   public static AgentController start(AgentContainer container, String name, MaestroAgent agent) {

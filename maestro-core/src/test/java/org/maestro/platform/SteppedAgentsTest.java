@@ -41,7 +41,14 @@ class SteppedAgentsTest {
   static void startJade() {
     int port = JadeRuntime.claim(0);
     main = JadeRuntime.main("stepped-agents", port, files);
-    second = JadeRuntime.join(Optional.of("stepped-agents"), "127.0.0.1", port, "second", files);
+    second =
+        JadeRuntime.join(
+            Optional.of("stepped-agents"),
+            "127.0.0.1",
+            port,
+            "second",
+            files,
+            JadeRuntime.Entry.OPEN);
   }
 
   @AfterAll

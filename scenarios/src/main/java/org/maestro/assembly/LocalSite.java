@@ -19,6 +19,7 @@ import org.maestro.planning.ObjectivePlanner;
 import org.maestro.planning.OptimalPlanner;
 import org.maestro.platform.MaestroPlatform;
 import org.maestro.platform.PlatformSettings;
+import org.maestro.platform.guard.Guard;
 import org.maestro.rats.broker.EmbeddedBroker;
 import org.maestro.rats.link.BusLink;
 import org.maestro.rats.link.SiteKind;
@@ -163,14 +164,15 @@ public final class LocalSite implements AutoCloseable {
     platform =
         MaestroPlatform.start(
             new PlatformSettings(
-                settings.name(),
-                settings.jadePort(),
-                settings.gui(),
-                broker.map(URI::toString),
-                settings.name(),
-                decisionTime,
-                settings.storyDirectory(),
-                settings.dataDirectory()),
+                    settings.name(),
+                    settings.jadePort(),
+                    settings.gui(),
+                    broker.map(URI::toString),
+                    settings.name(),
+                    decisionTime,
+                    settings.storyDirectory(),
+                    settings.dataDirectory())
+                .with(settings.security().map(files -> Guard.open(files, CONTROLLER))),
             knowledge(),
             new ObjectivePlanner(new OptimalPlanner(), settings.allocation()),
             link,

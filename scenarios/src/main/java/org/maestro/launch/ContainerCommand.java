@@ -1,13 +1,16 @@
 package org.maestro.launch;
 
 import java.net.URI;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.maestro.agents.SupervisorAgent;
 import org.maestro.assembly.SiteBus;
 import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.platform.JoinedContainer;
+import org.maestro.platform.guard.Guard;
 import org.maestro.rats.link.BusLink;
+import org.maestro.rats.security.SiteSecurity;
 import org.maestro.rats.time.PacedClock;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -42,12 +45,19 @@ final class ContainerCommand implements Callable<Integer> {
   public Integer call() throws InterruptedException {
     Endpoint at = Endpoint.parse(main);
     PacedClock clock = new PacedClock(1);
+    String controller = "container-" + name;
+    Optional<SiteSecurity> files = security.files();
     JoinedContainer container =
-        JoinedContainer.join(at.host(), at.port(), name + "-hand-over", clock);
+        JoinedContainer.join(
+            Optional.empty(),
+            at.host(),
+            at.port(),
+            name + "-hand-over",
+            clock,
+            files.map(site -> Guard.open(site, controller)));
     SupervisorAgent.Handover handover = container.take(name);
     URI broker = Endpoint.broker(handover.brokerUri());
-    String controller = "container-" + name;
-    SiteBus bus = new SiteBus(broker, handover.site(), security.files());
+    SiteBus bus = new SiteBus(broker, handover.site(), files);
     BusLink link =
         BusLink.connect(
             controller, handover.site(), bus.transports().apply(controller), clock, bus.kind());

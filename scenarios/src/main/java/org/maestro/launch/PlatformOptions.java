@@ -1,8 +1,11 @@
 package org.maestro.launch;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.maestro.platform.JoinedContainer;
+import org.maestro.platform.guard.Guard;
+import org.maestro.rats.security.SiteSecurity;
 import org.maestro.rats.time.PacedClock;
 import picocli.CommandLine.Option;
 
@@ -21,6 +24,20 @@ final class PlatformOptions {
       paramLabel = "HOST:PORT",
       description = "The platform whose JADE main container listens there.")
   private Optional<String> main;
+
+  @Option(
+      names = "--security",
+      paramLabel = "DIR",
+      description =
+          "The files of the secured site; a platform of this user on this machine tells where they are.")
+  private Optional<Path> security;
+
+  @Option(
+      names = "--user",
+      paramLabel = "ID",
+      defaultValue = SecurityOptions.CONSOLE,
+      description = "As which user of the secured site to ask; default ${DEFAULT-VALUE}.")
+  private String user;
 
   /** Whether there is a platform to talk to. */
   boolean isThere() {
@@ -67,6 +84,15 @@ final class PlatformOptions {
   JoinedContainer join() {
     Endpoint at = endpoint();
     return JoinedContainer.join(
-        at.host(), at.port(), "cli-" + ProcessHandle.current().pid(), new PacedClock(1));
+        Optional.empty(),
+        at.host(),
+        at.port(),
+        "cli-" + ProcessHandle.current().pid(),
+        new PacedClock(1),
+        files().map(directory -> Guard.open(SiteSecurity.open(directory), user)));
+  }
+
+  private Optional<Path> files() {
+    return security.isPresent() || main.isPresent() ? security : found().security().map(Path::of);
   }
 }

@@ -113,7 +113,8 @@ final class RunCommand implements Callable<Integer> {
             name,
             ProcessHandle.current().pid(),
             site.platform().port(),
-            site.broker().map(URI::toString)));
+            site.broker().map(URI::toString),
+            settings.security().map(files -> files.directory().toString())));
     UntilStopped.run(
         spec.commandLine().getOut(), announcement(loaded, site), () -> end(directory, site));
     return ExitCode.DONE;

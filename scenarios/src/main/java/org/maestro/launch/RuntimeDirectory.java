@@ -23,8 +23,13 @@ final class RuntimeDirectory {
   private final Path directory;
   private final ObjectMapper json = new ObjectMapper();
 
-  /** A platform that runs, as told to other commands. */
-  record Running(String name, long pid, int port, Optional<String> broker) {
+  /**
+   * A platform that runs, as told to other commands.
+   *
+   * @param security where the files of its site are, if that is secured
+   */
+  record Running(
+      String name, long pid, int port, Optional<String> broker, Optional<String> security) {
     boolean isAlive() {
       return ProcessHandle.of(pid).map(ProcessHandle::isAlive).orElse(false);
     }
@@ -96,6 +101,7 @@ final class RuntimeDirectory {
     node.put("pid", platform.pid());
     node.put("port", platform.port());
     platform.broker().ifPresent(uri -> node.put("broker", uri));
+    platform.security().ifPresent(files -> node.put("security", files));
     write(ready().resolve(platform.name() + RUNNING), node.toString());
   }
 
@@ -121,7 +127,8 @@ final class RuntimeDirectory {
                 node.path("name").asText(),
                 node.path("pid").asLong(),
                 node.path("port").asInt(),
-                Optional.ofNullable(node.path("broker").textValue()));
+                Optional.ofNullable(node.path("broker").textValue()),
+                Optional.ofNullable(node.path("security").textValue()));
         if (running.isAlive()) {
           found.add(running);
         }

@@ -66,6 +66,13 @@ final class SecureCommand implements Callable<Integer> {
       description = "Further controllers.")
   private List<String> controllers = List.of();
 
+  @Option(
+      names = "--guest",
+      split = ",",
+      paramLabel = "ID",
+      description = "Further users who may join the platform and ask there, such as a tablet's.")
+  private List<String> guests = List.of();
+
   @Override
   public Integer call() {
     TreeSet<String> allMembers = new TreeSet<>(members);
@@ -74,11 +81,18 @@ final class SecureCommand implements Callable<Integer> {
     allControllers.addAll(controllers);
     List<String> allHosts = new ArrayList<>(hosts);
     allHosts.addAll(LOCAL_HOSTS);
-    SiteUsers users = SecureSite.make(directory, site, allHosts, allControllers, allMembers);
+    List<String> allGuests = new ArrayList<>(guests);
+    allGuests.add(SecurityOptions.CONSOLE);
+    SiteUsers users =
+        SecureSite.make(directory, site, allHosts, allControllers, allMembers, allGuests);
     PrintWriter out = spec.commandLine().getOut();
     out.printf(
-        "The site %s is secured by the files in %s: %d members, %d controllers.%n",
-        users.site(), directory, users.members().size(), users.controllers().size());
+        "The site %s is secured by the files in %s: %d members, %d controllers, %d guests.%n",
+        users.site(),
+        directory,
+        users.members().size(),
+        users.controllers().size(),
+        users.guests().size());
     out.printf(
         "Who may call what: %s. A device gets its folder below %s.%n",
         directory.resolve("rules.txt"), directory.resolve("users"));

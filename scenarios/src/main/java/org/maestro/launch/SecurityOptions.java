@@ -7,6 +7,8 @@ import picocli.CommandLine.Option;
 
 /** The files of a secured site, as several commands take them. */
 final class SecurityOptions {
+  /** The guest as which commands ask unless another is named; every secured site has it. */
+  static final String CONSOLE = "console";
 
   @Option(
       names = "--security",

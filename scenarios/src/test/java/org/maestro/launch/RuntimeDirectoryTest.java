@@ -18,7 +18,11 @@ class RuntimeDirectoryTest {
     RuntimeDirectory directory = RuntimeDirectory.at(path);
     directory.add(
         new RuntimeDirectory.Running(
-            "home", ProcessHandle.current().pid(), 1099, Optional.of("tcp://127.0.0.1:1883")));
+            "home",
+            ProcessHandle.current().pid(),
+            1099,
+            Optional.of("tcp://127.0.0.1:1883"),
+            Optional.empty()));
 
     assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(path)))
         .isEqualTo("rwx------");
@@ -32,9 +36,12 @@ class RuntimeDirectoryTest {
   void knowsThePlatformsThatLive() {
     RuntimeDirectory directory = RuntimeDirectory.at(parent.resolve("run"));
     RuntimeDirectory.Running living =
-        new RuntimeDirectory.Running("here", ProcessHandle.current().pid(), 1099, Optional.empty());
+        new RuntimeDirectory.Running(
+            "here", ProcessHandle.current().pid(), 1099, Optional.empty(), Optional.empty());
     directory.add(living);
-    directory.add(new RuntimeDirectory.Running("gone", Long.MAX_VALUE, 1100, Optional.empty()));
+    directory.add(
+        new RuntimeDirectory.Running(
+            "gone", Long.MAX_VALUE, 1100, Optional.empty(), Optional.empty()));
 
     assertThat(directory.running()).containsExactly(living);
     directory.remove("here");

@@ -92,6 +92,7 @@ final class HomeReader {
         (name, node) ->
             check.checkThing(
                 node, home.devices().containsKey(name) || home.groups().containsKey(name)));
+    new PermissionCheck(graph, home).check(home, nodes);
     if (graph.faults().isEmpty()) {
       check.checkMap(home, nodes);
     }

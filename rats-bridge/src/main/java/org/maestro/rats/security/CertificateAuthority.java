@@ -97,17 +97,22 @@ final class CertificateAuthority {
         hosts.stream().map(CertificateAuthority::host).toArray(GeneralName[]::new);
     return issued(
         hosts.iterator().next(),
-        KeyPurposeId.id_kp_serverAuth,
-        List.of(new NamedExtension(new GeneralNames(names))));
+        List.of(new NamedExtension(new GeneralNames(names))),
+        KeyPurposeId.id_kp_serverAuth);
   }
 
   Identity user(String id) {
-    return issued(id, KeyPurposeId.id_kp_clientAuth, List.of());
+    return issued(id, List.of(), KeyPurposeId.id_kp_clientAuth);
+  }
+
+  /** Of a container, which calls others and is called by them. */
+  Identity container(String id) {
+    return issued(id, List.of(), KeyPurposeId.id_kp_clientAuth, KeyPurposeId.id_kp_serverAuth);
   }
 
   private record NamedExtension(GeneralNames names) {}
 
-  private Identity issued(String name, KeyPurposeId purpose, List<NamedExtension> names) {
+  private Identity issued(String name, List<NamedExtension> names, KeyPurposeId... purposes) {
     KeyPair keys = keys();
     X509Certificate issued =
         signed(
@@ -120,7 +125,7 @@ final class CertificateAuthority {
               builder.addExtension(
                   Extension.keyUsage, true, new KeyUsage(KeyUsage.digitalSignature));
               builder.addExtension(
-                  Extension.extendedKeyUsage, false, new ExtendedKeyUsage(purpose));
+                  Extension.extendedKeyUsage, false, new ExtendedKeyUsage(purposes));
               builder.addExtension(
                   Extension.authorityKeyIdentifier,
                   false,

@@ -27,11 +27,22 @@ public final class SecureSite {
     this.directory = directory;
   }
 
+  /** Makes the files of a site without guests. */
+  public static SiteUsers make(
+      Path directory,
+      String site,
+      List<String> hosts,
+      Collection<String> controllers,
+      Collection<String> members) {
+    return make(directory, site, hosts, controllers, members, List.of());
+  }
+
   /**
    * Writes all files below the directory, each for its owner only.
    *
    * @param site its name on the bus
    * @param hosts names and addresses that the broker is reached by
+   * @param guests who may join the platform and ask there, without being on the bus
    * @return everybody who belongs to the site now
    * @throws SecurityFilesException when a file cannot be written, or a name cannot be one
    */
@@ -40,10 +51,16 @@ public final class SecureSite {
       String site,
       List<String> hosts,
       Collection<String> controllers,
-      Collection<String> members) {
+      Collection<String> members,
+      Collection<String> guests) {
     SecureSite secure = new SecureSite(directory.toAbsolutePath().normalize());
     return secure.make(
-        new SiteUsers(site, hosts, new TreeSet<>(controllers), new TreeSet<>(members)));
+        new SiteUsers(
+            site,
+            hosts,
+            new TreeSet<>(controllers),
+            new TreeSet<>(members),
+            new TreeSet<>(guests)));
   }
 
   private SiteUsers make(SiteUsers wanted) {
@@ -56,13 +73,17 @@ public final class SecureSite {
             "%s is of the site %s; choose another directory for the site %s"
                 .formatted(directory, former.site(), wanted.site()));
       }
-      users = wanted.and(former.controllers(), former.members());
+      users = wanted.and(former);
     }
     PrivateFiles.directory(directory);
     CertificateAuthority authority = authority(users.site());
     Map<String, String> passwords = new LinkedHashMap<>();
     for (String id : users.all()) {
       passwords.put(id, user(id, authority));
+    }
+    String token = token();
+    for (String id : users.containers()) {
+      container(id, authority, token);
     }
     String storePassword = broker(users, authority);
     new MosquittoFiles(users, directory).texts(passwords).forEach(this::write);
@@ -98,6 +119,26 @@ public final class SecureSite {
       PrivateFiles.write(password, PasswordHashes.newPassword() + "\n");
     }
     return PrivateFiles.secret(password).strip();
+  }
+
+  /** The site's own, made once: to have another one, remove its file and make the site again. */
+  private String token() {
+    Path file = directory.resolve(SiteSecurity.TOKEN);
+    if (!Files.exists(file)) {
+      PrivateFiles.write(file, PasswordHashes.newPassword() + "\n");
+    }
+    return PrivateFiles.secret(file);
+  }
+
+  private void container(String id, CertificateAuthority authority, String token) {
+    String own = SiteSecurity.ofUser(id);
+    if (!Files.exists(directory.resolve(own + SiteSecurity.CONTAINER_CERTIFICATE))) {
+      CertificateAuthority.Identity identity = authority.container(id);
+      write(own + SiteSecurity.CONTAINER_KEY, Pem.of(identity.key()));
+      write(own + SiteSecurity.CONTAINER_CERTIFICATE, pem(identity.certificate()));
+      write(own + "ca.pem", pem(authority.certificate()));
+    }
+    write(own + SiteSecurity.TOKEN, token);
   }
 
   /** Anew each time, as the hosts may be others; returns the password of the key stores. */

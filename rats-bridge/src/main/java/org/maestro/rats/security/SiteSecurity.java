@@ -24,6 +24,9 @@ public final class SiteSecurity {
   static final String PASSWORD = "password";
   static final String CERTIFICATE = "certificate.pem";
   static final String KEY = "key.pem";
+  static final String TOKEN = "join-token";
+  static final String CONTAINER_CERTIFICATE = "container.pem";
+  static final String CONTAINER_KEY = "container-key.pem";
 
   private static final char[] IN_MEMORY = new char[0];
 
@@ -116,6 +119,33 @@ public final class SiteSecurity {
         id,
         Optional.empty(),
         context(Optional.of(new CertificateAuthority.Identity(certificate, key))));
+  }
+
+  /**
+   * To be a container of the site's platform, in the process of a controller or a guest.
+   *
+   * @throws SecurityFilesException when the site has no such user, or its files cannot be used
+   */
+  public ContainerAccess container(String id) {
+    if (!users.containers().contains(id)) {
+      throw new SecurityFilesException(
+          "The secured site %s has no user %s who may join its platform; ./maestro secure %s --guest %s adds it."
+              .formatted(users.site(), id, directory, id));
+    }
+    String token = PrivateFiles.secret(file(id, TOKEN)).strip();
+    if (token.isEmpty()) {
+      throw new SecurityFilesException("The security file " + file(id, TOKEN) + " is empty.");
+    }
+    CertificateAuthority.Identity identity =
+        new CertificateAuthority.Identity(
+            Pem.certificate(file(id, CONTAINER_CERTIFICATE)), Pem.key(file(id, CONTAINER_KEY)));
+    return new ContainerAccess(
+        id, users.containers(), authority, identity, context(Optional.of(identity)), token);
+  }
+
+  /** Where the files are. */
+  public Path directory() {
+    return directory;
   }
 
   static String ofUser(String id) {

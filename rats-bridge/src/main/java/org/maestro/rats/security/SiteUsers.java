@@ -1,7 +1,6 @@
 package org.maestro.rats.security;
 
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.Collections;
 import java.util.List;
 import java.util.SortedSet;
@@ -16,21 +15,30 @@ import java.util.stream.Stream;
  * @param hosts names and addresses that the broker is reached by
  * @param controllers ids that may read everything
  * @param members ids of devices
+ * @param guests ids of who may only join the platform and ask there; the bus does not know them
  */
 public record SiteUsers(
-    String site, List<String> hosts, SortedSet<String> controllers, SortedSet<String> members) {
+    String site,
+    List<String> hosts,
+    SortedSet<String> controllers,
+    SortedSet<String> members,
+    SortedSet<String> guests) {
 
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,62}");
 
   /**
-   * @throws SecurityFilesException when a name is no level of a topic, or is both a member's and a
-   *     controller's
+   * @throws SecurityFilesException when a name is no level of a topic, or is given to two kinds of
+   *     users
    */
   public SiteUsers {
     hosts = List.copyOf(hosts);
     controllers = sorted(controllers);
     members = sorted(members);
-    for (String name : Stream.concat(Stream.of(site), all(controllers, members)).toList()) {
+    guests = sorted(guests);
+    for (String name :
+        Stream.of(Stream.of(site), controllers.stream(), members.stream(), guests.stream())
+            .flatMap(names -> names)
+            .toList()) {
       if (!NAME.matcher(name).matches()) {
         throw new SecurityFilesException(
             "\""
@@ -38,31 +46,42 @@ public record SiteUsers(
                 + "\" is no name on the bus: letters, digits, '.', '_' and '-', at most 63");
       }
     }
-    for (String both : controllers) {
-      if (members.contains(both)) {
-        throw new SecurityFilesException(
-            "\"" + both + "\" cannot be both a member and a controller; rename one of them");
-      }
-    }
+    requireDistinct(controllers, members, "a member and a controller");
+    requireDistinct(controllers, guests, "a guest and a controller");
+    requireDistinct(members, guests, "a guest and a member");
     if (hosts.isEmpty()) {
       throw new SecurityFilesException("A broker needs a host name; name one with --host");
     }
   }
 
-  /** Members and controllers, by name. */
-  public SortedSet<String> all() {
-    TreeSet<String> all = new TreeSet<>(controllers);
-    all.addAll(members);
-    return all;
+  private static void requireDistinct(
+      SortedSet<String> some, SortedSet<String> others, String both) {
+    for (String name : some) {
+      if (others.contains(name)) {
+        throw new SecurityFilesException(
+            "\"" + name + "\" cannot be both " + both + "; rename one of them");
+      }
+    }
   }
 
-  /** The same site with these as well. */
-  SiteUsers and(Collection<String> moreControllers, Collection<String> moreMembers) {
-    TreeSet<String> allControllers = new TreeSet<>(controllers);
-    allControllers.addAll(moreControllers);
-    TreeSet<String> allMembers = new TreeSet<>(members);
-    allMembers.addAll(moreMembers);
-    return new SiteUsers(site, hosts, allControllers, allMembers);
+  /** Members and controllers, by name: whom the bus knows. */
+  public SortedSet<String> all() {
+    return both(controllers, members);
+  }
+
+  /** Controllers and guests, by name: whose processes may be containers of the platform. */
+  public SortedSet<String> containers() {
+    return both(controllers, guests);
+  }
+
+  /** The same site with those of another one as well. */
+  SiteUsers and(SiteUsers others) {
+    return new SiteUsers(
+        site,
+        hosts,
+        both(controllers, others.controllers),
+        both(members, others.members),
+        both(guests, others.guests));
   }
 
   String text() {
@@ -71,6 +90,7 @@ public record SiteUsers(
     hosts.forEach(host -> text.append("host ").append(host).append('\n'));
     controllers.forEach(id -> text.append("controller ").append(id).append('\n'));
     members.forEach(id -> text.append("member ").append(id).append('\n'));
+    guests.forEach(id -> text.append("guest ").append(id).append('\n'));
     return text.toString();
   }
 
@@ -79,6 +99,7 @@ public record SiteUsers(
     List<String> hosts = new ArrayList<>();
     TreeSet<String> controllers = new TreeSet<>();
     TreeSet<String> members = new TreeSet<>();
+    TreeSet<String> guests = new TreeSet<>();
     int number = 0;
     for (String raw : text.lines().toList()) {
       number++;
@@ -92,20 +113,23 @@ public record SiteUsers(
         case "host" -> hosts.add(words[1]);
         case "controller" -> controllers.add(words[1]);
         case "member" -> members.add(words[1]);
+        case "guest" -> guests.add(words[1]);
         default ->
             throw new SecurityFilesException(
-                "%s, line %d: \"%s\" names no site, host, controller or member"
+                "%s, line %d: \"%s\" names no site, host, controller, member or guest"
                     .formatted(source, number, line));
       }
     }
-    return new SiteUsers(site, hosts, controllers, members);
+    return new SiteUsers(site, hosts, controllers, members, guests);
   }
 
-  private static SortedSet<String> sorted(Collection<String> names) {
+  private static SortedSet<String> sorted(SortedSet<String> names) {
     return Collections.unmodifiableSortedSet(new TreeSet<>(names));
   }
 
-  private static Stream<String> all(Collection<String> controllers, Collection<String> members) {
-    return Stream.concat(controllers.stream(), members.stream());
+  private static SortedSet<String> both(SortedSet<String> some, SortedSet<String> others) {
+    TreeSet<String> both = new TreeSet<>(some);
+    both.addAll(others);
+    return both;
   }
 }

@@ -1,0 +1,132 @@
+package org.maestro.platform.guard;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.net.SocketException;
+import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import javax.net.ssl.SSLServerSocket;
+import javax.net.ssl.SSLSocket;
+
+/**
+ * A server socket that hands out only those who were let in. Strangers are dealt with beside it, a
+ * few at a time, so that they hold nobody up.
+ */
+final class Gate extends ServerSocket {
+  private static final int MOST_AT_THE_GATE = 32;
+  private static final int IDLE_SECONDS = 10;
+
+  private final SSLServerSocket outside;
+  private final Guard guard;
+  private final BlockingQueue<Optional<Socket>> admitted = new LinkedBlockingQueue<>();
+  private final ThreadPoolExecutor doorkeepers =
+      new ThreadPoolExecutor(
+          0,
+          MOST_AT_THE_GATE,
+          IDLE_SECONDS,
+          TimeUnit.SECONDS,
+          new SynchronousQueue<>(),
+          work -> daemon(work, "gate-keeper"));
+  private volatile boolean closed;
+
+  Gate(SSLServerSocket outside, Guard guard) throws IOException {
+    this.outside = outside;
+    this.guard = guard;
+    daemon(this::open, "gate-" + outside.getLocalPort()).start();
+  }
+
+  private static Thread daemon(Runnable work, String name) {
+    Thread thread = new Thread(work, name);
+    thread.setDaemon(true);
+    return thread;
+  }
+
+  private void open() {
+    while (!closed) {
+      try {
+        Socket stranger = outside.accept();
+        try {
+          doorkeepers.execute(() -> receive((SSLSocket) stranger));
+        } catch (RejectedExecutionException tooMany) {
+          stranger.close();
+        }
+      } catch (IOException e) {
+        if (!closed) {
+          guard
+              .refusals()
+              .log("Connections of other containers cannot be accepted: " + e.getMessage());
+        }
+      }
+    }
+  }
+
+  private void receive(SSLSocket stranger) {
+    String from = stranger.getInetAddress().getHostAddress();
+    try {
+      Optional<String> refusal = guard.admit(stranger);
+      if (refusal.isEmpty()) {
+        admitted.add(Optional.of(stranger));
+        return;
+      }
+      refused(from, refusal.get());
+    } catch (EOFException gone) {
+      refused(from, "it left before it had shown the join token");
+    } catch (IOException none) {
+      refused(from, "it shows no certificate of the site by TLS (" + none.getMessage() + ")");
+    }
+    try {
+      stranger.close();
+    } catch (IOException gone) {
+      refused(from, "its connection could not be closed: " + gone.getMessage());
+    }
+  }
+
+  private void refused(String from, String reason) {
+    guard
+        .refusals()
+        .log(
+            "A container at %s was refused at port %d: %s."
+                .formatted(from, outside.getLocalPort(), reason));
+  }
+
+  @Override
+  public Socket accept() throws IOException {
+    try {
+      return admitted.take().orElseThrow(() -> new SocketException("The gate is closed."));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new SocketException("Interrupted at the gate.");
+    }
+  }
+
+  @Override
+  public int getLocalPort() {
+    return outside.getLocalPort();
+  }
+
+  @Override
+  public InetAddress getInetAddress() {
+    return outside.getInetAddress();
+  }
+
+  @Override
+  public boolean isClosed() {
+    return closed;
+  }
+
+  @Override
+  public void close() throws IOException {
+    closed = true;
+    outside.close();
+    doorkeepers.shutdownNow();
+    admitted.add(Optional.empty());
+  }
+}

@@ -1,0 +1,194 @@
+package org.maestro.platform.guard;
+
+import jade.core.Profile;
+import jade.util.leap.Properties;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.nio.file.Path;
+import java.security.cert.X509Certificate;
+import java.util.Optional;
+import javax.net.ssl.SSLException;
+import javax.net.ssl.SSLServerSocket;
+import javax.net.ssl.SSLSocket;
+import org.maestro.rats.security.ContainerAccess;
+import org.maestro.rats.security.SecurityFilesException;
+import org.maestro.rats.security.SiteSecurity;
+
+/**
+ * A user's part in a secured site's platform: who lets other containers in, and is let in by them.
+ * Whoever connects shows a certificate of the site and then the join token, before JADE reads a
+ * byte. Any thread may use it.
+ */
+public final class Guard {
+  private static final String FILES = "maestro-security-files";
+  private static final String USER = "maestro-security-user";
+  private static final String PROTOCOL = "TLSv1.3";
+  private static final int MOST_OF_A_TOKEN = 512;
+  private static final int CONNECTED_WITHIN_MILLIS = 5_000;
+
+  /** Long enough for a slow machine, and all that a stranger can keep a thread for. */
+  private static final int INTRODUCED_WITHIN_MILLIS = 5_000;
+
+  private final SiteSecurity site;
+  private final ContainerAccess access;
+  private final Refusals refusals = new Refusals();
+
+  private Guard(SiteSecurity site, ContainerAccess access) {
+    this.site = site;
+    this.access = access;
+  }
+
+  /**
+   * @param user a controller or guest of the site, whose process this is
+   * @throws SecurityFilesException when the site has no such user, or its files cannot be used
+   */
+  public static Guard open(SiteSecurity site, String user) {
+    return new Guard(site, site.container(user));
+  }
+
+  /**
+   * Of the process that JADE starts by this profile.
+   *
+   * @throws SecurityFilesException when the files cannot be used
+   */
+  static Guard of(Profile profile) {
+    return open(
+        SiteSecurity.open(Path.of(profile.getParameter(FILES, ""))),
+        profile.getParameter(USER, ""));
+  }
+
+  /** Has a container of this process signed and checked; to be called once for each. */
+  public void guard(Properties profile) {
+    SerialFilter.install();
+    profile.setProperty(FILES, site.directory().toString());
+    profile.setProperty(USER, access.user());
+    String others = profile.getProperty(Profile.SERVICES, "");
+    profile.setProperty(
+        Profile.SERVICES,
+        others.isEmpty()
+            ? SignedMailService.class.getName()
+            : others + ";" + SignedMailService.class.getName());
+  }
+
+  /**
+   * Has the process listen for other containers, and call them, by TLS: for the first container of
+   * a platform in a process only, the others use what it has opened.
+   */
+  public void listen(Properties profile) {
+    profile.setProperty("icps", GuardedPeer.class.getName());
+    profile.setProperty("jade_imtp_leap_JICP_JICPServer_acceptmediators", "false");
+  }
+
+  ContainerAccess access() {
+    return access;
+  }
+
+  Refusals refusals() {
+    return refusals;
+  }
+
+  SSLServerSocket serverSocket() throws IOException {
+    SSLServerSocket socket =
+        (SSLServerSocket) access.tls().getServerSocketFactory().createServerSocket();
+    socket.setNeedClientAuth(true);
+    socket.setEnabledProtocols(new String[] {PROTOCOL});
+    return socket;
+  }
+
+  /**
+   * Whether this user would be let in there.
+   *
+   * @return why not, in one sentence
+   */
+  public Optional<String> objection(String host, int port) {
+    try {
+      call(host, port).close();
+      return Optional.empty();
+    } catch (IOException refused) {
+      return Optional.of(refused.getMessage());
+    }
+  }
+
+  /** Connects to another container, and is let in. */
+  Socket call(String host, int port) throws IOException {
+    SSLSocket socket = (SSLSocket) access.tls().getSocketFactory().createSocket();
+    try {
+      socket.setEnabledProtocols(new String[] {PROTOCOL});
+      socket.setTcpNoDelay(true);
+      socket.connect(new InetSocketAddress(host, port), CONNECTED_WITHIN_MILLIS);
+      socket.setSoTimeout(INTRODUCED_WITHIN_MILLIS);
+      introduce(socket, host + ":" + port);
+      socket.setSoTimeout(0);
+      return socket;
+    } catch (IOException refused) {
+      socket.close();
+      throw refused;
+    }
+  }
+
+  private void introduce(SSLSocket socket, String address) throws IOException {
+    try {
+      socket.startHandshake();
+      if (holder(socket).isEmpty()) {
+        throw new IOException(
+            "What answers at %s shows the certificate of nobody who may be a container of the site %s; see where it leads."
+                .formatted(address, site.users().site()));
+      }
+      DataOutputStream out = new DataOutputStream(socket.getOutputStream());
+      byte[] token = access.token();
+      out.writeShort(token.length);
+      out.write(token);
+      out.flush();
+      String refusal = new DataInputStream(socket.getInputStream()).readUTF();
+      if (!refusal.isEmpty()) {
+        throw new IOException(
+            "The user %s was refused at %s: %s.".formatted(access.user(), address, refusal));
+      }
+    } catch (SSLException notOfOneSite) {
+      throw new IOException(
+          "Nobody of the secured site %s answers at %s, or it does not know the certificate of the user %s (%s); see that both use the files of one site."
+              .formatted(site.users().site(), address, access.user(), notOfOneSite.getMessage()),
+          notOfOneSite);
+    }
+  }
+
+  /**
+   * Lets in who has connected.
+   *
+   * @return why it was not let in, in a part of a sentence; it is told so
+   * @throws IOException when it went away, or spoke no TLS of the site
+   */
+  Optional<String> admit(SSLSocket socket) throws IOException {
+    socket.setSoTimeout(INTRODUCED_WITHIN_MILLIS);
+    socket.setTcpNoDelay(true);
+    socket.startHandshake();
+    DataInputStream in = new DataInputStream(socket.getInputStream());
+    int length = in.readUnsignedShort();
+    byte[] token = in.readNBytes(Math.min(length, MOST_OF_A_TOKEN));
+    Optional<String> refusal = refusal(socket, token);
+    DataOutputStream out = new DataOutputStream(socket.getOutputStream());
+    out.writeUTF(refusal.orElse(""));
+    out.flush();
+    socket.setSoTimeout(0);
+    return refusal;
+  }
+
+  private Optional<String> refusal(SSLSocket socket, byte[] token) throws SSLException {
+    Optional<String> holder = holder(socket);
+    if (holder.isEmpty()) {
+      return Optional.of(
+          "its certificate is that of nobody who may be a container of the site "
+              + site.users().site());
+    }
+    return access.isToken(token)
+        ? Optional.empty()
+        : Optional.of("%s does not show the site's join token".formatted(holder.get()));
+  }
+
+  private Optional<String> holder(SSLSocket socket) throws SSLException {
+    return access.holder((X509Certificate) socket.getSession().getPeerCertificates()[0]);
+  }
+}

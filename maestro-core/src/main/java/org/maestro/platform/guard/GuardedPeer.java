@@ -1,0 +1,82 @@
+package org.maestro.platform.guard;
+
+import jade.core.Profile;
+import jade.imtp.leap.ICP;
+import jade.imtp.leap.ICPException;
+import jade.imtp.leap.JICP.Connection;
+import jade.imtp.leap.JICP.ConnectionFactory;
+import jade.imtp.leap.JICP.JICPConnection;
+import jade.imtp.leap.JICP.JICPPeer;
+import jade.mtp.TransportAddress;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import javax.net.ssl.SSLServerSocket;
+import org.maestro.rats.security.SecurityFilesException;
+
+/**
+ * JADE's own protocol between containers over guarded connections. JADE makes it by its class name.
+ * Its own {@code JICPSPeer} asks nobody for a certificate, and listens on all interfaces.
+ */
+public final class GuardedPeer extends JICPPeer {
+  private static final int BACKLOG = 50;
+
+  private Guard guard;
+
+  @Override
+  public TransportAddress activate(ICP.Listener listener, String peer, Profile profile)
+      throws ICPException {
+    try {
+      guard = Guard.of(profile);
+    } catch (SecurityFilesException unusable) {
+      throw new ICPException(unusable.getMessage(), unusable);
+    }
+    return super.activate(listener, peer, profile);
+  }
+
+  @Override
+  public ConnectionFactory getConnectionFactory() {
+    return new ConnectionFactory() {
+      @Override
+      public Connection createConnection(Socket admitted) {
+        return new JICPConnection(admitted);
+      }
+
+      @Override
+      public Connection createConnection(TransportAddress to) throws IOException {
+        return new JICPConnection(guard.call(to.getHost(), Integer.parseInt(to.getPort())));
+      }
+    };
+  }
+
+  @Override
+  protected ServerSocket getServerSocket(String host, int port, boolean changePortIfBusy)
+      throws ICPException {
+    try {
+      return new Gate(bound(host, port, changePortIfBusy), guard);
+    } catch (IOException busy) {
+      throw new ICPException("Cannot listen for other containers on port " + port, busy);
+    }
+  }
+
+  /** JADE gives no host where all interfaces are meant. */
+  private SSLServerSocket bound(String host, int port, boolean changePortIfBusy)
+      throws IOException {
+    InetAddress address = host == null ? null : InetAddress.getByName(host);
+    SSLServerSocket socket = guard.serverSocket();
+    try {
+      socket.bind(new InetSocketAddress(address, port), BACKLOG);
+      return socket;
+    } catch (IOException busy) {
+      socket.close();
+      if (!changePortIfBusy) {
+        throw busy;
+      }
+      SSLServerSocket another = guard.serverSocket();
+      another.bind(new InetSocketAddress(address, 0), BACKLOG);
+      return another;
+    }
+  }
+}

@@ -1,0 +1,28 @@
+package org.maestro.platform.guard;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Logs each refusal once: who is refused for the same reason again fills no disk. Thread-safe. */
+final class Refusals {
+  private static final Logger LOG = LoggerFactory.getLogger(Refusals.class);
+  private static final int REMEMBERED = 1_000;
+
+  private final Map<String, Boolean> logged =
+      new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, Boolean> eldest) {
+          return size() > REMEMBERED;
+        }
+      };
+
+  synchronized void log(String sentence) {
+    if (logged.putIfAbsent(sentence, true) == null) {
+      LOG.warn("{}", sentence);
+    }
+  }
+}

@@ -1,0 +1,196 @@
+package org.maestro.platform.guard;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.net.SocketException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import javax.net.ssl.SSLContext;
+import javax.net.ssl.SSLServerSocket;
+import javax.net.ssl.SSLSocket;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.maestro.rats.security.SecureSite;
+import org.maestro.rats.security.SiteSecurity;
+
+/** Who is let in at the port where containers join: certificate and token, and nobody else. */
+class GateTest {
+  private static final String LOOPBACK = "127.0.0.1";
+
+  @TempDir static Path directory;
+  private static Path site;
+  private static ServerSocket gate;
+
+  @BeforeAll
+  static void open() throws IOException {
+    site = files("site", "home");
+    Guard main = guard(site, "maestro");
+    SSLServerSocket outside = main.serverSocket();
+    outside.bind(new InetSocketAddress(LOOPBACK, 0));
+    gate = new Gate(outside, main);
+  }
+
+  @AfterAll
+  static void close() throws IOException {
+    gate.close();
+  }
+
+  @Test
+  void whoHasCertificateAndTokenIsLetInAndHeard() throws Exception {
+    try (Socket robots = guard(site, "container-robots").call(LOOPBACK, gate.getLocalPort());
+        Socket there = gate.accept()) {
+      robots.getOutputStream().write(7);
+      robots.getOutputStream().flush();
+      assertThat(there.getInputStream().read()).isEqualTo(7);
+    }
+  }
+
+  @Test
+  void aWrongTokenIsRefusedWithTheReason() {
+    Path copy = copy("wrong-token");
+    write(copy.resolve("users/container-robots/join-token"), "guessed\n");
+    assertThat(objection(guard(copy, "container-robots")))
+        .contains("container-robots does not show the site's join token");
+  }
+
+  @Test
+  void theCertificateOfAnotherSiteIsRefused() {
+    assertThat(objection(guard(files("elsewhere", "home"), "container-robots")))
+        .contains("Nobody of the secured site home answers");
+  }
+
+  /** It has a certificate of the site, and may have seen the token somewhere. */
+  @Test
+  void aLampOfTheSiteIsNoContainer() throws IOException {
+    Path copy = copy("lamp");
+    Path robots = copy.resolve("users/container-robots");
+    Path lamp = copy.resolve("users/lamp");
+    Files.copy(lamp.resolve("certificate.pem"), replaced(robots.resolve("container.pem")));
+    Files.copy(lamp.resolve("key.pem"), replaced(robots.resolve("container-key.pem")));
+    assertThat(objection(guard(copy, "container-robots")))
+        .contains("its certificate is that of nobody who may be a container of the site home");
+  }
+
+  /** Whom a container calls has to be one, too: else it would be told the token. */
+  @Test
+  void aLampThatAnswersInTheMainContainersPlaceIsToldNoToken() throws Exception {
+    SSLContext lamp = SiteSecurity.open(site).certificate("lamp").tls();
+    try (SSLServerSocket impostor =
+        (SSLServerSocket)
+            lamp.getServerSocketFactory()
+                .createServerSocket(0, 1, InetAddress.getByName(LOOPBACK))) {
+      CompletableFuture<Integer> heard = new CompletableFuture<>();
+      Thread listener =
+          new Thread(
+              () -> {
+                try (SSLSocket socket = (SSLSocket) impostor.accept()) {
+                  heard.complete(socket.getInputStream().read());
+                } catch (IOException refused) {
+                  heard.complete(-1);
+                }
+              });
+      listener.setDaemon(true);
+      listener.start();
+      assertThat(guard(site, "container-robots").objection(LOOPBACK, impostor.getLocalPort()))
+          .isPresent();
+      assertThat(heard.get(10, TimeUnit.SECONDS)).isEqualTo(-1);
+    }
+  }
+
+  @Test
+  void whoSpeaksNoTlsOrNothingHoldsNobodyUp() throws Exception {
+    try (Socket silent = new Socket(LOOPBACK, gate.getLocalPort());
+        Socket plain = new Socket(LOOPBACK, gate.getLocalPort())) {
+      plain.getOutputStream().write(new byte[64]);
+      plain.getOutputStream().flush();
+      plain.setSoTimeout(5_000);
+      assertThat(plain.getInputStream().readAllBytes()).hasSizeLessThan(64);
+      try (Socket robots = guard(site, "container-robots").call(LOOPBACK, gate.getLocalPort());
+          Socket there = gate.accept()) {
+        assertThat(there.getPort()).isEqualTo(robots.getLocalPort());
+      }
+      assertThat(silent.isClosed()).isFalse();
+    }
+  }
+
+  @Test
+  void whoWaitsAtAGateThatClosesWaitsNoMore() throws Exception {
+    Guard main = guard(site, "maestro");
+    SSLServerSocket outside = main.serverSocket();
+    outside.bind(new InetSocketAddress(LOOPBACK, 0));
+    Gate another = new Gate(outside, main);
+    CompletableFuture<Exception> ended = new CompletableFuture<>();
+    Thread waiting =
+        new Thread(
+            () -> {
+              try {
+                another.accept();
+              } catch (IOException closed) {
+                ended.complete(closed);
+              }
+            });
+    waiting.start();
+    another.close();
+    assertThat(ended.get(10, TimeUnit.SECONDS)).isInstanceOf(SocketException.class);
+  }
+
+  private static String objection(Guard guard) {
+    Optional<String> objection = guard.objection(LOOPBACK, gate.getLocalPort());
+    assertThat(objection).isPresent();
+    return objection.get();
+  }
+
+  private static Guard guard(Path files, String user) {
+    return Guard.open(SiteSecurity.open(files), user);
+  }
+
+  private static Path files(String name, String site) {
+    Path files = directory.resolve(name);
+    SecureSite.make(
+        files,
+        site,
+        List.of("localhost"),
+        List.of("maestro", "container-robots"),
+        List.of("lamp"),
+        List.of("console"));
+    return files;
+  }
+
+  private static Path copy(String name) {
+    Path copy = directory.resolve(name);
+    try (var files = Files.walk(site)) {
+      for (Path file : files.toList()) {
+        Files.copy(file, copy.resolve(site.relativize(file)), StandardCopyOption.COPY_ATTRIBUTES);
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return copy;
+  }
+
+  private static Path replaced(Path file) throws IOException {
+    Files.delete(file);
+    return file;
+  }
+
+  private static void write(Path file, String text) {
+    try {
+      Files.writeString(file, text);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

@@ -1,0 +1,64 @@
+package org.maestro.ontology.home;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import org.maestro.sl.Term;
+
+/**
+ * Who may ask which agents for which features, as a home states it.
+ *
+ * @param callers names of agents and of users; "*" is everybody
+ * @param asks names of devices and of device classes; empty: all devices
+ * @param permits names of feature types; empty: all features
+ */
+public record Permission(Set<String> callers, Set<String> asks, Set<String> permits) {
+  /** Everybody, among callers. */
+  public static final String ANYBODY = "*";
+
+  public Permission {
+    callers = sorted(callers);
+    asks = sorted(asks);
+    permits = sorted(permits);
+  }
+
+  static Permission of(Individual stated) {
+    return new Permission(names(stated, "caller"), names(stated, "asks"), names(stated, "permits"));
+  }
+
+  boolean isAbout(Device device) {
+    return asks.isEmpty()
+        || asks.contains(device.id())
+        || device.individual().classes().stream().anyMatch(asks::contains);
+  }
+
+  /**
+   * @param names all by which the caller is known
+   */
+  boolean isFor(Set<String> names) {
+    return callers.contains(ANYBODY) || names.stream().anyMatch(callers::contains);
+  }
+
+  boolean covers(String feature) {
+    return permits.isEmpty() || permits.contains(feature);
+  }
+
+  private static Set<String> names(Individual stated, String property) {
+    return stated.properties().getOrDefault(property, List.of()).stream()
+        .map(Permission::name)
+        .collect(Collectors.toSet());
+  }
+
+  private static String name(Term term) {
+    if (term instanceof Term.Text text) {
+      return text.value();
+    }
+    return term instanceof Term.Name name ? name.text() : term.toString();
+  }
+
+  private static Set<String> sorted(Set<String> names) {
+    return Collections.unmodifiableSet(new TreeSet<>(names));
+  }
+}

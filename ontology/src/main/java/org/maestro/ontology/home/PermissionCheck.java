@@ -1,0 +1,59 @@
+package org.maestro.ontology.home;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.apache.jena.graph.Node;
+import org.maestro.ontology.validation.Maestro;
+import org.maestro.ontology.validation.SourceGraph;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.Literals;
+import org.maestro.ontology.vocabulary.Nearest;
+
+/**
+ * Checks that permissions speak of devices and features that there are: a typing error opens no
+ * door.
+ */
+final class PermissionCheck {
+  private final SourceGraph graph;
+  private final Set<String> asked = new TreeSet<>();
+  private final Set<String> permitted = new TreeSet<>();
+
+  PermissionCheck(SourceGraph graph, Home home) {
+    this.graph = graph;
+    asked.addAll(home.devices().keySet());
+    home.vocabulary().classes().keySet().stream()
+        .filter(name -> home.vocabulary().isA(name, "Device"))
+        .forEach(asked::add);
+    permitted.addAll(home.vocabulary().features().keySet());
+    home.devices().values().stream()
+        .flatMap(device -> device.features().stream())
+        .map(FeatureType::name)
+        .forEach(permitted::add);
+  }
+
+  void check(Home home, Map<String, Node> nodes) {
+    home.individuals().values().stream()
+        .filter(thing -> thing.classes().contains("Permission"))
+        .forEach(
+            thing -> {
+              Node node = nodes.get(thing.name());
+              check(node, "asks", asked, "is neither a device of this home nor a class of devices");
+              check(node, "permits", permitted, "is no feature that is known here");
+            });
+  }
+
+  private void check(Node node, String property, Set<String> known, String problem) {
+    for (Node value : graph.objects(node, Maestro.term(property))) {
+      if (!known.contains(Literals.name(value))) {
+        graph.fault(
+            node,
+            Maestro.term(property),
+            Optional.of(value),
+            problem,
+            Nearest.cure(Literals.name(value), known, "name another one"));
+      }
+    }
+  }
+}
