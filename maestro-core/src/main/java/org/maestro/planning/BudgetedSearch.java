@@ -44,21 +44,33 @@ final class BudgetedSearch {
   private final Grounder grounder;
   private final int mostStates;
   private final boolean weighingSearches;
+  private Optional<GroundProblem> solved = Optional.empty();
 
   /**
+   * @param grounder of that task
    * @param mostStates kept at once
    * @param weighingSearches whether to begin searches where the goal is expected to cost least;
    *     otherwise what is sought counts as found where it is looked for first
    */
-  BudgetedSearch(PlanningTask task, int mostStates, boolean weighingSearches) {
+  BudgetedSearch(PlanningTask task, Grounder grounder, int mostStates, boolean weighingSearches) {
     this.task = task;
-    this.grounder = new Grounder(task);
+    this.grounder = grounder;
     this.mostStates = mostStates;
     this.weighingSearches = weighingSearches;
   }
 
-  PlanningResult run() {
-    double budget = task.objective() == Objective.CHEAPEST ? 0 : Double.POSITIVE_INFINITY;
+  /** The problem of which the plan found is; empty when none was found, or it is not proven. */
+  Optional<GroundProblem> solved() {
+    return solved;
+  }
+
+  /**
+   * The plan.
+   *
+   * @param firstBudget to begin with: any is right, the cost of the plan is fast
+   */
+  PlanningResult run(double firstBudget) {
+    double budget = task.objective() == Objective.CHEAPEST ? firstBudget : Double.POSITIVE_INFINITY;
     Ground ground = ground(budget);
     while (true) {
       Round round = round(ground, budget);
@@ -66,6 +78,7 @@ final class BudgetedSearch {
       if (round.outcome() instanceof OptimalSearch.Outcome.Found found) {
         Optional<PlanningResult> result = result(round, found.operators());
         if (result.isPresent()) {
+          solved = Optional.of(ground.problem());
           return result.get();
         }
       } else if (round.outcome() instanceof OptimalSearch.Outcome.BoundReached) {

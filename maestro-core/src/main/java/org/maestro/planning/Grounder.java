@@ -3,7 +3,6 @@ package org.maestro.planning;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -14,10 +13,10 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.IntFunction;
-import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.planning.PlanningResult.Obstacle;
 import org.maestro.planning.PlanningResult.Obstacle.Kind;
+import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
@@ -36,24 +35,23 @@ final class Grounder {
 
   private record Instance(int template, Map<String, Term> bindings) {}
 
-  private final PlanningTask task;
   private final boolean forExplanation;
   private final Signature signature;
   private final OperatorFactory factory;
   private final Chances chances;
-  private final List<PricedFeature> features;
+  private final StaticFacts facts;
+  private final Variables variables;
+  private final Offers offers;
   private final IntFunction<FeatureTemplate> templateMaker;
-  private final FeatureTemplate[] templates;
-  private final Map<String, List<Integer>> templatesChanging = new HashMap<>();
+  private final Map<Integer, FeatureTemplate> templates = new HashMap<>();
   private final LeastPrice leastPrice;
   private final Map<PricedFeature, Double> leastPrices = new IdentityHashMap<>();
-  private final CostAhead costAhead = new CostAhead(this::settingPrices);
   private final GroundGoal goal;
-  private final Set<String> removed = new HashSet<>();
-  private final Map<FeatureType, Set<String>> addedBy = new IdentityHashMap<>();
   private final Map<Instance, List<Operator>> made = new HashMap<>();
   private final Map<Operator, Integer> templateOf = new HashMap<>();
   private final Map<Object, Map<Integer, List<Operator>>> changing = new HashMap<>();
+  private CostAhead costAhead = new CostAhead(this::settingPrices);
+  private PlanningTask task;
 
   Grounder(PlanningTask task) {
     this(task, false);
@@ -62,13 +60,14 @@ final class Grounder {
   private Grounder(PlanningTask task, boolean forExplanation) {
     this.task = task;
     this.forExplanation = forExplanation;
-    this.features = new ArrayList<>(task.features());
+    List<PricedFeature> features = new ArrayList<>(task.features());
     if (forExplanation) {
       task.unavailable().forEach(missing -> features.add(missing.feature()));
     }
     this.signature = new Signature(task.vocabulary(), features);
-    StaticFacts facts = new StaticFacts(task.facts());
-    Variables variables = new Variables(signature, facts);
+    this.offers = new Offers(features);
+    this.facts = new StaticFacts(task.facts());
+    this.variables = new Variables(signature, facts);
     ConditionCompiler conditions = new ConditionCompiler(signature, facts, variables);
     ConditionCompiler preconditions = forExplanation ? conditions.keepingFailed() : conditions;
     this.factory = new OperatorFactory(variables, conditions, preconditions);
@@ -78,26 +77,47 @@ final class Grounder {
     this.templateMaker =
         i ->
             new FeatureTemplate(
-                features.get(i), signature, facts, preconditions, effects, staticAnswers);
-    this.templates = new FeatureTemplate[features.size()];
-    Map<FeatureType, Set<String>> changedBy = new IdentityHashMap<>();
-    for (int i = 0; i < features.size(); i++) {
-      for (String name :
-          changedBy.computeIfAbsent(
-              features.get(i).type(), type -> Signature.changedBy(type.effect()))) {
-        templatesChanging.computeIfAbsent(name, absent -> new ArrayList<>()).add(i);
-      }
-    }
-    changedBy.keySet().forEach(type -> removed.addAll(Signature.removedBy(type.effect())));
-    this.leastPrice = new LeastPrice(task.facts(), signature);
+                offers.feature(i), signature, facts, preconditions, effects, staticAnswers);
+    this.leastPrice = new LeastPrice(facts, signature);
     this.goal = GroundGoal.of(task.goal(), signature, facts, preconditions);
   }
 
   private FeatureTemplate template(int index) {
-    if (templates[index] == null) {
-      templates[index] = templateMaker.apply(index);
+    FeatureTemplate known = templates.get(index);
+    if (known == null) {
+      known = templateMaker.apply(index);
+      templates.put(index, known);
     }
-    return templates[index];
+    return known;
+  }
+
+  /**
+   * Goes over to another task, for which all that was made stays as it is: the words and the goal
+   * are the same, what steps may change is the same, and so is all that was asked of what they may
+   * not.
+   *
+   * @return the atoms and fluents that are otherwise than in the task before; empty when too much
+   *     is, and then this grounder is of no more use
+   */
+  Optional<Set<Object>> renew(PlanningTask next) {
+    if (forExplanation
+        || !next.goal().equals(task.goal())
+        || !next.vocabulary().equals(task.vocabulary())
+        || !signature.changesTheSameAs(new Signature(next.vocabulary(), next.features()))) {
+      return Optional.empty();
+    }
+    Optional<Set<Object>> changed = facts.renew(next.facts(), signature);
+    if (changed.isPresent()) {
+      variables.renew();
+      offers.become(next.features());
+      if (!next.barred().equals(task.barred())) {
+        changing.clear();
+        made.clear();
+      }
+      costAhead = new CostAhead(this::settingPrices);
+      task = next;
+    }
+    return changed;
   }
 
   /**
@@ -106,6 +126,18 @@ final class Grounder {
    */
   static Grounder forExplanation(PlanningTask task) {
     return new Grounder(task, true);
+  }
+
+  /** What the atom or fluent, that was asked before, says something of; empty when it is static. */
+  Optional<Object> variable(Object asked) {
+    return asked instanceof Formula.Atom atom
+        ? variables.known(atom).map(Object.class::cast)
+        : Optional.of(variables.number((Expression.Fluent) asked));
+  }
+
+  /** Numbers of the task's features, which equal ones keep in other tasks. */
+  Set<Integer> featuresThere() {
+    return offers.there();
   }
 
   GroundGoal goal() {
@@ -153,9 +185,9 @@ final class Grounder {
 
   private Map<Integer, Double> settingPrices(Aim aim) {
     Map<Integer, Double> prices = new TreeMap<>();
-    for (int template : templatesChanging.getOrDefault(aim.variable().predicate(), List.of())) {
-      PricedFeature feature = features.get(template);
-      if (mayBringAbout(feature.type(), aim)) {
+    for (int template : offers.changing(aim.variable().predicate())) {
+      PricedFeature feature = offers.feature(template);
+      if (offers.mayBringAbout(feature.type(), aim)) {
         forEachInstance(
             template,
             aim,
@@ -165,15 +197,6 @@ final class Grounder {
       }
     }
     return prices;
-  }
-
-  /** Only what is not known can be found. */
-  private boolean mayBringAbout(FeatureType type, Aim aim) {
-    return aim.isFindable()
-        || removed.contains(aim.variable().predicate())
-        || addedBy
-            .computeIfAbsent(type, absent -> Signature.addedBy(type.effect()))
-            .contains(aim.variable().predicate());
   }
 
   /** The instances that may bring about or change what is wanted. */
@@ -207,9 +230,10 @@ final class Grounder {
    * The operators of a given feature instance; empty when it is barred, not offered or impossible.
    */
   List<Operator> instances(StepKey key) {
-    for (int i = 0; i < templates.length; i++) {
-      PricedFeature feature = features.get(i);
-      if (feature.member().equals(key.member())
+    for (int i = 0; i < offers.numbers(); i++) {
+      PricedFeature feature = offers.feature(i);
+      if (offers.isThere(i)
+          && feature.member().equals(key.member())
           && feature.type().name().equals(key.feature())
           && template(i).accepts(key.bindings())) {
         return made(i, key.bindings());
@@ -220,9 +244,9 @@ final class Grounder {
 
   private double changing(Object want, double left, List<Operator> into) {
     double cheapestLeftOut = Double.POSITIVE_INFINITY;
-    for (int template : templatesChanging.getOrDefault(name(target(want)), List.of())) {
-      PricedFeature feature = features.get(template);
-      if (want instanceof Aim aim && !mayBringAbout(feature.type(), aim)) {
+    for (int template : offers.changing(name(target(want)))) {
+      PricedFeature feature = offers.feature(template);
+      if (want instanceof Aim aim && !offers.mayBringAbout(feature.type(), aim)) {
         continue;
       }
       double price = leastPrice(feature);
@@ -264,7 +288,7 @@ final class Grounder {
   /** By what they change, the features in their order. */
   private Map<Object, List<Operator>> byTarget(ChainCosts chains) {
     List<Operator> allowed = new ArrayList<>(chains.allowed());
-    allowed.sort(Comparator.comparingInt(operator -> templateOf.get(operator)));
+    allowed.sort(Comparator.comparingInt(operator -> offers.rank(templateOf.get(operator))));
     return GroundProblem.byTarget(allowed);
   }
 
@@ -284,7 +308,7 @@ final class Grounder {
     Instance instance = new Instance(template, bindings);
     List<Operator> known = made.get(instance);
     if (known == null) {
-      PricedFeature feature = features.get(template);
+      PricedFeature feature = offers.feature(template);
       StepKey key = new StepKey(feature.member(), feature.type().name(), bindings);
       known =
           forExplanation || !task.barred().contains(key)

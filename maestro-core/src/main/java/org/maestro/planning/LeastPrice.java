@@ -3,11 +3,9 @@ package org.maestro.planning;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.sl.Expression;
-import org.maestro.sl.Facts;
 import org.maestro.sl.Term;
 
 /**
@@ -40,13 +38,13 @@ final class LeastPrice {
     }
   }
 
-  private final Facts facts;
+  private final StaticFacts facts;
   private final Signature signature;
 
   /**
    * @param signature says what may change, and so may have any value
    */
-  LeastPrice(Facts facts, Signature signature) {
+  LeastPrice(StaticFacts facts, Signature signature) {
     this.facts = facts;
     this.signature = signature;
   }
@@ -119,7 +117,7 @@ final class LeastPrice {
     if (signature.isDynamic(fluent.name()) || !arguments.stream().allMatch(Term::isGround)) {
       return Range.ALL;
     }
-    OptionalDouble value = facts.number(new Expression.Fluent(fluent.name(), arguments));
-    return value.isPresent() ? Range.of(value.getAsDouble()) : Range.ALL;
+    double value = facts.number(new Expression.Fluent(fluent.name(), arguments));
+    return Quantity.isUnknown(value) ? Range.ALL : Range.of(value);
   }
 }

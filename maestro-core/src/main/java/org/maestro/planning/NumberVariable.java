@@ -5,7 +5,7 @@ import org.maestro.sl.Expression;
 /** A ground numeric fluent that some feature may change. */
 final class NumberVariable {
   private final Expression.Fluent fluent;
-  private final double initial;
+  private double initial;
   private int index = -1;
 
   NumberVariable(Expression.Fluent fluent, double initial) {
@@ -20,6 +20,11 @@ final class NumberVariable {
   /** The number given by the facts, or {@link Quantity#UNKNOWN}. */
   double initial() {
     return initial;
+  }
+
+  /** The facts have changed. */
+  void renew(double number) {
+    initial = number;
   }
 
   int index() {

@@ -36,7 +36,11 @@ public final class OptimalPlanner implements Planner {
 
   @Override
   public PlanningResult plan(PlanningTask task) {
-    PlanningResult result = solve(task);
+    return explained(task, solve(task));
+  }
+
+  /** The result, with the reasons why there is no plan when there is none. */
+  PlanningResult explained(PlanningTask task, PlanningResult result) {
     return result instanceof PlanningResult.Impossible
         ? new PlanningResult.Impossible(
             FailureExplanation.of(task, mostStates / 10 + 1, this::isSolvable))
@@ -58,12 +62,19 @@ public final class OptimalPlanner implements Planner {
   }
 
   private PlanningResult solved(PlanningTask task, boolean weighingSearches) {
-    return new BudgetedSearch(task, mostStates, weighingSearches).run();
+    return new BudgetedSearch(task, new Grounder(task), mostStates, weighingSearches).run(0);
+  }
+
+  int mostStates() {
+    return mostStates;
   }
 
   @Override
   public Optional<Plan> revalidate(PlanningTask task, List<Step> steps) {
-    Grounder grounder = new Grounder(task);
+    return revalidate(new Grounder(task), steps);
+  }
+
+  static Optional<Plan> revalidate(Grounder grounder, List<Step> steps) {
     List<List<Operator>> choices = new ArrayList<>();
     for (Step step : steps) {
       choices.add(grounder.instances(step.key()));

@@ -37,6 +37,11 @@ final class Signature {
     }
   }
 
+  /** Whether features may change the same predicates and numbers there. */
+  boolean changesTheSameAs(Signature other) {
+    return changed.equals(other.changed);
+  }
+
   /** The names of what an effect may change or find out. */
   static Set<String> changedBy(Effect effect) {
     Set<String> names = new LinkedHashSet<>();

@@ -2,8 +2,11 @@ package org.maestro.planning;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
@@ -12,13 +15,48 @@ import org.maestro.sl.Truth;
 
 /** The facts of a task; each is asked once, as derived and geometric ones take their time. */
 final class StaticFacts {
-  private final Facts facts;
+  private Facts facts;
   private final Map<Formula.Atom, Truth> truths = new HashMap<>();
   private final Map<Expression.Fluent, Double> numbers = new HashMap<>();
   private final Map<String, List<Term>> individuals = new HashMap<>();
 
   StaticFacts(Facts facts) {
     this.facts = facts;
+  }
+
+  /**
+   * Takes other facts, provided that all that was asked of what cannot change is so there too.
+   *
+   * @return the atoms and fluents that may change and are otherwise there; empty when these facts
+   *     were not taken
+   */
+  Optional<Set<Object>> renew(Facts next, Signature signature) {
+    Set<Object> changed = new LinkedHashSet<>();
+    if (next == facts) {
+      return Optional.of(changed);
+    }
+    StaticFacts fresh = new StaticFacts(next);
+    for (Map.Entry<String, List<Term>> asked : individuals.entrySet()) {
+      if (!asked.getValue().equals(fresh.individuals(asked.getKey()))) {
+        return Optional.empty();
+      }
+    }
+    for (Map.Entry<Formula.Atom, Truth> asked : truths.entrySet()) {
+      if (asked.getValue() != fresh.truth(asked.getKey())
+          && (!signature.isDynamic(asked.getKey().predicate()) || !changed.add(asked.getKey()))) {
+        return Optional.empty();
+      }
+    }
+    for (Map.Entry<Expression.Fluent, Double> asked : numbers.entrySet()) {
+      if (Double.compare(asked.getValue(), fresh.number(asked.getKey())) != 0
+          && (!signature.isDynamic(asked.getKey().name()) || !changed.add(asked.getKey()))) {
+        return Optional.empty();
+      }
+    }
+    facts = next;
+    truths.putAll(fresh.truths);
+    numbers.putAll(fresh.numbers);
+    return Optional.of(changed);
   }
 
   Truth truth(Formula.Atom atom) {

@@ -74,7 +74,20 @@ final class Successors {
     return numbers;
   }
 
-  private static double adjusted(Change.Adjust adjust, double now, double value) {
+  /** What a number is after changes of its own that all happen, from these numbers before. */
+  static double after(List<Change> own, NumberVector before, NumberVariable variable) {
+    double number = before.get(variable.index());
+    boolean unknown = Quantity.isUnknown(number);
+    for (Change change : own) {
+      if (change instanceof Change.Adjust adjust) {
+        number = adjusted(adjust, number, adjust.value().value(before));
+      }
+    }
+    boolean measured = own.stream().anyMatch(Change.Measure.class::isInstance);
+    return unknown && measured && Quantity.isUnknown(number) ? Quantity.ANY : number;
+  }
+
+  static double adjusted(Change.Adjust adjust, double now, double value) {
     return switch (adjust.assignment()) {
       case ASSIGN -> Quantity.rounded(value);
       case INCREASE -> sum(now, value);

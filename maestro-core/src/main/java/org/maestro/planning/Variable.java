@@ -71,6 +71,11 @@ final class Variable {
     return predicate;
   }
 
+  /** The facts may have changed. */
+  void renew() {
+    initial = UNASKED;
+  }
+
   /** Without the value, if functional. */
   List<Term> arguments() {
     return arguments;
@@ -94,6 +99,11 @@ final class Variable {
     indexOfValue.put(value, values.size() - 1);
     initial = UNASKED;
     return values.size() - 1;
+  }
+
+  /** How many values were met. */
+  int valueCount() {
+    return values.size();
   }
 
   /** The value of that index. */

@@ -27,6 +27,20 @@ final class Variables {
     facts.individuals("").forEach(individual -> rank.put(individual, rank.size()));
   }
 
+  /** The facts may have changed. */
+  void renew() {
+    variables.values().forEach(Variable::renew);
+    numbers.forEach((fluent, variable) -> variable.renew(facts.number(fluent)));
+  }
+
+  /** What the atom says something of, if it was met before. */
+  Optional<Variable> known(Formula.Atom atom) {
+    Optional<PredicateDeclaration> declaration = signature.declaration(atom.predicate());
+    List<Term> arguments =
+        signature.isFunctional(atom) ? withoutLast(atom.arguments()) : canonical(atom, declaration);
+    return Optional.ofNullable(variables.get(new Key(atom.predicate(), arguments)));
+  }
+
   NumberVariable number(Expression.Fluent fluent) {
     return numbers.computeIfAbsent(
         fluent, absent -> new NumberVariable(fluent, facts.number(fluent)));

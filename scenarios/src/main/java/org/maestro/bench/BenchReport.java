@@ -5,11 +5,21 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 
-/** What a benchmark measured, and on what. */
-public record BenchReport(String bench, String machine, List<Row> rows) {
+/**
+ * What a benchmark measured, and on what.
+ *
+ * @param summary lines for people, after the figures
+ */
+public record BenchReport(String bench, String machine, List<Row> rows, List<String> summary) {
   public BenchReport {
     rows = List.copyOf(rows);
+    summary = List.copyOf(summary);
+  }
+
+  BenchReport(String bench, String machine, List<Row> rows) {
+    this(bench, machine, rows, List.of());
   }
 
   /**
@@ -38,21 +48,23 @@ public record BenchReport(String bench, String machine, List<Row> rows) {
             Runtime.version());
   }
 
-  /** A line for each figure. */
+  /** A line for each figure, and the summary. */
   public List<String> lines() {
-    return rows.stream()
-        .map(
-            row ->
-                String.format(Locale.ROOT, "%-58s %12.2f %-9s", row.name(), row.value(), row.unit())
-                    + (row.ratio().isPresent()
-                        ? String.format(
-                            Locale.ROOT,
-                            " baseline %.2f, ratio %.2f",
-                            row.baseline().getAsDouble(),
-                            row.ratio().getAsDouble())
-                        : ""))
-        .map(String::stripTrailing)
-        .toList();
+    return Stream.concat(rows.stream().map(BenchReport::line), summary.stream()).toList();
+  }
+
+  private static String line(Row row) {
+    String figure =
+        String.format(Locale.ROOT, "%-58s %12.2f %-9s", row.name(), row.value(), row.unit());
+    String compared =
+        row.ratio().isPresent()
+            ? String.format(
+                Locale.ROOT,
+                " baseline %.2f, ratio %.2f",
+                row.baseline().getAsDouble(),
+                row.ratio().getAsDouble())
+            : "";
+    return (figure + compared).stripTrailing();
   }
 
   /** One document. */

@@ -50,17 +50,16 @@ public final class PlannerBench {
   public BenchReport run() {
     warmUp();
     List<BenchReport.Row> rows = new ArrayList<>();
+    PlannerTable table = new PlannerTable();
     for (int agents : AGENTS) {
       for (PlanningHome.Wish wish : PlanningHome.Wish.values()) {
         String problem = new PlanningHome(agents, 1).problem(wish);
-        String name =
-            "%d agents, %s"
-                .formatted(agents, wish.name().toLowerCase(Locale.ROOT).replace('_', ' '));
+        String name = "%d agents, %s".formatted(agents, wish.words());
         progress.accept(name);
-        measure(name, problem, rows);
+        table.add(agents, measure(name, wish.words(), problem, rows));
       }
     }
-    return new BenchReport("planner", BenchReport.thisMachine(), rows);
+    return new BenchReport("planner", BenchReport.thisMachine(), rows, table.lines());
   }
 
   private void warmUp() {
@@ -81,7 +80,8 @@ public final class PlannerBench {
     return new AnytimePlanner(Grounder.ground(task, patience), MEMORY, line -> {}).solve(patience);
   }
 
-  private void measure(String name, String problem, List<BenchReport.Row> rows) {
+  private PlannerTable.Entry measure(
+      String name, String wish, String problem, List<BenchReport.Row> rows) {
     LiftedTask task = read(problem);
     double[] first = new double[RUNS];
     for (int run = 0; run < RUNS; run++) {
@@ -110,6 +110,8 @@ public final class PlannerBench {
                     .formatted(cost(last[0].cost(), task), cost(last[0].lowerBound(), task))
                 : ": " + last[0].verdict().name().toLowerCase(Locale.ROOT);
     rows.add(new BenchReport.Row(name + end, proof, "ms", baseline));
+    return new PlannerTable.Entry(
+        wish, median(first), proof, last[0].cost(), last[0].lowerBound(), baseline);
   }
 
   private static String cost(long units, LiftedTask task) {

@@ -17,7 +17,11 @@ final class PlanningHome {
     OBSERVE,
     ILLUMINATE,
     TRANSPORT,
-    THREE_TRANSPORTS
+    THREE_TRANSPORTS;
+
+    String words() {
+      return name().toLowerCase(Locale.ROOT).replace('_', ' ');
+    }
   }
 
   private final Random random;

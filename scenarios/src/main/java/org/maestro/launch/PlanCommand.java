@@ -6,6 +6,7 @@ import java.math.BigDecimal;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import org.maestro.planning.ground.GroundOperator;
@@ -27,7 +28,7 @@ import picocli.CommandLine.Spec;
 /** Solves a planning problem in PDDL, without a platform. */
 @Command(
     name = "plan",
-    description = "Solve a planning problem in PDDL.",
+    description = "Solve a planning problem in PDDL, or show the plan for a home's goal.",
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:a plan",
@@ -38,16 +39,30 @@ import picocli.CommandLine.Spec;
 final class PlanCommand implements Callable<Integer> {
   private static final int UNSOLVABLE = 10;
   private static final int NOTHING_FOUND = 12;
+  private static final String MEMORY_USED_UP =
+      "the memory is used up; give Java more (JAVA_TOOL_OPTIONS=-Xmx8g).";
 
   @Spec private CommandSpec spec;
 
   private final double javaStarted = System.currentTimeMillis() / 1e3;
 
-  @Parameters(index = "0", paramLabel = "DOMAIN.pddl", description = "The domain, also gzipped.")
-  private Path domain;
+  @Parameters(
+      index = "0",
+      paramLabel = "DOMAIN.pddl",
+      description = "The domain, also gzipped; or a home file, or a shipped home: bob, arena.")
+  private String domain;
 
-  @Parameters(index = "1", paramLabel = "PROBLEM.pddl", description = "The problem, also gzipped.")
-  private Path problem;
+  @Parameters(
+      index = "1",
+      paramLabel = "PROBLEM.pddl",
+      description = "The problem, also gzipped; or a home's goal, such as \"(nextTo Cup Bob)\".")
+  private String problem;
+
+  @Option(
+      names = "--pddl",
+      paramLabel = "DIR",
+      description = "Write what the platform would solve for the home's goal, as PDDL.")
+  private Optional<Path> pddl = Optional.empty();
 
   @Option(
       names = "--deadline",
@@ -63,12 +78,19 @@ final class PlanCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    if (deadline <= 0) {
+    if (!(deadline > 0)) {
       throw CommandException.badInput("The deadline has to be more than 0 seconds.");
+    }
+    if (problem.strip().startsWith("(")) {
+      return new HomePlan(spec.commandLine().getOut()).show(domain, problem, pddl);
+    }
+    if (pddl.isPresent()) {
+      throw CommandException.badInput(
+          "--pddl goes with a home and a goal, as in: plan bob \"(nextTo Cup Bob)\" --pddl DIR.");
     }
     Patience patience = Patience.seconds(deadline - sinceStart(), () -> false);
     try {
-      LiftedTask lifted = PddlReader.read(domain, problem);
+      LiftedTask lifted = PddlReader.read(Path.of(domain), Path.of(problem));
       tell("read");
       GroundTask task = Grounder.ground(lifted, patience);
       tell("%d operators, %d facts".formatted(task.operators().size(), task.facts()));
@@ -81,6 +103,9 @@ final class PlanCommand implements Callable<Integer> {
       spec.commandLine()
           .getOut()
           .println("; no plan found in time: the problem is still being made ground");
+      return NOTHING_FOUND;
+    } catch (OutOfMemoryError e) {
+      spec.commandLine().getOut().println("; no plan found: " + MEMORY_USED_UP);
       return NOTHING_FOUND;
     } catch (NoSuchFileException e) {
       throw CommandException.badInput("There is no file %s.".formatted(e.getMessage()));
@@ -116,12 +141,14 @@ final class PlanCommand implements Callable<Integer> {
       out.println(
           switch (solution.verdict()) {
             case UNSOLVABLE -> "; unsolvable (proven)";
-            case OUT_OF_MEMORY ->
-                "; no plan found: the searches' memory is used up; give Java more (JAVA_TOOL_OPTIONS=-Xmx8g)";
+            case OUT_OF_MEMORY -> "; no plan found: " + MEMORY_USED_UP;
             default -> "; no plan found in time";
           });
     }
     out.flush();
+    if (solution.memoryUsedUp() && solution.hasPlan()) {
+      err.println("A cheaper plan or a proof may be missing: " + MEMORY_USED_UP);
+    }
     Runtime runtime = Runtime.getRuntime();
     err.printf(
         Locale.ROOT,

@@ -45,7 +45,7 @@ public final class Grounder {
     for (int symbol = 0; symbol < statics.length; symbol++) {
       statics[symbol] = changing[symbol] ? null : relations[symbol];
     }
-    RelevantAtoms relevant = new RelevantAtoms(task, statics);
+    RelevantAtoms relevant = new RelevantAtoms(task, statics, patience);
     List<Instances.Instance> instances =
         new Instances(task, relations, changing, relevant, patience).find();
     return new Numbering(task, relations, changing, patience).number(instances);

@@ -16,6 +16,9 @@ import org.maestro.planning.ground.GroundTask.Bound;
  * Gives numbers to facts, sums and bounds, and writes instances of schemas as operators of them.
  */
 final class Numbering {
+  /** So that sums of a thousand such numbers fit. */
+  private static final BigDecimal MOST_UNITS = BigDecimal.valueOf(1_000_000_000_000_000L);
+
   private final LiftedTask task;
   private final Relation[] relations;
   private final boolean[] changing;
@@ -275,11 +278,13 @@ final class Numbering {
   }
 
   private static long units(BigDecimal value, BigDecimal unit) {
-    try {
-      return value.multiply(unit).setScale(0, RoundingMode.HALF_EVEN).longValueExact();
-    } catch (ArithmeticException e) {
-      throw new GroundingException("The number %s is too large.".formatted(value.toPlainString()));
+    BigDecimal units = value.multiply(unit).setScale(0, RoundingMode.HALF_EVEN);
+    if (units.abs().compareTo(MOST_UNITS) > 0) {
+      throw new GroundingException(
+          "The number %s is too large, or other numbers are too fine beside it."
+              .formatted(value.toPlainString()));
     }
+    return units.longValueExact();
   }
 
   private GroundOperator operator(Draft draft, BigDecimal unit, BigDecimal grain) {

@@ -23,6 +23,7 @@ final class RelevantAtoms {
   private static final int MOST_FURTHER_SPLITS = 12;
 
   private final LiftedTask task;
+  private final Patience patience;
   private final Relation[] statics;
 
   /** Of each predicate the tuples that may ever hold, as far as they are known; or null. */
@@ -43,8 +44,10 @@ final class RelevantAtoms {
 
   /**
    * @param statics the tuples of predicates that never change; null for the others
+   * @throws java.util.concurrent.CancellationException when patience is over
    */
-  RelevantAtoms(LiftedTask task, Relation[] statics) {
+  RelevantAtoms(LiftedTask task, Relation[] statics, Patience patience) {
+    this.patience = patience;
     this.task = task;
     this.statics = statics;
     this.possible = statics.clone();
@@ -142,6 +145,7 @@ final class RelevantAtoms {
 
   /** Binds parameters by conditions that leave few choices, and then adds the rest. */
   private void split(Schema schema, int[] binding, int depth) {
+    patience.check();
     Atom best = null;
     int fewest = 0;
     int lowest = Integer.MAX_VALUE;

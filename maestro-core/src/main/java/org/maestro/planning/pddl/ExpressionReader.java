@@ -11,6 +11,8 @@ import org.maestro.planning.pddl.Expression.Word;
 
 /** Splits a text into lists and words. */
 final class ExpressionReader {
+  private static final int MOST_NESTED = 1000;
+
   private final String source;
   private final String text;
   private int at;
@@ -24,10 +26,12 @@ final class ExpressionReader {
 
   /** The text's only list. */
   static Group read(String source, String text) {
-    ExpressionReader reader = new ExpressionReader(source, text);
+    // Some editors begin a text with a mark of its byte order.
+    String plain = text.startsWith("\uFEFF") ? text.substring(1) : text;
+    ExpressionReader reader = new ExpressionReader(source, plain);
     Group result = reader.readAll();
     reader.skip();
-    if (reader.at < text.length()) {
+    if (reader.at < plain.length()) {
       throw reader.here().error("Expected the end of the text, found more after its only list.");
     }
     return result;
@@ -46,6 +50,9 @@ final class ExpressionReader {
       }
       char next = text.charAt(at);
       if (next == '(') {
+        if (open.size() == MOST_NESTED) {
+          throw here().error("Lists are more than %d deep in each other.", MOST_NESTED);
+        }
         open.addLast(new Group(here(), new ArrayList<>()));
         at++;
       } else if (next == ')') {

@@ -267,13 +267,22 @@ public final class PddlReader {
     } else if (expression instanceof Group group
         && group.head().equals("*")
         && group.items().size() == 3
-        && group.items().get(1) instanceof Word number
-        && SchemaReader.isNumber(number.text())) {
-      addMetric(group.items().get(2), factor.multiply(new BigDecimal(number.text())), factors);
+        && group.rest().stream().anyMatch(PddlReader::isNumber)) {
+      int number = isNumber(group.items().get(1)) ? 1 : 2;
+      Word times = (Word) group.items().get(number);
+      addMetric(
+          group.items().get(3 - number), factor.multiply(new BigDecimal(times.text())), factors);
     } else {
       Atom function = new SchemaReader(symbols, "metric").groundFunction(expression);
+      if (function.terms().length > 0) {
+        throw expression.position().error("Functions of objects are not supported in a metric.");
+      }
       factors.merge(function.symbol(), factor, BigDecimal::add);
     }
+  }
+
+  private static boolean isNumber(Expression expression) {
+    return expression instanceof Word word && SchemaReader.isNumber(word.text());
   }
 
   private static String name(Group text, String kind) {

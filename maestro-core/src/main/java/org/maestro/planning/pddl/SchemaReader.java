@@ -209,7 +209,7 @@ final class SchemaReader {
   }
 
   static boolean isNumber(String text) {
-    return text.matches("[-+]?(\\d+(\\.\\d*)?|\\.\\d+)([e][-+]?\\d+)?");
+    return text.matches("[-+]?(\\d+(\\.\\d*)?|\\.\\d+)([e][-+]?\\d{1,3})?");
   }
 
   private Atom atom(Group group, Map<String, Signature> among, String kind) {

@@ -13,7 +13,7 @@ import org.maestro.planning.search.Solution.Verdict;
 
 /**
  * Solves one ground task: the first plan by lazy greedy search, then cheaper ones and a lower bound
- * until both meet or patience is over. Not thread-safe.
+ * until both meet, patience is over or memory is used up. Not thread-safe.
  */
 public final class AnytimePlanner {
   private static final int WEIGHT = 5;
@@ -21,10 +21,13 @@ public final class AnytimePlanner {
   /** Of the time that is left, for each search that proves nothing. */
   private static final double SHARE = 0.1;
 
-  private final SettledTask settled;
-  private final GroundTask task;
+  /** And no more than this. */
+  private static final double MOST_SECONDS = 20;
+
+  private final GroundTask origin;
   private final long memory;
   private final Consumer<String> progress;
+  private Optional<SettledTask> settled = Optional.empty();
   private Solution best = Solution.without(Verdict.OUT_OF_TIME, 0);
 
   /**
@@ -33,12 +36,13 @@ public final class AnytimePlanner {
    */
   public AnytimePlanner(GroundTask task, long memory, Consumer<String> progress) {
     this.progress = progress;
-    this.settled = new SettledTask(task);
-    this.task = settled.task();
+    this.origin = task;
     this.memory = memory;
   }
 
-  /** Solves the task until the cheapest plan is proven, or patience is over. */
+  /**
+   * Solves the task until the cheapest plan is proven, or patience is over, or memory is used up.
+   */
   public Solution solve(Patience patience) {
     Solution first = first(patience);
     if (!first.hasPlan()) {
@@ -46,17 +50,21 @@ public final class AnytimePlanner {
     }
     try {
       for (int weight : new int[] {WEIGHT, 2, 1}) {
-        star(weight, weight == 1 ? patience : patience.part(SHARE));
+        star(weight, weight == 1 ? patience : patience.part(SHARE).atMost(MOST_SECONDS));
+        patience.refuseIfOver();
       }
     } catch (CancellationException e) {
       return best;
+    } catch (OutOfMemoryError e) {
+      // What the searches held is free again by now; what was found before is as good as ever.
+      best = best.afterMemoryWasUsedUp();
     }
     return best;
   }
 
   /** Solves the task until a plan is found, or none can exist, or patience is over. */
   public Solution first(Patience patience) {
-    if (task.unreachable()) {
+    if (origin.unreachable()) {
       return best = Solution.without(Verdict.UNSOLVABLE, 0);
     }
     try {
@@ -71,13 +79,23 @@ public final class AnytimePlanner {
       }
     } catch (CancellationException e) {
       return best;
+    } catch (OutOfMemoryError e) {
+      best = best.afterMemoryWasUsedUp();
     }
     return best;
   }
 
+  private SettledTask settled(Patience patience) {
+    if (settled.isEmpty()) {
+      settled = Optional.of(new SettledTask(origin, patience));
+    }
+    return settled.get();
+  }
+
   private void greedy(Patience patience) {
     try {
-      SearchTask reduced = new SearchTask(task, Reduction.reduced(task).operators());
+      GroundTask task = settled(patience).task();
+      SearchTask reduced = new SearchTask(task, Reduction.reduced(task, patience).operators());
       long[] costs = Arrays.stream(reduced.cost).map(cost -> cost + one()).toArray();
       RelaxedPlan heuristic = new RelaxedPlan(reduced, costs, patience);
       LazyGreedySearch search = new LazyGreedySearch(reduced, heuristic, patience, memory);
@@ -100,6 +118,7 @@ public final class AnytimePlanner {
     }
     long below = best.hasPlan() ? best.cost() : Leaf.INFINITE;
     try {
+      GroundTask task = settled(patience).task();
       BoundedRemoval.Result removed = BoundedRemoval.remove(task, below, patience);
       raise(removed.lowerBound());
       if (best.verdict() == Verdict.OPTIMAL) {
@@ -126,7 +145,10 @@ public final class AnytimePlanner {
 
   private void star(StarSearch search) {
     try {
-      if (search.run() == StarSearch.End.EXHAUSTED && !best.hasPlan()) {
+      StarSearch.End end = search.run();
+      if (end == StarSearch.End.OUT_OF_MEMORY) {
+        best = best.afterMemoryWasUsedUp();
+      } else if (!best.hasPlan()) {
         best = Solution.without(Verdict.UNSOLVABLE, 0);
       }
     } finally {
@@ -147,11 +169,12 @@ public final class AnytimePlanner {
             bound >= best.cost() ? Verdict.OPTIMAL : Verdict.PLAN,
             best.operators(),
             best.cost(),
-            bound);
+            bound,
+            best.memoryUsedUp());
   }
 
   private long one() {
-    return task.unit().longValueExact();
+    return origin.unit().longValueExact();
   }
 
   private void keep(SearchTask reduced, List<Integer> plan) {
@@ -161,6 +184,8 @@ public final class AnytimePlanner {
       operators.add(reduced.operators.get(operator));
       cost += reduced.cost[operator];
     }
-    best = new Solution(Verdict.PLAN, settled.meant(operators), cost, best.lowerBound());
+    List<GroundOperator> meant =
+        settled.map(task -> task.meant(operators)).orElse(List.copyOf(operators));
+    best = new Solution(Verdict.PLAN, meant, cost, best.lowerBound(), best.memoryUsedUp());
   }
 }

@@ -27,7 +27,7 @@ final class BoundedRemoval {
    * @throws java.util.concurrent.CancellationException when patience is over
    */
   static Result remove(GroundTask task, long below, Patience patience) {
-    GroundTask now = Reduction.reduced(task);
+    GroundTask now = Reduction.reduced(task, patience);
     long bound = 0;
     while (true) {
       SearchTask search = new SearchTask(now, now.operators());
@@ -47,7 +47,7 @@ final class BoundedRemoval {
       if (kept.size() == now.operators().size()) {
         return new Result(now, bound);
       }
-      now = Reduction.reduced(now.withOperators(kept));
+      now = Reduction.reduced(now.withOperators(kept), patience);
     }
   }
 }

@@ -17,6 +17,11 @@ final class IntHeap {
     return size;
   }
 
+  /** How many bytes the entries take. */
+  long bytes() {
+    return 16L * keys.length;
+  }
+
   void clear() {
     size = 0;
     sequence = 0;

@@ -101,6 +101,20 @@ final class Leaf {
     return gates;
   }
 
+  /** About how many bytes the price lists and what is remembered of them take. */
+  long bytes() {
+    return lists.size() * (8L * space.size() + 150)
+        + 130L * (steps.size() + sources.size())
+        + 120L * excesses.size();
+  }
+
+  /** Forgets what can be computed again. */
+  void forget() {
+    excesses.clear();
+    sources.clear();
+    steps.clear();
+  }
+
   /** The number of the set of gates that are open in a state of the task. */
   int open(long[] centre) {
     BitSet open = new BitSet();

@@ -8,6 +8,7 @@ import java.util.Deque;
 import java.util.List;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
+import org.maestro.planning.ground.Patience;
 
 /**
  * Leaves out of a task what no plan needs, without changing what plans it has or what they cost.
@@ -18,11 +19,14 @@ final class Reduction {
   /**
    * The task without facts that always hold, operators that cannot be reached when nothing is
    * deleted, and operators that bring about nothing that anything else needs.
+   *
+   * @throws java.util.concurrent.CancellationException when patience is over
    */
-  static GroundTask reduced(GroundTask task) {
+  static GroundTask reduced(GroundTask task, Patience patience) {
     GroundTask before = task;
     while (true) {
-      GroundTask after = withoutIrrelevant(withoutUnreachable(withoutConstants(before)));
+      GroundTask reachable = withoutUnreachable(withoutConstants(before, patience), patience);
+      GroundTask after = withoutIrrelevant(reachable, patience);
       if (after.operators().size() == before.operators().size()) {
         return after;
       }
@@ -30,7 +34,7 @@ final class Reduction {
     }
   }
 
-  private static GroundTask withoutConstants(GroundTask task) {
+  private static GroundTask withoutConstants(GroundTask task, Patience patience) {
     BitSet constant = new BitSet(task.facts());
     Arrays.stream(task.initial()).forEach(constant::set);
     for (GroundOperator operator : task.operators()) {
@@ -41,6 +45,7 @@ final class Reduction {
     }
     List<GroundOperator> operators = new ArrayList<>(task.operators().size());
     for (GroundOperator o : task.operators()) {
+      patience.check();
       int[] needed = without(o.needed(), constant);
       int[] added = without(o.added(), constant);
       operators.add(
@@ -79,7 +84,7 @@ final class Reduction {
     return list;
   }
 
-  private static GroundTask withoutUnreachable(GroundTask task) {
+  private static GroundTask withoutUnreachable(GroundTask task, Patience patience) {
     List<GroundOperator> operators = task.operators();
     int[][] needed = operators.stream().map(GroundOperator::needed).toArray(int[][]::new);
     int[][] consumers = SearchTask.inverse(needed, task.facts());
@@ -97,6 +102,7 @@ final class Reduction {
       }
     }
     while (!queue.isEmpty()) {
+      patience.check();
       for (int o : consumers[queue.remove()]) {
         if (--open[o] == 0) {
           apply(operators.get(o), o, applied, reached, queue);
@@ -124,7 +130,7 @@ final class Reduction {
     return task.withOperators(kept.stream().mapToObj(task.operators()::get).toList());
   }
 
-  private static GroundTask withoutIrrelevant(GroundTask task) {
+  private static GroundTask withoutIrrelevant(GroundTask task, Patience patience) {
     List<GroundOperator> operators = task.operators();
     int[][] achievers =
         SearchTask.inverse(
@@ -137,6 +143,7 @@ final class Reduction {
     int sumsDone = -1;
     while (!queue.isEmpty() || sumsDone != wantedSums.cardinality()) {
       while (!queue.isEmpty()) {
+        patience.check();
         for (int o : achievers[queue.remove()]) {
           if (!relevant.get(o)) {
             relevant.set(o);

@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.GroundTask.Bound;
+import org.maestro.planning.ground.Patience;
 
 /**
  * Replaces the operators that add to a sum, as lamps and shutters do, by one that settles it for
@@ -29,6 +30,7 @@ final class SettledTask {
   private static final int SETTLING = -1;
 
   private final List<List<GroundOperator>> meanings = new ArrayList<>();
+  private final Patience patience;
   private GroundTask task;
 
   /** A position of one lamp: what it adds, what it costs, and how it is reached. */
@@ -44,8 +46,12 @@ final class SettledTask {
     }
   }
 
-  SettledTask(GroundTask origin) {
-    task = origin.sums().length == 0 ? origin : Reduction.reduced(origin);
+  /**
+   * @throws java.util.concurrent.CancellationException when patience is over
+   */
+  SettledTask(GroundTask origin, Patience patience) {
+    this.patience = patience;
+    task = origin.sums().length == 0 ? origin : Reduction.reduced(origin, patience);
     for (int sum = 0; sum < origin.sums().length; sum++) {
       settle(sum);
     }
@@ -199,6 +205,7 @@ final class SettledTask {
     best.put(new Place(initial, 0), first);
     open.add(first);
     while (!open.isEmpty()) {
+      patience.check();
       Position from = open.remove(0);
       for (GroundOperator operator : together) {
         if (!Arrays.stream(operator.needed()).allMatch(from.facts()::get)) {
@@ -258,7 +265,7 @@ final class SettledTask {
       long least = interval.least() == Long.MIN_VALUE ? Long.MIN_VALUE : interval.least() - atFirst;
       long most = interval.most() == Long.MAX_VALUE ? Long.MAX_VALUE : interval.most() - atFirst;
       int narrowest = i;
-      TwoSidedKnapsack.solve(options, least, most)
+      TwoSidedKnapsack.solve(options, least, most, patience)
           .ifPresent(
               choice ->
                   operators.add(

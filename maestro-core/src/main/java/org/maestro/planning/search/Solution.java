@@ -9,9 +9,14 @@ import org.maestro.planning.ground.GroundOperator;
  * @param operators the best plan so far; empty unless {@link #hasPlan}
  * @param cost of that plan, in units of the task
  * @param lowerBound no plan costs less, proven; in units of the task
+ * @param memoryUsedUp a search ended because the memory that was allowed did not suffice for more
  */
 public record Solution(
-    Verdict verdict, List<GroundOperator> operators, long cost, long lowerBound) {
+    Verdict verdict,
+    List<GroundOperator> operators,
+    long cost,
+    long lowerBound,
+    boolean memoryUsedUp) {
   public Solution {
     operators = List.copyOf(operators);
   }
@@ -35,6 +40,12 @@ public record Solution(
   }
 
   static Solution without(Verdict verdict, long lowerBound) {
-    return new Solution(verdict, List.of(), 0, lowerBound);
+    return new Solution(verdict, List.of(), 0, lowerBound, verdict == Verdict.OUT_OF_MEMORY);
+  }
+
+  Solution afterMemoryWasUsedUp() {
+    return hasPlan()
+        ? new Solution(verdict, operators, cost, lowerBound, true)
+        : without(Verdict.OUT_OF_MEMORY, lowerBound);
   }
 }

@@ -121,7 +121,7 @@ final class StarSearch {
         evaluate(node, total);
         continue;
       }
-      if (table.bytes() + centres.bytes() + 60L * table.size() > memory) {
+      if (isMemoryUsedUp()) {
         return End.OUT_OF_MEMORY;
       }
       closed[node] = true;
@@ -129,6 +129,26 @@ final class StarSearch {
     }
     lowerBound = below;
     return End.EXHAUSTED;
+  }
+
+  /** What leaves remember for speed goes first. */
+  private boolean isMemoryUsedUp() {
+    if (bytes() <= memory) {
+      return false;
+    }
+    for (Leaf leaf : leaves) {
+      leaf.forget();
+    }
+    return bytes() > memory / 4 * 3;
+  }
+
+  private long bytes() {
+    long bytes = table.bytes() + centres.bytes() + queue.bytes();
+    bytes += 60L * table.size() + (24L + 4L * leaves.length) * centres.size();
+    for (Leaf leaf : leaves) {
+      bytes += leaf.bytes();
+    }
+    return bytes;
   }
 
   private void evaluate(int node, long total) {

@@ -6,6 +6,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import org.maestro.planning.ground.Patience;
 
 /**
  * One option of each group, such that the sum of gains lies between two values at the least cost:
@@ -39,16 +40,18 @@ public final class TwoSidedKnapsack {
    * none.
    *
    * @throws IllegalArgumentException when there are too many options
+   * @throws java.util.concurrent.CancellationException when patience is over
    */
-  public static Optional<Choice> solve(List<List<Option>> groups, long least, long most) {
+  public static Optional<Choice> solve(
+      List<List<Option>> groups, long least, long most, Patience patience) {
     if (!isSmallEnough(groups)) {
       throw new IllegalArgumentException("There are too many options for an exact answer.");
     }
     int middle = middle(groups);
     List<List<Option>> left = groups.subList(0, middle);
     List<List<Option>> right = groups.subList(middle, groups.size());
-    Half a = Half.of(left);
-    Half b = Half.of(right);
+    Half a = Half.of(left, patience);
+    Half b = Half.of(right, patience);
     // As the left sums rise, the window of right sums falls; its cheapest stands first in the
     // queue.
     Deque<Integer> window = new ArrayDeque<>();
@@ -57,6 +60,7 @@ public final class TwoSidedKnapsack {
     int bestLeft = -1;
     int bestRight = -1;
     for (int i = 0; i < a.gains.length; i++) {
+      patience.check();
       while (next >= 0 && atLeast(a.gains[i], b.gains[next], least)) {
         while (!window.isEmpty() && b.costs[window.getLast()] > b.costs[next]) {
           window.removeLast();
@@ -117,47 +121,53 @@ public final class TwoSidedKnapsack {
 
   /** All combinations of some groups, by ascending gain; of equal gains only the cheapest. */
   private record Half(long[] gains, long[] costs, int[] codes) {
-    private static Half of(List<List<Option>> groups) {
-      long[] gains = {0};
-      long[] costs = {0};
-      int[] codes = {0};
+    private static Half of(List<List<Option>> groups, Patience patience) {
+      Half all = new Half(new long[] {0}, new long[] {0}, new int[] {0});
       for (List<Option> group : groups) {
-        int size = group.size();
-        int count = gains.length * size;
-        long[] moreGains = new long[count];
-        long[] moreCosts = new long[count];
-        int[] moreCodes = new int[count];
-        for (int i = 0; i < count; i++) {
-          Option option = group.get(i % size);
-          moreGains[i] = gains[i / size] + option.gain();
-          moreCosts[i] = costs[i / size] + option.cost();
-          moreCodes[i] = codes[i / size] * size + i % size;
+        Half extended = new Half(new long[0], new long[0], new int[0]);
+        for (int option = 0; option < group.size(); option++) {
+          extended = extended.merged(all.with(group.get(option), option, group.size()), patience);
         }
-        int[] order = order(moreGains, moreCosts);
-        int kept = 0;
-        for (int i = 0; i < count; i++) {
-          if (i == 0 || moreGains[order[i]] != moreGains[order[i - 1]]) {
-            order[kept++] = order[i];
-          }
-        }
-        int[] chosen = Arrays.copyOf(order, kept);
-        gains = Arrays.stream(chosen).mapToLong(i -> moreGains[i]).toArray();
-        costs = Arrays.stream(chosen).mapToLong(i -> moreCosts[i]).toArray();
-        codes = Arrays.stream(chosen).map(i -> moreCodes[i]).toArray();
+        all = extended;
       }
-      return new Half(gains, costs, codes);
+      return all;
     }
 
-    private static int[] order(long[] gains, long[] costs) {
-      return IntStream.range(0, gains.length)
-          .boxed()
-          .sorted(
-              (x, y) -> {
-                int byGain = Long.compare(gains[x], gains[y]);
-                return byGain != 0 ? byGain : Long.compare(costs[x], costs[y]);
-              })
-          .mapToInt(i -> i)
-          .toArray();
+    private Half with(Option option, int number, int options) {
+      return new Half(
+          Arrays.stream(gains).map(gain -> gain + option.gain()).toArray(),
+          Arrays.stream(costs).map(cost -> cost + option.cost()).toArray(),
+          Arrays.stream(codes).map(code -> code * options + number).toArray());
+    }
+
+    private Half merged(Half other, Patience patience) {
+      int most = gains.length + other.gains.length;
+      Half into = new Half(new long[most], new long[most], new int[most]);
+      int size = 0;
+      int here = 0;
+      int there = 0;
+      while (here < gains.length || there < other.gains.length) {
+        patience.check();
+        boolean mine =
+            there == other.gains.length || here < gains.length && gains[here] <= other.gains[there];
+        Half from = mine ? this : other;
+        int at = mine ? here++ : there++;
+        if (size == 0 || into.gains[size - 1] != from.gains[at]) {
+          into.put(size++, from, at);
+        } else if (from.costs[at] < into.costs[size - 1]) {
+          into.put(size - 1, from, at);
+        }
+      }
+      return new Half(
+          Arrays.copyOf(into.gains, size),
+          Arrays.copyOf(into.costs, size),
+          Arrays.copyOf(into.codes, size));
+    }
+
+    private void put(int at, Half from, int number) {
+      gains[at] = from.gains[number];
+      costs[at] = from.costs[number];
+      codes[at] = from.codes[number];
     }
   }
 }

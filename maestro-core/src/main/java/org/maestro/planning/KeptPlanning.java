@@ -1,0 +1,163 @@
+package org.maestro.planning;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+
+/**
+ * What was made for one goal, kept for when it is planned for again: feature instances, and the
+ * last plan with the problem that it solves. For one thread at a time.
+ */
+final class KeptPlanning {
+  private static final double SAME_COST = 1e-6;
+
+  /**
+   * A plan that is proven to be the cheapest.
+   *
+   * @param operators those of the plan, applicable one after the other in the problem
+   * @param features those that were there when it was found
+   */
+  private record Proven(
+      Plan plan,
+      List<Operator> operators,
+      GroundProblem problem,
+      PlanningTask task,
+      Set<Integer> features) {}
+
+  private final Grounder grounder;
+  private PlanningTask task;
+
+  /** What is or was otherwise than when the plan was proven. */
+  private final Set<Object> changed = new LinkedHashSet<>();
+
+  private Optional<Proven> proven = Optional.empty();
+
+  KeptPlanning(PlanningTask task) {
+    this.task = task;
+    this.grounder = new Grounder(task);
+  }
+
+  /** Goes over to another task for the same goal; false when nothing that is kept is of use. */
+  boolean renew(PlanningTask next) {
+    Optional<Set<Object>> difference = grounder.renew(next);
+    difference.ifPresent(
+        atoms -> {
+          changed.addAll(atoms);
+          task = next;
+        });
+    return difference.isPresent();
+  }
+
+  /** As {@link OptimalPlanner#solve}. */
+  PlanningResult solve(int mostStates) {
+    Optional<Plan> still = proven.flatMap(this::stillCheapest);
+    if (still.isPresent()) {
+      return new PlanningResult.Found(still.get(), OptionalDouble.empty(), contenders());
+    }
+    Optional<Plan> rest = proven.flatMap(this::rest);
+    double budget =
+        rest.map(Plan::cost).orElse(proven.map(before -> before.plan().cost()).orElse(0.0));
+    BudgetedSearch search = new BudgetedSearch(task, grounder, mostStates, true);
+    PlanningResult result = search.run(budget);
+    changed.clear();
+    proven = Optional.empty();
+    if (result instanceof PlanningResult.Found found && isProof(found, search)) {
+      Plan plan =
+          rest.filter(old -> old.cost() <= found.plan().cost() + SAME_COST).orElse(found.plan());
+      proven = search.solved().flatMap(problem -> proven(plan, problem.placed()));
+      return new PlanningResult.Found(plan, OptionalDouble.empty(), found.contenders());
+    }
+    return result;
+  }
+
+  /** A plan that weighs where to look is not the cheapest of those that count on finding. */
+  private boolean isProof(PlanningResult.Found found, BudgetedSearch search) {
+    return task.objective() == Objective.CHEAPEST
+        && found.atLeast().isEmpty()
+        && search.solved().filter(problem -> Sought.of(problem).isEmpty()).isPresent();
+  }
+
+  private Optional<Proven> proven(Plan plan, GroundProblem problem) {
+    List<Operator> operators = new ArrayList<>();
+    State state = problem.initial();
+    for (Step step : plan.steps()) {
+      State before = state;
+      Optional<Operator> operator =
+          problem.operators().stream()
+              .filter(o -> o.key().equals(step.key()) && Successors.isApplicable(o, before))
+              .findFirst();
+      if (operator.isEmpty()) {
+        return Optional.empty();
+      }
+      operators.add(operator.get());
+      state = Successors.after(operator.get(), state);
+    }
+    return Optional.of(new Proven(plan, operators, problem, task, grounder.featuresThere()));
+  }
+
+  /**
+   * The rest of the plan after steps that did what was expected of them, with nothing else changed:
+   * whoever left and whatever is barred, no rest can be cheaper than that of the cheapest plan.
+   */
+  private Optional<Plan> stillCheapest(Proven before) {
+    if (!before.features().containsAll(grounder.featuresThere())
+        || !task.barred().containsAll(before.task().barred())) {
+      return Optional.empty();
+    }
+    GroundProblem problem = before.problem().placed();
+    Set<Object> variables = new LinkedHashSet<>(problem.variables());
+    variables.addAll(problem.numbers());
+    for (Object asked : changed) {
+      if (grounder.variable(asked).filter(variables::contains).isEmpty()) {
+        return Optional.empty();
+      }
+    }
+    State state = problem.initial();
+    for (int done = 0; done <= before.operators().size(); done++) {
+      if (isNow(state, problem)) {
+        List<Step> steps = before.plan().steps();
+        double left = steps.subList(done, steps.size()).stream().mapToDouble(Step::cost).sum();
+        return OptimalPlanner.revalidate(grounder, steps.subList(done, steps.size()))
+            .filter(rest -> rest.cost() <= left + SAME_COST);
+      }
+      if (done < before.operators().size()) {
+        state = Successors.after(before.operators().get(done), state);
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static boolean isNow(State state, GroundProblem problem) {
+    return problem.variables().stream().allMatch(v -> state.code(v) == v.initialCode())
+        && problem.numbers().stream()
+            .allMatch(n -> Double.compare(state.number(n), n.initial()) == 0);
+  }
+
+  /** The shortest end of the plan that reaches the goal from where things are now. */
+  private Optional<Plan> rest(Proven before) {
+    List<Step> steps = before.plan().steps();
+    for (int from = steps.size(); from >= 0; from--) {
+      Optional<Plan> rest = OptimalPlanner.revalidate(grounder, steps.subList(from, steps.size()));
+      if (rest.isPresent()) {
+        return rest;
+      }
+    }
+    return Optional.empty();
+  }
+
+  private Set<String> contenders() {
+    Set<String> members = new LinkedHashSet<>();
+    Set<String> there = new LinkedHashSet<>();
+    task.features().forEach(feature -> there.add(feature.member()));
+    proven.ifPresent(
+        before -> {
+          members.addAll(before.plan().members());
+          before.problem().operators().forEach(o -> members.add(o.feature().member()));
+        });
+    members.retainAll(there);
+    return members;
+  }
+}

@@ -1,0 +1,110 @@
+package org.maestro.planning;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.Set;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.ShrinkingMode;
+import org.junit.jupiter.api.Test;
+import org.maestro.ontology.vocabulary.Price;
+import org.maestro.sl.SlParser;
+
+/**
+ * Whatever happens between two calls, the plan costs what one costs that was made without a memory.
+ */
+class ReplanningPlannerTest {
+  private static final int HAPPENINGS = 6;
+
+  private final OptimalPlanner fresh = new OptimalPlanner(20_000);
+
+  @Property(tries = 40, shrinking = ShrinkingMode.OFF)
+  void homes(@ForAll long seed) {
+    Random random = new Random(seed);
+    follow(OptimalityPropertyTest.homeTask(random), random);
+  }
+
+  @Property(tries = 100, shrinking = ShrinkingMode.OFF)
+  void arbitraryFeatures(@ForAll long seed) {
+    Random random = new Random(seed);
+    follow(OptimalityPropertyTest.puzzleTask(random), random);
+  }
+
+  private void follow(PlanningTask first, Random random) {
+    ReplanningPlanner planner = new ReplanningPlanner(fresh);
+    PlanningTask task = first;
+    for (int n = 0; n < HAPPENINGS; n++) {
+      PlanningResult expected = fresh.solve(task);
+      PlanningResult result = planner.solve(task);
+      assertThat(result).hasSameClassAs(expected);
+      if (result instanceof PlanningResult.Found found) {
+        Plan plan = ((PlanningResult.Found) expected).plan();
+        assertThat(found.atLeast()).isEqualTo(((PlanningResult.Found) expected).atLeast());
+        assertThat(found.plan().cost()).isCloseTo(plan.cost(), within(1e-6));
+        assertThat(fresh.revalidate(task, found.plan().steps()))
+            .hasValueSatisfying(
+                again -> assertThat(again.cost()).isCloseTo(plan.cost(), within(1e-6)));
+        task = after(task, first, found.plan(), random);
+      } else {
+        task = task.withFeatures(first.features());
+      }
+    }
+  }
+
+  private static PlanningTask after(
+      PlanningTask task, PlanningTask first, Plan plan, Random random) {
+    List<PricedFeature> features = new ArrayList<>(task.features());
+    switch (random.nextInt(7)) {
+      case 0 -> features.removeIf(f -> f.member().equals(member(first, random)));
+      case 1 -> features.remove(features.get(random.nextInt(features.size())));
+      case 2 -> features.replaceAll(f -> random.nextInt(4) == 0 ? dearer(f, random) : f);
+      case 3 -> {
+        return task.withFeatures(first.features());
+      }
+      case 4 -> {
+        Set<StepKey> barred = new HashSet<>(task.barred());
+        plan.steps().stream().limit(1).forEach(step -> barred.add(step.key()));
+        return task.withBarred(barred);
+      }
+      default -> {
+        int done = random.nextInt(plan.steps().size() + 1);
+        return task.withFacts(FactsAfter.steps(task, plan.steps().subList(0, done)));
+      }
+    }
+    return features.isEmpty() ? task : task.withFeatures(features);
+  }
+
+  private static String member(PlanningTask task, Random random) {
+    return task.features().get(random.nextInt(task.features().size())).member();
+  }
+
+  private static PricedFeature dearer(PricedFeature feature, Random random) {
+    return new PricedFeature(
+        feature.member(),
+        feature.type(),
+        new Price.Stated(SlParser.expression(String.valueOf(random.nextInt(5)))),
+        Map.of());
+  }
+
+  /** The rest of a plan that goes as expected stays the plan; nobody who left can better it. */
+  @Test
+  void keepsTheRestOfItsPlan() {
+    SmallWorld world = BobsHome.dark().facts("(in Cup zone-b)", "(in Bob zone-a)");
+    PlanningTask task = world.task("(nextTo Cup Bob)");
+    ReplanningPlanner planner = new ReplanningPlanner(fresh);
+    Plan plan = ((PlanningResult.Found) planner.solve(task)).plan();
+    List<PricedFeature> others =
+        task.features().stream().filter(f -> !f.member().startsWith("lamp")).toList();
+    PlanningTask later =
+        task.withFacts(FactsAfter.steps(task, plan.steps().subList(0, 1))).withFeatures(others);
+    Plan rest = ((PlanningResult.Found) planner.solve(later)).plan();
+    assertThat(rest.steps().stream().map(Step::key).toList())
+        .isEqualTo(plan.steps().subList(1, plan.steps().size()).stream().map(Step::key).toList());
+  }
+}

@@ -1,0 +1,120 @@
+package org.maestro.launch;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.maestro.coordination.Sentences;
+import org.maestro.knowledge.CollectiveKnowledge;
+import org.maestro.ontology.home.Home;
+import org.maestro.planning.NotCarriedException;
+import org.maestro.planning.OptimalPlanner;
+import org.maestro.planning.PddlWriter;
+import org.maestro.planning.PlanningResult;
+import org.maestro.planning.PlanningTask;
+import org.maestro.planning.PricedFeature;
+import org.maestro.planning.Step;
+import org.maestro.rats.time.SteppedClock;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+
+/**
+ * The platform's plan for a goal, made from a home file alone: nobody is asked for prices, and
+ * nothing is known but what stands in the file.
+ */
+final class HomePlan {
+  private static final int UNSOLVABLE = 10;
+  private static final int NOTHING_FOUND = 12;
+
+  private final PrintWriter out;
+
+  HomePlan(PrintWriter out) {
+    this.out = out;
+  }
+
+  /**
+   * Prints the plan.
+   *
+   * @param directory where to write the task as PDDL
+   * @return the exit code
+   */
+  int show(String homeFile, String goalText, Optional<Path> directory) {
+    Home home = Shipped.home(homeFile);
+    PlanningTask task = task(home, goal(home, goalText));
+    directory.ifPresent(place -> write(task, place));
+    PlanningResult result = new OptimalPlanner().plan(task);
+    Sentences sentences = new Sentences(home.vocabulary());
+    if (result instanceof PlanningResult.Found found) {
+      for (Step step : found.plan().steps()) {
+        out.printf(
+            Locale.ROOT,
+            "%3d. %s; %s%s%n",
+            step.number(),
+            sentences.step(step),
+            step.exactPrice() ? "" : "at least ",
+            Sentences.number(step.cost()));
+      }
+      out.printf(
+          "; cost = %s (%s)%n",
+          Sentences.number(found.plan().cost()),
+          found.atLeast().isEmpty()
+              ? "optimal"
+              : "lower bound " + Sentences.number(found.atLeast().getAsDouble()));
+      return ExitCode.DONE;
+    }
+    if (result instanceof PlanningResult.Impossible impossible) {
+      out.println("; unsolvable (proven)");
+      impossible
+          .explanation()
+          .obstacles()
+          .forEach(
+              obstacle ->
+                  out.printf(
+                      "; needed: %s, %s; possible: %s%n",
+                      obstacle.condition(), obstacle.needed(), obstacle.possible()));
+      return UNSOLVABLE;
+    }
+    out.println("; no plan found: " + ((PlanningResult.GaveUp) result).reason());
+    return NOTHING_FOUND;
+  }
+
+  private static Formula goal(Home home, String text) {
+    return SlParser.formula(
+        text, name -> home.vocabulary().predicate(name).filter(word -> word.fluent()).isPresent());
+  }
+
+  private static PlanningTask task(Home home, Formula goal) {
+    List<PricedFeature> features =
+        home.devices().values().stream()
+            .flatMap(
+                device ->
+                    device.features().stream()
+                        .map(type -> new PricedFeature(device.id(), type, type.cost(), Map.of())))
+            .toList();
+    try (CollectiveKnowledge knowledge = new CollectiveKnowledge(home, new SteppedClock())) {
+      return new PlanningTask(home.vocabulary(), knowledge.snapshot(), features, goal, Set.of());
+    }
+  }
+
+  private void write(PlanningTask task, Path directory) {
+    try {
+      PddlWriter.Texts texts = PddlWriter.write(task, "maestro-home");
+      Files.createDirectories(directory);
+      Path domain = directory.resolve("domain.pddl");
+      Path problem = directory.resolve("problem.pddl");
+      Files.writeString(domain, texts.domain());
+      Files.writeString(problem, texts.problem());
+      out.printf("Written: %s and %s.%n", domain, problem);
+      texts.notCarried().forEach(sentence -> out.println("  " + sentence));
+    } catch (NotCarriedException e) {
+      throw CommandException.badInput(e.getMessage());
+    } catch (IOException e) {
+      throw CommandException.outside("Into %s nothing can be written.".formatted(directory), e);
+    }
+  }
+}
