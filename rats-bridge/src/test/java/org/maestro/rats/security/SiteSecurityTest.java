@@ -64,6 +64,9 @@ class SiteSecurityTest {
         "users/lamp/password",
         "users/lamp/certificate.pem",
         "users/lamp/key.pem",
+        "users/cca/join-token",
+        "users/cca/container.pem",
+        "users/cca/container-key.pem",
         "artemis/broker.xml",
         "artemis/login.config",
         "artemis/users.properties",
@@ -152,6 +155,7 @@ class SiteSecurityTest {
     SiteSecurity security = SiteSecurity.open(directory);
     security.password("lamp");
     security.certificate("lamp");
+    security.container("cca");
     security.artemis();
   }
 

@@ -1,0 +1,226 @@
+package org.maestro.launch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import jade.lang.acl.ACLMessage;
+import java.io.ByteArrayInputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
+import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.Words;
+import org.maestro.assembly.LocalSite;
+import org.maestro.assembly.SiteSettings;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+import org.maestro.platform.JoinedContainer;
+import org.maestro.platform.guard.Guard;
+import org.maestro.rats.security.SecureSite;
+import org.maestro.rats.security.SiteSecurity;
+import org.maestro.rats.time.PacedClock;
+import org.maestro.sim.SceneLoader;
+
+/**
+ * A secured site as processes of others meet it: who joins, who asks whom for what, and what those
+ * hear who may not. The agents of the lights live in a process of their own.
+ */
+@Isolated("its time is wall time, which others beside it would take")
+class SecuredPlatformTest {
+  private static final String NAME = "secured-bob";
+  private static final Path SHIPPED = Path.of("src/main/resources");
+  private static final Duration SOON = Duration.ofSeconds(60);
+
+  @TempDir static Path directory;
+  private static Path files;
+  private static final Queue<String> STORY = new ConcurrentLinkedQueue<>();
+  private static LocalSite site;
+  private static JavaProcess lights;
+
+  @BeforeAll
+  static void start() throws Exception {
+    files = directory.resolve("site");
+    Home home =
+        new HomeLoader()
+            .load(
+                Files.readString(SHIPPED.resolve("homes/bob.ttl"))
+                    + """
+                    home:familyAsks a maestro:Permission ; maestro:caller "console" .
+                    home:tabletDims a maestro:Permission ; maestro:caller "tablet" ;
+                      maestro:asks :Lamp .
+                    """,
+                "bob.ttl");
+    SecureSite.make(
+        files,
+        NAME,
+        List.of("localhost", "127.0.0.1"),
+        List.of("maestro", "container-lights"),
+        home.devices().keySet(),
+        List.of("console", "tablet", "stranger"));
+    SiteSettings settings =
+        new SiteSettings(
+                NAME,
+                home,
+                Optional.of(
+                    SceneLoader.load(
+                        "bob-dark.ttl",
+                        new ByteArrayInputStream(
+                            Files.readAllBytes(SHIPPED.resolve("scenes/bob-dark.ttl"))),
+                        home)),
+                1,
+                Optional.empty(),
+                0,
+                false,
+                Optional.empty())
+            .withSecurity(Optional.of(SiteSecurity.open(files)));
+    site = LocalSite.paced(settings, 10);
+    site.platform().onStory(entry -> STORY.add(entry.text()));
+    lights =
+        command(
+            "container", "--main", address(), "--name", "lights", "--security", files.toString());
+    List<String> lamps =
+        home.devices().keySet().stream().filter(id -> id.startsWith("lamp")).toList();
+    await()
+        .atMost(SOON)
+        .until(
+            () ->
+                lights.output().contains("The container lights runs here")
+                    && site.platform().presentMembers().containsAll(lamps));
+  }
+
+  @AfterAll
+  static void end() throws Exception {
+    if (lights != null) {
+      lights.close();
+    }
+    if (site != null) {
+      site.close();
+    }
+  }
+
+  private static String address() {
+    return "127.0.0.1:" + site.platform().port();
+  }
+
+  private static JavaProcess command(String... arguments) throws Exception {
+    return JavaProcess.start(
+        Maestro.class.getName(),
+        List.of(arguments),
+        Map.of("XDG_RUNTIME_DIR", directory.toString()));
+  }
+
+  private static JavaProcess.Ended goal(Path security, String user, String goal) throws Exception {
+    try (JavaProcess asking =
+        command(
+            "goal", goal, "--main", address(), "--security", security.toString(), "--user", user)) {
+      return asking.await(SOON);
+    }
+  }
+
+  /** Messages between three processes, all of them signed, and checked where they arrive. */
+  @Test
+  void whoMayAskIsServedAcrossProcesses() throws Exception {
+    JavaProcess.Ended ended = goal(files, "console", "(nextTo Cup Bob)");
+    assertThat(ended.output() + ended.errors()).contains("Reached in").contains("is set to");
+    assertThat(ended.exitCode()).isEqualTo(ExitCode.DONE);
+  }
+
+  @Test
+  void whoMayNotAskIsRefusedByTheAgentItselfAndByTheCentralAgent() throws Exception {
+    try (JoinedContainer tablet = join("tablet")) {
+      ACLMessage refusal = ask(tablet, "rose", "goTo");
+      assertThat(refusal.getPerformative()).isEqualTo(ACLMessage.REFUSE);
+      assertThat(refusal.getContent())
+          .contains("no maestro:Permission of the home lets tablet")
+          .contains("ask rose for goTo");
+      assertThat(ask(tablet, "lamp-a1", "adjustLight").getContent())
+          .doesNotContain("maestro:Permission");
+      ACLMessage failure = askForRose(tablet);
+      assertThat(failure.getPerformative()).isEqualTo(ACLMessage.FAILURE);
+    }
+    await().atMost(SOON).until(() -> told("lets tablet or tablet-desk ask rose for"));
+    try (JoinedContainer stranger = join("stranger")) {
+      ACLMessage refusal = askForRose(stranger);
+      assertThat(refusal.getPerformative()).isEqualTo(ACLMessage.REFUSE);
+      assertThat(refusal.getContent())
+          .contains("No maestro:Permission of the home lets stranger")
+          .contains("ask anybody for anything");
+    }
+  }
+
+  private static boolean told(String part) {
+    return STORY.stream().anyMatch(text -> text.contains(part));
+  }
+
+  private static JoinedContainer join(String user) {
+    return JoinedContainer.join(
+        Optional.of(site.platform().desk().getHap()),
+        "127.0.0.1",
+        site.platform().port(),
+        user,
+        new PacedClock(1),
+        Optional.of(Guard.open(SiteSecurity.open(files), user)));
+  }
+
+  private static ACLMessage askForRose(JoinedContainer asking) {
+    return asking.ask(
+        ACLMessage.REQUEST,
+        CoordinatorAgent.NAME,
+        Words.content("initCNP", Words.named("goal", Words.text("(in rose zone-b)"))));
+  }
+
+  private static ACLMessage ask(JoinedContainer asking, String agent, String feature) {
+    return asking.ask(
+        ACLMessage.REQUEST,
+        agent,
+        Words.content("perform", Words.named("feature", Words.name(feature))));
+  }
+
+  @Test
+  void whoHasNoCertificateOrTokenIsRefusedAndToldWhyAndThePlatformGoesOn() throws Exception {
+    Path stolen = copy("stolen");
+    Files.writeString(stolen.resolve("users/console/join-token"), "guessed\n");
+    try (JavaProcess plain =
+        JavaProcess.start(
+            "jade.Boot",
+            List.of(
+                "-container",
+                "-host",
+                "127.0.0.1",
+                "-port",
+                String.valueOf(site.platform().port()),
+                "-local-host",
+                "127.0.0.1"))) {
+      JavaProcess.Ended ended = goal(stolen, "console", "(in rose zone-b)");
+      assertThat(ended.exitCode()).isEqualTo(ExitCode.OUTSIDE);
+      assertThat(ended.errors().strip())
+          .startsWith("maestro: ")
+          .contains("console does not show the site's join token")
+          .doesNotContain("\n");
+      await().atMost(SOON).until(() -> plain.errors().contains("joining agent platform"));
+      assertThat(plain.output() + plain.errors()).doesNotContain("is ready");
+    }
+    assertThat(site.platform().agents()).isNotEmpty();
+  }
+
+  private static Path copy(String name) throws Exception {
+    Path copy = directory.resolve(name);
+    try (var all = Files.walk(files)) {
+      for (Path file : all.toList()) {
+        Files.copy(file, copy.resolve(files.relativize(file)), StandardCopyOption.COPY_ATTRIBUTES);
+      }
+    }
+    return copy;
+  }
+}
