@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import org.maestro.coordination.Crew;
 
 /**
@@ -17,22 +18,27 @@ import org.maestro.coordination.Crew;
 final class AclCrew implements Crew {
   private final MaestroAgent agent;
   private final Function<String, Optional<AID>> agentOf;
+  private final Predicate<String> isDoubted;
   private final Contracts contracts;
   private final Misconduct misconduct;
   private final Function<String, Optional<String>> clientOf;
   private final Map<OrderUnderway, String> underway = new LinkedHashMap<>();
 
   /**
+   * @param isDoubted whether a member without an agent may have one again soon, so that its orders
+   *     are held back until it is told that it has, or has not
    * @param clientOf for whom others are ordered, by the goal's id, where they want to know it
    */
   AclCrew(
       MaestroAgent agent,
       Function<String, Optional<AID>> agentOf,
+      Predicate<String> isDoubted,
       Contracts contracts,
       Misconduct misconduct,
       Function<String, Optional<String>> clientOf) {
     this.agent = agent;
     this.agentOf = agentOf;
+    this.isDoubted = isDoubted;
     this.contracts = contracts;
     this.misconduct = misconduct;
     this.clientOf = clientOf;
@@ -41,13 +47,17 @@ final class AclCrew implements Crew {
   @Override
   public Performance perform(Order order, Consumer<Report> reported) {
     String member = order.step().member();
-    Optional<AID> receiver = agentOf.apply(member);
-    if (receiver.isEmpty()) {
+    if (agentOf.apply(member).isEmpty() && !isDoubted.test(member)) {
       agent.tell(() -> reported.accept(OrderUnderway.failed(member + " has no agent", List.of())));
       return () -> {};
     }
     OrderUnderway performance =
-        new OrderUnderway(agent, receiver.get(), order, clientOf.apply(order.goalId()), misconduct);
+        new OrderUnderway(
+            agent,
+            () -> agentOf.apply(member),
+            order,
+            clientOf.apply(order.goalId()),
+            misconduct);
     underway.put(performance, member);
     performance.reportTo(
         report -> {
@@ -75,8 +85,28 @@ final class AclCrew implements Crew {
 
   /** The member's agent is no more: whatever it was ordered is not reported by it. */
   void agentEnded(String member) {
-    List.copyOf(underway.entrySet()).stream()
+    ordersOf(member).forEach(OrderUnderway::agentEnded);
+  }
+
+  /** The member's agent is no more, and another is to take its orders over. */
+  void agentMoves(String member) {
+    ordersOf(member).forEach(OrderUnderway::agentMoves);
+  }
+
+  /** The member has an agent that can be asked: what was held back is ordered now. */
+  void agentThere(String member) {
+    ordersOf(member).forEach(OrderUnderway::goOn);
+  }
+
+  /** The member is gone: nobody takes up what was held back. */
+  void memberLost(String member) {
+    ordersOf(member).stream().filter(OrderUnderway::isHeld).forEach(OrderUnderway::agentEnded);
+  }
+
+  private List<OrderUnderway> ordersOf(String member) {
+    return underway.entrySet().stream()
         .filter(entry -> entry.getValue().equals(member))
-        .forEach(entry -> entry.getKey().agentEnded());
+        .map(Map.Entry::getKey)
+        .toList();
   }
 }

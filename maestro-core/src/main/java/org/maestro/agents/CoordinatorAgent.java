@@ -32,6 +32,9 @@ public final class CoordinatorAgent extends MaestroAgent {
   /** Wall time that members have to show up again after a restart. */
   private static final Duration COMEBACK = Duration.ofSeconds(10);
 
+  /** Wall time that another agent for a member has until it announces itself. */
+  private static final Duration MOVE = Duration.ofSeconds(20);
+
   /** The paper's name of this agent. */
   public static final String NAME = "CCA";
 
@@ -94,7 +97,48 @@ public final class CoordinatorAgent extends MaestroAgent {
    * may call.
    */
   public void agentMoves(String member) {
-    tell(() -> agentGone(member, "its agent moves to another container"));
+    tell(
+        () -> {
+          if (deliberation.agentMoves(member, member + " is getting another agent")) {
+            present.remove(member);
+            clock()
+                .schedule(
+                    patience(MOVE),
+                    getLocalName(),
+                    () ->
+                        agentStaysAway(
+                            member, "it has had no agent for %d s".formatted(MOVE.toSeconds())));
+          }
+        });
+  }
+
+  /**
+   * The member's agent has moved, and is not there again.
+   *
+   * @param reason a clause. Any thread may call.
+   */
+  public void agentStaysAway(String member, String reason) {
+    tell(
+        () -> {
+          if (deliberation.isAwaited(member)) {
+            deliberation.memberLost(member, reason);
+          }
+        });
+  }
+
+  /**
+   * The member's agent gives no sign of life; nothing is asked of it until it is trusted again, or
+   * ended. Any thread may call.
+   *
+   * @param reason what is said of it, a clause
+   */
+  public void agentDoubted(String member, String reason) {
+    tell(() -> deliberation.agentDoubted(member, reason));
+  }
+
+  /** The member's agent gives signs of life again. Any thread may call. */
+  public void agentTrusted(String member) {
+    tell(() -> deliberation.agentTrusted(member));
   }
 
   /** The member's agent is no more, killed or with its container. Any thread may call. */

@@ -44,7 +44,7 @@ final class Deliberation {
     this.agent = agent;
     this.mind = mind;
     Clients clients = new Clients(mind.knowledge(), this::requester, misconduct);
-    this.crew = new AclCrew(agent, this::agentOf, contracts, misconduct, clients::of);
+    this.crew = new AclCrew(agent, this::agentOf, this::isDoubted, contracts, misconduct, clients::of);
     Market market =
         new PermittedMarket(new AclMarket(agent, this::agentOf, contracts, misconduct), clients);
     this.coordinator = new Coordinator(ports(clock, market, crew, story, journal));
@@ -68,7 +68,13 @@ final class Deliberation {
     this.agent = agent;
     this.mind = mind;
     this.crew =
-        new AclCrew(agent, this::agentOf, contracts, misconduct, goalId -> Optional.empty());
+        new AclCrew(
+            agent,
+            this::agentOf,
+            this::isDoubted,
+            contracts,
+            misconduct,
+            goalId -> Optional.empty());
     Market market = new AclMarket(agent, this::agentOf, contracts, misconduct);
     this.coordinator =
         new Coordinator(
@@ -134,10 +140,49 @@ final class Deliberation {
   void memberPresent(String member, AID its, Optional<String> life) {
     agentByMember.put(member, its);
     coordinator.memberPresent(member, life);
+    crew.agentThere(member);
   }
 
   void memberLost(String member, String reason) {
     coordinator.memberLost(member, reason);
+    crew.memberLost(member);
+  }
+
+  /** Its agent gives no sign of life: nothing is asked of it until it does, or is lost. */
+  void agentDoubted(String member, String reason) {
+    coordinator.memberDoubted(member, reason);
+  }
+
+  /** Its agent has given a sign of life again. */
+  void agentTrusted(String member) {
+    if (agentByMember.containsKey(member)) {
+      coordinator.memberTrusted(member);
+      crew.agentThere(member);
+    }
+  }
+
+  /**
+   * Its agent is no more, and is to be there again soon, when it takes over what the member was
+   * ordered.
+   *
+   * @return whether the member had an agent
+   */
+  boolean agentMoves(String member, String reason) {
+    if (agentByMember.remove(member) == null) {
+      return false;
+    }
+    coordinator.memberDoubted(member, reason);
+    crew.agentMoves(member);
+    return true;
+  }
+
+  /** Whether its agent has not come yet after it moved. */
+  boolean isAwaited(String member) {
+    return isDoubted(member) && !agentByMember.containsKey(member);
+  }
+
+  private boolean isDoubted(String member) {
+    return coordinator.isDoubted(member);
   }
 
   /** Returns whether the member had an agent. */

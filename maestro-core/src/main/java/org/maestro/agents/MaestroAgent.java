@@ -15,6 +15,8 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import org.maestro.agents.pulse.Pulse;
+import org.maestro.agents.pulse.PulseService;
 import org.maestro.agents.stepping.IdleDetector;
 import org.maestro.agents.stepping.SteppedMail;
 import org.maestro.agents.stepping.SteppedMailService;
@@ -48,6 +50,7 @@ public abstract class MaestroAgent extends Agent {
   private final transient Protest protest;
   private final transient Inbox inbox;
   private final transient Reception reception;
+  private transient volatile Optional<Pulse> pulse = Optional.empty();
   private final transient CountDownLatch started = new CountDownLatch(1);
 
   protected MaestroAgent(AgentTime time) {
@@ -140,6 +143,42 @@ public abstract class MaestroAgent extends Agent {
       super.addBehaviour(idleDetector);
     }
     addBehaviour(reception);
+    if (!clock().isStepped()) {
+      pulse = joinPulse();
+    }
+  }
+
+  /** A container that somebody else has made may have none. */
+  private Optional<Pulse> joinPulse() {
+    try {
+      Pulse its = (Pulse) getHelper(PulseService.NAME);
+      its.enlist(getLocalName(), this::tell, clock());
+      return Optional.of(its);
+    } catch (ServiceException e) {
+      LOG.debug("{} lives in a container without heartbeats", getLocalName(), e);
+      return Optional.empty();
+    }
+  }
+
+  /** The heartbeats of the container; empty on a stepped clock. */
+  final Optional<Pulse> pulse() {
+    return pulse;
+  }
+
+  /**
+   * Has the listener told, once and on the clock's thread, when the platform has given up the
+   * container that this agent lives in. Any thread may call.
+   */
+  public final void whenContainerIsGivenUp(Runnable listener) {
+    tell(() -> pulse.ifPresent(its -> its.whenGivenUp(listener)));
+  }
+
+  /**
+   * Whether another may act in this agent's place, as its container has not been heard of for long:
+   * nothing may be begun.
+   */
+  final boolean isCutOff() {
+    return pulse.filter(Pulse::isCutOff).isPresent();
   }
 
   private void joinMail(SteppedMail mail) {
@@ -155,6 +194,7 @@ public abstract class MaestroAgent extends Agent {
   @Override
   protected void takeDown() {
     time.mail().ifPresent(mail -> mail.close(this));
+    pulse.ifPresent(its -> its.leave(getLocalName()));
     inbox.end();
     tickets.end();
   }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.maestro.coordination.Crew;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.sl.Content;
@@ -24,18 +25,24 @@ final class OrderUnderway implements Crew.Performance {
   private static final Optional<String> NO_REASON = Optional.of("no reason given");
 
   private final MaestroAgent agent;
-  private final AID receiver;
+  private final Supplier<Optional<AID>> receiver;
   private final Crew.Order order;
   private final Optional<String> client;
   private final Misconduct misconduct;
   private Consumer<Crew.Report> reported = report -> {};
   private Optional<String> conversation = Optional.empty();
+  private Optional<AID> addressee = Optional.empty();
   private boolean agreed;
+  private boolean held;
+  private boolean unwanted;
   private boolean over;
 
+  /**
+   * @param receiver the agent as it is now; empty: the order is held back until it goes on
+   */
   OrderUnderway(
       MaestroAgent agent,
-      AID receiver,
+      Supplier<Optional<AID>> receiver,
       Crew.Order order,
       Optional<String> client,
       Misconduct misconduct) {
@@ -65,10 +72,18 @@ final class OrderUnderway implements Crew.Performance {
     }
   }
 
+  /** In the same words each time, so that it is done once whoever hears it. */
   private void send() {
+    Optional<AID> now = receiver.get();
+    held = now.isEmpty();
+    if (held) {
+      return;
+    }
     ACLMessage request =
         agent.message(
-            ACLMessage.REQUEST, receiver, Orders.order(order, agent.getLocalName(), client));
+            ACLMessage.REQUEST, now.get(), Orders.order(order, agent.getLocalName(), client));
+    addressee = now;
+    agreed = false;
     conversation =
         Optional.of(
             agent
@@ -127,6 +142,28 @@ final class OrderUnderway implements Crew.Performance {
             + " after that was over; ignored");
   }
 
+  /** Whether nobody has it, because there may be somebody again soon. */
+  boolean isHeld() {
+    return held;
+  }
+
+  /** Who had it is no more; who takes over is asked for it again. */
+  void agentMoves() {
+    if (conversation.isPresent() && !over) {
+      conversation.ifPresent(agent.conversations()::close);
+      held = true;
+    }
+  }
+
+  void goOn() {
+    if (held && !over) {
+      send();
+      if (unwanted && !held) {
+        callOff();
+      }
+    }
+  }
+
   void agentEnded() {
     conversation.ifPresent(agent.conversations()::close);
     report(failed(member() + " has lost its agent while it was at " + feature(), List.of()));
@@ -155,7 +192,10 @@ final class OrderUnderway implements Crew.Performance {
   @Override
   public void cancel() {
     if (conversation.isPresent()) {
-      callOff();
+      unwanted = true;
+      if (!held) {
+        callOff();
+      }
     } else {
       agent.tell(() -> report(failed("called off before it began", List.of())));
     }
@@ -165,7 +205,7 @@ final class OrderUnderway implements Crew.Performance {
     ACLMessage cancel =
         agent.message(
             ACLMessage.CANCEL,
-            receiver,
+            addressee.orElseThrow(),
             Words.content("cancel", Words.named("order", Words.text(conversation.orElseThrow()))));
     cancel.setConversationId(conversation.orElseThrow());
     agent.send(cancel);

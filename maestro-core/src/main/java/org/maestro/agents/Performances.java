@@ -61,6 +61,22 @@ final class Performances {
   }
 
   void perform(ACLMessage message, Words words) {
+    if (agent.isCutOff()) {
+      agent.reply(
+          message,
+          ACLMessage.FAILURE,
+          Words.content(
+              "inform",
+              Words.named("outcome", Words.name("rejected")),
+              Words.named("begun", Words.name("false")),
+              Words.named(
+                  "problem",
+                  Words.text(
+                      "the agent of "
+                          + member
+                          + " was cut off from the platform, and begins nothing any more"))));
+      return;
+    }
     String name = words.string("feature").orElse("");
     Optional<FeatureType> feature = view.feature(name);
     if (!view.isReady() || feature.isEmpty()) {

@@ -4,6 +4,7 @@ import jade.lang.acl.ACLMessage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.maestro.agents.pulse.Pulse;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.sl.Content;
 
@@ -39,6 +40,11 @@ public final class SupervisorAgent extends MaestroAgent {
     boolean reviveCoordinator();
 
     List<Line> agents();
+
+    /** The supervisor is there, and can hear who is alive. */
+    default void watchOver(Pulse pulse) {
+      // Where nobody is missed nobody is watched.
+    }
   }
 
   private final transient RatsLink link;
@@ -48,6 +54,12 @@ public final class SupervisorAgent extends MaestroAgent {
     super(time);
     this.link = link;
     this.containers = containers;
+  }
+
+  @Override
+  protected void setup() {
+    super.setup();
+    pulse().ifPresent(containers::watchOver);
   }
 
   @Override

@@ -198,7 +198,26 @@ public final class Coordinator {
     roster.present(member, life);
     ports.journal().write(new JournalEntry.MemberCame(member, life));
     comeback.present(member);
-    rivals.run(() -> rivals.all().forEach(pursuit -> pursuit.memberPresent(member)));
+    rivals.run(
+        () -> {
+          rivals.all().forEach(pursuit -> pursuit.memberPresent(member));
+          rivals.all().forEach(pursuit -> pursuit.doubtOver(member));
+        });
+  }
+
+  /**
+   * The member may be gone: nothing is asked of it, and no goal is given up for want of it, until
+   * it is there again or lost.
+   */
+  public void memberDoubted(String member, String reason) {
+    roster.doubt(member, reason);
+  }
+
+  /** The member was there all the time. */
+  public void memberTrusted(String member) {
+    if (roster.trust(member)) {
+      rivals.run(() -> rivals.all().forEach(pursuit -> pursuit.doubtOver(member)));
+    }
   }
 
   /**
@@ -206,7 +225,7 @@ public final class Coordinator {
    * anew.
    */
   public void memberLost(String member, String reason) {
-    if (!roster.isPresent(member)) {
+    if (!roster.isThere(member)) {
       return;
     }
     roster.absent(member, reason, ports.clock().now());
@@ -217,6 +236,7 @@ public final class Coordinator {
         () -> {
           rivals.leases().lost(member);
           rivals.all().forEach(pursuit -> pursuit.memberLost(member));
+          rivals.all().forEach(pursuit -> pursuit.doubtOver(member));
         });
   }
 
@@ -266,6 +286,11 @@ public final class Coordinator {
 
   public boolean isPresent(String member) {
     return roster.isPresent(member);
+  }
+
+  /** Whether the member may be there, and is not counted on until that is certain. */
+  public boolean isDoubted(String member) {
+    return roster.doubts().containsKey(member);
   }
 
   public List<GoalStatus> goals() {

@@ -25,6 +25,7 @@ final class GoalEnding {
   private final Runnable release;
   private final Course course;
   private List<String> whyNot = List.of();
+  private boolean awaitsCertainty;
 
   /**
    * @param release of all that runs for the goal
@@ -77,6 +78,11 @@ final class GoalEnding {
     parts.contention().letGo();
     if (!parts.underway().isEmpty()) {
       life.become(GoalState.WAITING, "what is under way has to end first");
+    } else if (!parts.roster().doubts().isEmpty()) {
+      awaitsCertainty = true;
+      String doubts = String.join("; ", parts.roster().doubts().values());
+      life.become(GoalState.WAITING, doubts);
+      story.awaitsCertainty(doubts);
     } else if (outlook.isConfirming()) {
       noPlanToSeeIt();
     } else if (!outlook.isFindingOut() && lastTry.isLeft(round)) {
@@ -93,6 +99,18 @@ final class GoalEnding {
       } else {
         giveUp(whyNot);
       }
+    }
+  }
+
+  /** Nobody is given up for want of one who may be there; now one of them is, or is lost. */
+  void doubtOver(String member) {
+    if (awaitsCertainty && !life.isOver()) {
+      awaitsCertainty = false;
+      course.makePlan(
+          Optional.of(
+              parts.roster().isPresent(member)
+                  ? member + " is there again"
+                  : member + " is lost (" + parts.roster().absence(member) + ")"));
     }
   }
 

@@ -109,6 +109,11 @@ final class GoalPursuit implements Pursuit, Course {
   }
 
   @Override
+  public void doubtOver(String member) {
+    ending.doubtOver(member);
+  }
+
+  @Override
   public void makePlan(Optional<String> why) {
     planning.makePlan(why);
   }

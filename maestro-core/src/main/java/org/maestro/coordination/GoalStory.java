@@ -127,6 +127,11 @@ final class GoalStory {
             .formatted(String.join(" ", reasons(result)), pause.toSeconds()));
   }
 
+  void awaitsCertainty(String doubts) {
+    tell(
+        StoryEntry.Kind.WAIT, "There is no other way, and it is not given up yet: " + doubts + ".");
+  }
+
   void suspended(String why) {
     tell(StoryEntry.Kind.WAIT, "Stands back: " + why + ".");
   }

@@ -180,6 +180,11 @@ final class HeldPursuit implements Pursuit {
   }
 
   @Override
+  public void doubtOver(String member) {
+    work.told(pursuit -> pursuit.doubtOver(member));
+  }
+
+  @Override
   public Decisions decisions() {
     return work.decisions();
   }

@@ -53,6 +53,11 @@ interface Pursuit {
 
   void memberLost(String member);
 
+  /** It is certain whether a member that was in doubt is there. */
+  default void doubtOver(String member) {
+    // Only who waits for it has anything to do.
+  }
+
   /** Begins what may begin; what a step waits for may have become free. */
   void advance();
 

@@ -6,11 +6,13 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * Which members have an agent that can be asked, and why the others cannot. Owned by the
- * coordinator's thread.
+ * Which members have an agent that can be asked, and why the others cannot. One in doubt is there
+ * as far as anybody knows, and is not counted on until that is certain. Owned by the coordinator's
+ * thread.
  */
 public final class Roster {
   private final SortedMap<String, Optional<String>> absenceByMember = new TreeMap<>();
+  private final SortedMap<String, String> doubtByMember = new TreeMap<>();
   private final SortedMap<String, Optional<String>> lifeByMember = new TreeMap<>();
   private final SortedMap<String, Duration> lostByMember = new TreeMap<>();
 
@@ -23,11 +25,13 @@ public final class Roster {
    */
   public void present(String member, Optional<String> life) {
     absenceByMember.put(member, Optional.empty());
+    doubtByMember.remove(member);
     lifeByMember.put(member, life);
   }
 
   public void absent(String member, String reason) {
     absenceByMember.put(member, Optional.of(reason));
+    doubtByMember.remove(member);
     lostByMember.remove(member);
   }
 
@@ -39,26 +43,55 @@ public final class Roster {
     lostByMember.put(member, at);
   }
 
+  /**
+   * A present member is not counted on for a while.
+   *
+   * @return whether the member is present
+   */
+  boolean doubt(String member, String reason) {
+    boolean there = isThere(member);
+    if (there) {
+      doubtByMember.put(member, reason);
+    }
+    return there;
+  }
+
+  /** Returns whether it was in doubt. */
+  boolean trust(String member) {
+    return doubtByMember.remove(member) != null;
+  }
+
+  /** Why members that may be there are not counted on now, by member. */
+  SortedMap<String, String> doubts() {
+    return new TreeMap<>(doubtByMember);
+  }
+
   /** Why the member cannot be counted on, and since when: {@code lost since 12 s: no power}. */
   public String absence(String member, Duration now) {
     Duration lost = lostByMember.get(member);
-    return lost == null
+    return lost == null || isThere(member)
         ? absence(member)
         : "lost since " + now.minus(lost).toSeconds() + " s: " + absence(member);
   }
 
   public boolean isPresent(String member) {
+    return isThere(member) && !doubtByMember.containsKey(member);
+  }
+
+  /** Whether it is there, or may be. */
+  boolean isThere(String member) {
     return absenceByMember.getOrDefault(member, Optional.of("")).isEmpty();
   }
 
   /** The life that a present member lives; empty when nobody told it. */
   public Optional<String> life(String member) {
-    return isPresent(member)
-        ? lifeByMember.getOrDefault(member, Optional.empty())
-        : Optional.empty();
+    return isThere(member) ? lifeByMember.getOrDefault(member, Optional.empty()) : Optional.empty();
   }
 
   public String absence(String member) {
-    return absenceByMember.getOrDefault(member, Optional.of("never joined")).orElse("present");
+    String doubt = doubtByMember.get(member);
+    return doubt != null
+        ? doubt
+        : absenceByMember.getOrDefault(member, Optional.of("never joined")).orElse("present");
   }
 }

@@ -1,7 +1,6 @@
 package org.maestro.platform;
 
 import jade.core.Profile;
-import jade.core.ProfileImpl;
 import jade.core.Runtime;
 import jade.util.leap.Properties;
 import jade.wrapper.AgentContainer;
@@ -19,8 +18,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
 import org.maestro.agents.MaestroAgent;
+import org.maestro.agents.pulse.PulseService;
 import org.maestro.agents.stepping.SteppedMailService;
 import org.maestro.platform.guard.Guard;
+import org.maestro.platform.wires.WiredProfile;
+import org.maestro.platform.wires.Wires;
 
 /**
  * Starts and ends JADE containers with safe defaults: loopback only, no multicast, no MTP, no files
@@ -39,7 +41,8 @@ final class JadeRuntime {
           ";",
           "jade.core.mobility.AgentMobilityService",
           "jade.core.event.NotificationService",
-          SteppedMailService.class.getName());
+          SteppedMailService.class.getName(),
+          PulseService.class.getName());
 
   private JadeRuntime() {}
 
@@ -47,11 +50,17 @@ final class JadeRuntime {
     return main(platformName, port, fileDirectory, Optional.empty());
   }
 
-  /**
-   * @param guard of a secured site; empty: whoever reaches the port may join
-   */
   static AgentContainer main(
       String platformName, int port, Path fileDirectory, Optional<Guard> guard) {
+    return main(platformName, port, fileDirectory, guard, new Wires());
+  }
+
+  /**
+   * @param guard of a secured site; empty: whoever reaches the port may join
+   * @param wires shared by the platform's containers of this process
+   */
+  static AgentContainer main(
+      String platformName, int port, Path fileDirectory, Optional<Guard> guard, Wires wires) {
     // JADE reads it when its first class loads; without it a process has room for one platform
     // only.
     System.setProperty("jade.enable.multiple.platforms", "true");
@@ -65,7 +74,7 @@ final class JadeRuntime {
     guard.ifPresent(own -> own.listen(properties));
     AgentContainer container;
     synchronized (ONE_AT_A_TIME) {
-      container = Runtime.instance().createMainContainer(new ProfileImpl(properties));
+      container = Runtime.instance().createMainContainer(new WiredProfile(properties, wires));
     }
     if (container == null) {
       throw new PlatformStartException(
@@ -88,6 +97,20 @@ final class JadeRuntime {
       String containerName,
       Path fileDirectory,
       Entry entry) {
+    return join(platformName, host, mainPort, containerName, fileDirectory, entry, new Wires());
+  }
+
+  /**
+   * @param wires shared by the platform's containers of this process
+   */
+  static AgentContainer join(
+      Optional<String> platformName,
+      String host,
+      int mainPort,
+      String containerName,
+      Path fileDirectory,
+      Entry entry,
+      Wires wires) {
     Properties properties = common(fileDirectory);
     properties.setProperty(Profile.MAIN, "false");
     platformName.ifPresent(name -> properties.setProperty(Profile.PLATFORM_ID, name));
@@ -99,7 +122,7 @@ final class JadeRuntime {
     entry.guard().filter(own -> entry.first()).ifPresent(own -> own.listen(properties));
     AgentContainer container;
     synchronized (ONE_AT_A_TIME) {
-      container = Runtime.instance().createAgentContainer(new ProfileImpl(properties));
+      container = Runtime.instance().createAgentContainer(new WiredProfile(properties, wires));
     }
     if (container == null) {
       throw new PlatformStartException(
@@ -183,6 +206,18 @@ final class JadeRuntime {
         () -> {
           LockSupport.parkNanos(sinceNanos + LEAST_AGE.toNanos() - System.nanoTime());
           containers.forEach(JadeRuntime::kill);
+        });
+  }
+
+  /** The same for one that the platform has given up: it may wait for ever, and nobody for it. */
+  static void abandon(AgentContainer container) {
+    endBeside(
+        () -> {
+          try {
+            container.kill();
+          } catch (StaleProxyException e) {
+            // It is gone already, which is what was wanted.
+          }
         });
   }
 

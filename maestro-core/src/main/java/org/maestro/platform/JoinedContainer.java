@@ -192,6 +192,22 @@ public final class JoinedContainer implements AutoCloseable {
     }
   }
 
+  /**
+   * Has the listener told, once, when the platform has given this process up; then this is to be
+   * abandoned, and joined anew by whoever wants to go on.
+   */
+  public void whenGivenUp(Runnable listener) {
+    desk.whenContainerIsGivenUp(listener);
+  }
+
+  /** Ends what is of no use any more, beside the caller, and waits for nobody. */
+  public void abandon() {
+    synchronized (this) {
+      ofTopic.ifPresent(JadeRuntime::abandon);
+    }
+    JadeRuntime.abandon(container);
+  }
+
   @Override
   public void close() {
     synchronized (this) {

@@ -14,10 +14,12 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.maestro.agents.AgentTime;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
@@ -28,11 +30,14 @@ import org.maestro.agents.MaestroAgent;
 import org.maestro.agents.Mind;
 import org.maestro.agents.Past;
 import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.pulse.Condition;
+import org.maestro.agents.pulse.Pulse;
 import org.maestro.coordination.Story;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.ontology.home.Device;
 import org.maestro.planning.Planner;
+import org.maestro.platform.wires.Wires;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.time.Clock;
@@ -55,11 +60,13 @@ public final class MaestroPlatform implements AutoCloseable {
   private final PlatformSettings settings;
   private final AgentTime time;
   private final RatsLink link;
+  private final HeirLinks heirs;
   private final KnowledgeBase knowledge;
   private final BiFunction<String, String, Device> describedBy;
   private final PlatformMemory memory;
   private final Path fileDirectory;
   private final int port;
+  private final Wires wires;
   private final AgentContainer main;
   private final TopicContainers topics;
   private final Mind mind;
@@ -69,6 +76,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private volatile boolean hasCoordinator = true;
   private final DeskAgent desk;
   private volatile boolean closing;
+  private volatile Optional<Pulse> heartbeats = Optional.empty();
   private final Collection<Story> listeners = new ConcurrentLinkedQueue<>();
 
   private MaestroPlatform(
@@ -76,19 +84,23 @@ public final class MaestroPlatform implements AutoCloseable {
       KnowledgeBase knowledge,
       Planner planner,
       RatsLink link,
+      HeirLinks heirs,
       Clock clock,
       BiFunction<String, String, Device> describedBy,
       PlatformMemory memory,
       Path fileDirectory,
       int port,
+      Wires wires,
       AgentContainer main) {
     this.settings = settings;
     this.time = AgentTime.of(clock, settings.patience());
     this.link = link;
+    this.heirs = heirs;
     this.describedBy = describedBy;
     this.memory = memory;
     this.fileDirectory = fileDirectory;
     this.port = port;
+    this.wires = wires;
     this.main = main;
     this.knowledge = knowledge;
     this.topics =
@@ -100,7 +112,8 @@ public final class MaestroPlatform implements AutoCloseable {
                     port,
                     topic,
                     fileDirectory,
-                    new JadeRuntime.Entry(settings.guard(), false)));
+                    new JadeRuntime.Entry(settings.guard(), false),
+                    wires));
     this.mind = new Mind(knowledge, planner, settings.decisionTime());
     this.past = memory.past();
     Past ofCentre = past.ofCentre();
@@ -113,6 +126,7 @@ public final class MaestroPlatform implements AutoCloseable {
    * Boots the platform.
    *
    * @param knowledge of the home whose devices get agents; closed with the platform
+   * @param otherLinks connects under another controller's name, to take over its calls
    * @param describedBy reads a description (first argument) that a member (second) sent
    * @throws PlatformStartException when the port is taken, or there is no display for the GUI
    */
@@ -121,6 +135,7 @@ public final class MaestroPlatform implements AutoCloseable {
       KnowledgeBase knowledge,
       Planner planner,
       RatsLink link,
+      Function<String, RatsLink> otherLinks,
       Clock clock,
       BiFunction<String, String, Device> describedBy) {
     if (settings.gui() && GraphicsEnvironment.isHeadless()) {
@@ -130,10 +145,22 @@ public final class MaestroPlatform implements AutoCloseable {
     int port = JadeRuntime.claim(settings.port());
     PlatformMemory memory = PlatformMemory.open(settings, knowledge, clock);
     Path files = temporaryDirectory();
-    AgentContainer main = JadeRuntime.main(settings.name(), port, files, settings.guard());
+    Wires wires = new Wires();
+    AgentContainer main = JadeRuntime.main(settings.name(), port, files, settings.guard(), wires);
     MaestroPlatform platform =
         new MaestroPlatform(
-            settings, knowledge, planner, link, clock, describedBy, memory, files, port, main);
+            settings,
+            knowledge,
+            planner,
+            link,
+            new HeirLinks(otherLinks),
+            clock,
+            describedBy,
+            memory,
+            files,
+            port,
+            wires,
+            main);
     platform.boot();
     return platform;
   }
@@ -241,7 +268,15 @@ public final class MaestroPlatform implements AutoCloseable {
   }
 
   private GenericAgent agentFor(String member) {
-    return new GenericAgent(time, link, member, describedBy, Optional.of(mind), this::told, past);
+    return agentFor(member, link);
+  }
+
+  private GenericAgent heirFor(String member, String container) {
+    return agentFor(member, heirs.of(container));
+  }
+
+  private GenericAgent agentFor(String member, RatsLink its) {
+    return new GenericAgent(time, its, member, describedBy, Optional.of(mind), this::told, past);
   }
 
   /**
@@ -259,7 +294,9 @@ public final class MaestroPlatform implements AutoCloseable {
     }
     if (topics.endedElsewhere(member)) {
       coordinator.agentMoves(member);
-      Thread starter = new Thread(() -> topics.reclaim(member, this::agentFor), "agent-starter");
+      String container = topics.places().get(member);
+      Thread starter =
+          new Thread(() -> topics.reclaim(member, m -> heirFor(m, container)), "agent-starter");
       starter.setDaemon(true);
       starter.start();
     } else {
@@ -341,6 +378,11 @@ public final class MaestroPlatform implements AutoCloseable {
     return topics.topics();
   }
 
+  /** Whether the containers of the platform give signs of life; empty on a stepped clock. */
+  public SortedMap<String, Condition> containers() {
+    return heartbeats.map(Pulse::containers).orElseGet(TreeMap::new);
+  }
+
   public List<AgentRow> agents() {
     Map<String, RatsLink.Member> members = new TreeMap<>();
     link.members().forEach(member -> members.put(member.id(), member));
@@ -368,6 +410,7 @@ public final class MaestroPlatform implements AutoCloseable {
     closing = true;
     // First, so that what only ends here is not taken for ended for good.
     memory.close();
+    heirs.close();
     List<AgentContainer> containers = new ArrayList<>(topics.close());
     containers.add(main);
     JadeRuntime.end(containers, sinceNanos);
@@ -411,6 +454,7 @@ public final class MaestroPlatform implements AutoCloseable {
 
     private Optional<SupervisorAgent.Handover> release(String topic, String broker) {
       Optional<List<String>> members = topics.release(topic);
+      heirs.letGo(topic);
       members.ifPresent(gone -> gone.forEach(coordinator::agentMoves));
       return members.map(gone -> new SupervisorAgent.Handover(broker, settings.site(), gone));
     }
@@ -418,6 +462,13 @@ public final class MaestroPlatform implements AutoCloseable {
     @Override
     public List<String> topics() {
       return topics.topics();
+    }
+
+    @Override
+    public void watchOver(Pulse pulse) {
+      heartbeats = Optional.of(pulse);
+      pulse.watch(
+          time.clock(), settings.heartbeats(), new Vigil(pulse, wires, topics, () -> coordinator));
     }
 
     @Override

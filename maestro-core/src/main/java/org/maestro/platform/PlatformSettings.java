@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
 import org.maestro.agents.Patience;
+import org.maestro.agents.pulse.HeartbeatSettings;
 import org.maestro.platform.guard.Guard;
 
 /**
@@ -21,6 +22,7 @@ import org.maestro.platform.guard.Guard;
  *     after this one's death; empty: goals end with the platform
  * @param patience of the agents with each other
  * @param guard of a secured site; empty: whoever reaches the port may join and speak as anybody
+ * @param heartbeats when containers and agents are suspected and given up
  */
 public record PlatformSettings(
     String name,
@@ -32,7 +34,8 @@ public record PlatformSettings(
     Optional<Path> storyDirectory,
     Optional<Path> dataDirectory,
     Patience patience,
-    Optional<Guard> guard) {
+    Optional<Guard> guard,
+    HeartbeatSettings heartbeats) {
 
   /** Of a platform whose agents wait for each other as long as usual. */
   public PlatformSettings(
@@ -54,7 +57,8 @@ public record PlatformSettings(
         storyDirectory,
         dataDirectory,
         Patience.standard(),
-        Optional.empty());
+        Optional.empty(),
+        HeartbeatSettings.standard());
   }
 
   /** Of a platform that is guarded. */
@@ -69,7 +73,8 @@ public record PlatformSettings(
         storyDirectory,
         dataDirectory,
         patience,
-        other);
+        other,
+        heartbeats);
   }
 
   /** Of a platform whose goals end with it. */

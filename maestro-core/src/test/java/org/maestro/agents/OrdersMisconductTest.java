@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import jade.lang.acl.ACLMessage;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.BiConsumer;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
@@ -207,6 +209,70 @@ class OrdersMisconductTest {
     assertThat(society.told()).contains("usher has lost its agent while it was at greet");
     assertThat(outcome.took()).isLessThan(WORK);
     assertThat(society.leftover()).isEmpty();
+  }
+
+  /** Its container died, and another agent takes over: the same words, and one report. */
+  @Test
+  void anAgentThatTakesOverIsAskedForTheSameInTheSameWords() {
+    List<String> orders = new ArrayList<>();
+    society.add(
+        "usher",
+        onOrder(
+            (actor, order) -> {
+              orders.add(order.getContent());
+              actor.answer(order, ACLMessage.AGREE, "(perform)");
+              actor.clock().schedule(Duration.ofMillis(50), "test", () -> movesTo(orders));
+            }));
+
+    Society.Outcome outcome = society.pursue(GOAL);
+
+    assertThat(outcome.reached()).as(society.told()).isTrue();
+    assertThat(orders).hasSize(2).allMatch(orders.get(0)::equals);
+    assertThat(society.told()).doesNotContain("lost its agent").doesNotContain("REPLAN");
+    assertThat(society.leftover()).isEmpty();
+  }
+
+  /** Nobody takes over: the order is lost with its agent, and somebody else does it. */
+  @Test
+  void whenNobodyTakesOverAnotherIsOrdered() {
+    society.add(
+        "usher",
+        onOrder(
+            (actor, order) -> {
+              actor.answer(order, ACLMessage.AGREE, "(perform)");
+              actor
+                  .clock()
+                  .schedule(
+                      Duration.ofMillis(50),
+                      "test",
+                      () -> {
+                        society.cca.agentMoves("usher");
+                        society.kill("usher");
+                        society.cca.agentStaysAway("usher", "no host fits");
+                      });
+            }));
+    Actor butler = society.add("butler", at(3));
+
+    Society.Outcome outcome = society.pursue(GOAL);
+
+    assertThat(outcome.reached()).as(society.told()).isTrue();
+    assertThat(butler.heard()).endsWith("request");
+    assertThat(society.leftover()).isEmpty();
+  }
+
+  private void movesTo(List<String> orders) {
+    society.cca.agentMoves("usher");
+    society.kill("usher");
+    society.start(
+        "usher",
+        new Actor(
+            society.time,
+            onOrder(
+                (actor, order) -> {
+                  orders.add(order.getContent());
+                  actor.answer(order, ACLMessage.AGREE, "(perform)");
+                  actor.later(Duration.ofSeconds(1), () -> actor.done(order));
+                })));
   }
 
   /** As the platform does when JADE tells it that an agent has ended. */

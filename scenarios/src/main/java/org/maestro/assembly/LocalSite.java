@@ -22,6 +22,7 @@ import org.maestro.platform.PlatformSettings;
 import org.maestro.platform.guard.Guard;
 import org.maestro.rats.broker.EmbeddedBroker;
 import org.maestro.rats.link.BusLink;
+import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.link.SiteKind;
 import org.maestro.rats.member.CallPolicy;
 import org.maestro.rats.member.MemberProfile;
@@ -158,8 +159,7 @@ public final class LocalSite implements AutoCloseable {
                   return SimulatedHome.start(bus.map(setup::on).orElse(setup));
                 });
     simulated.ifPresent(parts::opened);
-    BusLink link =
-        BusLink.connect(CONTROLLER, settings.name(), transports.apply(CONTROLLER), clock, kind);
+    RatsLink link = link(CONTROLLER);
     parts.opened(link);
     platform =
         MaestroPlatform.start(
@@ -176,10 +176,15 @@ public final class LocalSite implements AutoCloseable {
             knowledge(),
             new ObjectivePlanner(new OptimalPlanner(), settings.allocation()),
             link,
+            this::link,
             clock,
             new DescriptionReader(settings.home().vocabulary())::read);
     parts.opened(platform);
     awaitMembers(opening);
+  }
+
+  private RatsLink link(String controller) {
+    return BusLink.connect(controller, settings.name(), transports.apply(controller), clock, kind);
   }
 
   private KnowledgeBase knowledge() {

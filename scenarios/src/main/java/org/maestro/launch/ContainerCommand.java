@@ -1,17 +1,14 @@
 package org.maestro.launch;
 
-import java.net.URI;
-import java.util.Optional;
+import java.io.PrintWriter;
+import java.time.Duration;
 import java.util.concurrent.Callable;
-import org.maestro.agents.SupervisorAgent;
-import org.maestro.assembly.SiteBus;
-import org.maestro.ontology.home.DescriptionReader;
-import org.maestro.ontology.home.HomeLoader;
-import org.maestro.platform.JoinedContainer;
-import org.maestro.platform.guard.Guard;
-import org.maestro.rats.link.BusLink;
-import org.maestro.rats.security.SiteSecurity;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.locks.LockSupport;
+import org.maestro.platform.PlatformStartException;
 import org.maestro.rats.time.PacedClock;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -23,6 +20,9 @@ import picocli.CommandLine.Spec;
     name = "container",
     description = "Take one of a platform's topical containers over, until Ctrl-C.")
 final class ContainerCommand implements Callable<Integer> {
+  private static final Logger LOG = LoggerFactory.getLogger(ContainerCommand.class);
+  private static final Duration BETWEEN_TRIES = Duration.ofSeconds(1);
+
   @Spec private CommandSpec spec;
 
   @Option(
@@ -41,36 +41,45 @@ final class ContainerCommand implements Callable<Integer> {
       description = "The topic: robots, cameras, lights, sensors.")
   private String name;
 
+  private final PacedClock clock = new PacedClock(1);
+  private final AtomicReference<HostedTopic> hosted = new AtomicReference<>();
+
   @Override
   public Integer call() throws InterruptedException {
-    Endpoint at = Endpoint.parse(main);
-    PacedClock clock = new PacedClock(1);
-    String controller = "container-" + name;
-    Optional<SiteSecurity> files = security.files();
-    JoinedContainer container =
-        JoinedContainer.join(
-            Optional.empty(),
-            at.host(),
-            at.port(),
-            name + "-hand-over",
-            clock,
-            files.map(site -> Guard.open(site, controller)));
-    SupervisorAgent.Handover handover = container.take(name);
-    URI broker = Endpoint.broker(handover.brokerUri());
-    SiteBus bus = new SiteBus(broker, handover.site(), files);
-    BusLink link =
-        BusLink.connect(
-            controller, handover.site(), bus.transports().apply(controller), clock, bus.kind());
-    container.host(
-        name, handover.members(), link, new DescriptionReader(new HomeLoader().vocabulary())::read);
-    UntilStopped.run(
-        spec.commandLine().getOut(),
-        "The container %s runs here, with %s."
-            .formatted(name, String.join(", ", handover.members())),
-        () -> {
-          container.close();
-          link.close();
-        });
+    begin();
+    UntilStopped.run(spec.commandLine().getOut(), announcement(), () -> hosted.get().close());
     return ExitCode.DONE;
+  }
+
+  private void begin() {
+    HostedTopic begun = HostedTopic.begin(Endpoint.parse(main), name, clock, security.files());
+    hosted.set(begun);
+    begun.whenGivenUp(
+        () -> {
+          Thread joining = new Thread(() -> joinAgain(begun), "joining-again");
+          joining.setDaemon(true);
+          joining.start();
+        });
+  }
+
+  private String announcement() {
+    return "The container %s runs here, with %s."
+        .formatted(name, String.join(", ", hosted.get().members()));
+  }
+
+  /** It was frozen or cut off, and others act in its place now. */
+  private void joinAgain(HostedTopic former) {
+    PrintWriter out = spec.commandLine().getOut();
+    out.println("The platform has given the container " + name + " up; it joins again.");
+    former.abandon();
+    while (hosted.get() == former) {
+      try {
+        begin();
+        out.println(announcement());
+      } catch (PlatformStartException | CommandException e) {
+        LOG.info("{} cannot join yet: {}", name, e.getMessage());
+        LockSupport.parkNanos(BETWEEN_TRIES.toNanos());
+      }
+    }
   }
 }

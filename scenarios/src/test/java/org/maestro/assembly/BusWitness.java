@@ -57,7 +57,7 @@ public final class BusWitness implements AutoCloseable {
           }
         });
     transport.subscribe(
-        topics.results("maestro"),
+        topics.results("+"),
         Transport.RetainedMessages.IGNORE,
         message -> ended(wire.decodeResult(message.payload())));
     transport.open(

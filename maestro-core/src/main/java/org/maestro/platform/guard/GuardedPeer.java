@@ -14,6 +14,7 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import javax.net.ssl.SSLServerSocket;
+import org.maestro.platform.wires.Wires;
 import org.maestro.rats.security.SecurityFilesException;
 
 /**
@@ -24,12 +25,14 @@ public final class GuardedPeer extends JICPPeer {
   private static final int BACKLOG = 50;
 
   private Guard guard;
+  private Wires wires = new Wires();
 
   @Override
   public TransportAddress activate(ICP.Listener listener, String peer, Profile profile)
       throws ICPException {
     try {
       guard = Guard.of(profile);
+      wires = Wires.of(profile);
     } catch (SecurityFilesException unusable) {
       throw new ICPException(unusable.getMessage(), unusable);
     }
@@ -38,6 +41,11 @@ public final class GuardedPeer extends JICPPeer {
 
   @Override
   public ConnectionFactory getConnectionFactory() {
+    ConnectionFactory guarded = guarded();
+    return wires.factory(guarded::createConnection, guarded);
+  }
+
+  private ConnectionFactory guarded() {
     return new ConnectionFactory() {
       @Override
       public Connection createConnection(Socket admitted) {

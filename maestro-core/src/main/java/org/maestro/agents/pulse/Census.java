@@ -1,0 +1,74 @@
+package org.maestro.agents.pulse;
+
+import java.time.Duration;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.function.Consumer;
+
+/**
+ * Whether the agents of one container do their work: each is given something to do now and then,
+ * and has to have done it. Any thread may call.
+ */
+final class Census {
+  /** Ten thousand agents are not woken all at once. */
+  private static final int MOST_ASKED = 250;
+
+  private final SortedMap<String, Asked> agents = new ConcurrentSkipListMap<>();
+  private String last = "";
+
+  private static final class Asked {
+    private final Consumer<Runnable> tell;
+    private volatile long unansweredSinceMillis = -1;
+
+    private Asked(Consumer<Runnable> tell) {
+      this.tell = tell;
+    }
+  }
+
+  void enlist(String name, Consumer<Runnable> tell) {
+    agents.put(name, new Asked(tell));
+  }
+
+  void leave(String name) {
+    agents.remove(name);
+  }
+
+  /** Asks those whose turn it is. */
+  synchronized void ask(Duration now) {
+    int asked = 0;
+    for (String name : agents.tailMap(last + '\0').keySet()) {
+      if (++asked > MOST_ASKED) {
+        return;
+      }
+      last = name;
+      ask(agents.get(name), now);
+    }
+    last = "";
+  }
+
+  private static void ask(Asked agent, Duration now) {
+    if (agent != null && agent.unansweredSinceMillis < 0) {
+      agent.unansweredSinceMillis = now.toMillis();
+      agent.tell.accept(() -> agent.unansweredSinceMillis = -1);
+    }
+  }
+
+  /** Those who have been silent for the period or longer, and for how long. */
+  SortedMap<String, Duration> silent(Duration now, Duration period) {
+    SortedMap<String, Duration> silent = new TreeMap<>();
+    agents.forEach(
+        (name, agent) -> {
+          Duration silence = silence(agent, now);
+          if (silence.compareTo(period) >= 0) {
+            silent.put(name, silence);
+          }
+        });
+    return silent;
+  }
+
+  private static Duration silence(Asked agent, Duration now) {
+    long since = agent.unansweredSinceMillis;
+    return since < 0 ? Duration.ZERO : now.minusMillis(since);
+  }
+}

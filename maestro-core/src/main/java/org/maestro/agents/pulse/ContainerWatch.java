@@ -1,0 +1,164 @@
+package org.maestro.agents.pulse;
+
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.maestro.rats.time.Clock;
+
+/** The watch of a main container over all containers. Any thread may call. */
+final class ContainerWatch {
+  private static final int REMEMBERED = 10_000;
+
+  private final Clock clock;
+  private final HeartbeatSettings settings;
+  private final Watcher watcher;
+  private final Heartbeats containers;
+  private final Map<String, String> lifeByContainer = new TreeMap<>();
+  private final Map<String, Duration> silenceByAgent = new TreeMap<>();
+  private final SortedMap<String, Condition> conditionByAgent = new TreeMap<>();
+  private final Map<String, Report> reportByContainer = new TreeMap<>();
+  private final Map<String, String> givenUp =
+      new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, String> eldest) {
+          return size() > REMEMBERED;
+        }
+      };
+  private volatile boolean ended;
+
+  ContainerWatch(Clock clock, HeartbeatSettings settings, Watcher watcher) {
+    this.clock = clock;
+    this.settings = settings;
+    this.watcher = watcher;
+    this.containers = new Heartbeats(settings, now());
+  }
+
+  void begin() {
+    tick();
+  }
+
+  void end() {
+    ended = true;
+  }
+
+  private Duration now() {
+    return Duration.ofNanos(Math.round(clock.now().toNanos() / clock.speed()));
+  }
+
+  private void tick() {
+    clock.schedule(
+        Duration.ofNanos(Math.round(settings.period().toNanos() * clock.speed())),
+        "watch",
+        () -> {
+          if (!ended) {
+            check();
+            tick();
+          }
+        });
+  }
+
+  synchronized Confirmation heard(String container, String life, Report report) {
+    if (givenUp.containsKey(life)) {
+      return Confirmation.of(settings, false);
+    }
+    String before = lifeByContainer.put(container, life);
+    if (!life.equals(before)) {
+      containers.forget(container);
+      if (before != null) {
+        givenUp.put(before, container);
+      }
+    }
+    containers.heard(container, now());
+    reportByContainer.put(container, report);
+    return Confirmation.of(settings, true);
+  }
+
+  /** JADE says that the container is no more; it may have ended as it should. */
+  synchronized void ended(String container) {
+    String life = lifeByContainer.remove(container);
+    if (life != null) {
+      givenUp.put(life, container);
+    }
+    containers.forget(container);
+    reportByContainer.remove(container);
+  }
+
+  private void check() {
+    List<Heartbeats.Change> changed = checkContainers();
+    changed.forEach(change -> watcher.container(change.name(), change.now(), change.silence()));
+    checkAgents();
+  }
+
+  private synchronized List<Heartbeats.Change> checkContainers() {
+    List<Heartbeats.Change> changed = containers.check(now());
+    for (Heartbeats.Change change : changed) {
+      if (change.now() == Condition.LOST) {
+        String life = lifeByContainer.remove(change.name());
+        if (life != null) {
+          givenUp.put(life, change.name());
+        }
+      }
+    }
+    return changed;
+  }
+
+  private void checkAgents() {
+    Map<String, Condition> changed = new TreeMap<>();
+    synchronized (this) {
+      silenceByAgent.clear();
+      reportByContainer.forEach(
+          (container, report) -> {
+            if (lifeByContainer.containsKey(container)) {
+              silenceByAgent.putAll(report.silences());
+            }
+          });
+      for (Map.Entry<String, Duration> entry : silenceByAgent.entrySet()) {
+        note(entry.getKey(), condition(entry.getValue()), changed);
+      }
+      conditionByAgent.keySet().stream()
+          .filter(agent -> !silenceByAgent.containsKey(agent))
+          .toList()
+          .forEach(agent -> note(agent, Condition.ALIVE, changed));
+    }
+    changed.forEach(
+        (agent, now) ->
+            watcher.agent(agent, now, silenceByAgent.getOrDefault(agent, Duration.ZERO)));
+  }
+
+  private void note(String agent, Condition now, Map<String, Condition> changed) {
+    if (conditionByAgent.getOrDefault(agent, Condition.ALIVE) != now) {
+      changed.put(agent, now);
+    }
+    if (now == Condition.ALIVE) {
+      conditionByAgent.remove(agent);
+    } else {
+      conditionByAgent.put(agent, now);
+    }
+  }
+
+  private Condition condition(Duration silence) {
+    if (silence.compareTo(settings.lostAfter()) >= 0) {
+      return Condition.LOST;
+    }
+    return silence.compareTo(settings.suspectedAfter()) >= 0
+        ? Condition.SUSPECTED
+        : Condition.ALIVE;
+  }
+
+  /** Where the container's process was reached, as it said itself. */
+  synchronized List<String> addresses(String container) {
+    return Optional.ofNullable(reportByContainer.get(container))
+        .map(Report::addresses)
+        .orElse(List.of());
+  }
+
+  SortedMap<String, Condition> containers() {
+    return containers.conditions();
+  }
+}

@@ -1,0 +1,215 @@
+package org.maestro.agents.pulse;
+
+import jade.core.Agent;
+import jade.core.AgentContainer;
+import jade.core.BaseService;
+import jade.core.Filter;
+import jade.core.HorizontalCommand;
+import jade.core.IMTPException;
+import jade.core.Node;
+import jade.core.NodeDescriptor;
+import jade.core.Profile;
+import jade.core.ProfileException;
+import jade.core.Service;
+import jade.core.ServiceException;
+import jade.core.ServiceHelper;
+import jade.core.VerticalCommand;
+import jade.mtp.TransportAddress;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import org.maestro.rats.time.Clock;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A JADE kernel service, which is in every container: gives its signs of life, and in the main
+ * container hears those of all. JADE makes it by its class name.
+ */
+public final class PulseService extends BaseService {
+  /** JADE finds {@link PulseProxy} by it. */
+  public static final String NAME = "org.maestro.agents.pulse.Pulse";
+
+  private static final Logger LOG = LoggerFactory.getLogger(PulseService.class);
+
+  private final PulseSlice slice = new Local();
+  private final Filter nodes = new Nodes();
+  private final OwnPulse own = new OwnPulse(this::beat);
+  private volatile Optional<ContainerWatch> watch = Optional.empty();
+  private volatile AgentContainer container;
+
+  @Override
+  public String getName() {
+    return NAME;
+  }
+
+  @Override
+  public void init(AgentContainer its, Profile profile) throws ProfileException {
+    super.init(its, profile);
+    container = its;
+  }
+
+  @Override
+  public Class<?> getHorizontalInterface() {
+    return PulseSlice.class;
+  }
+
+  @Override
+  public Service.Slice getLocalSlice() {
+    return slice;
+  }
+
+  @Override
+  public Filter getCommandFilter(boolean direction) {
+    return direction == Filter.INCOMING ? nodes : null;
+  }
+
+  @Override
+  public ServiceHelper getHelper(Agent agent) {
+    return new Helper();
+  }
+
+  @Override
+  public void shutdown() {
+    own.end();
+    watch.ifPresent(ContainerWatch::end);
+    super.shutdown();
+  }
+
+  private String beat(String life, SortedMap<String, Duration> silent)
+      throws IMTPException, ServiceException {
+    PulseSlice main = (PulseSlice) getSlice(MAIN_SLICE);
+    if (main == null) {
+      throw new ServiceException("There is no main container");
+    }
+    return main.beat(
+        container.getID().getName(), life, new Report(localAddresses(), silent).write());
+  }
+
+  private List<String> localAddresses() {
+    List<String> addresses = new ArrayList<>();
+    try {
+      for (Object address : getIMTPManager().getLocalAddresses().toArray()) {
+        TransportAddress one = (TransportAddress) address;
+        addresses.add(one.getHost() + ":" + one.getPort());
+      }
+    } catch (IMTPException e) {
+      LOG.debug("JADE does not tell where it listens", e);
+    }
+    return addresses;
+  }
+
+  private String heard(String name, String life, String report) {
+    return watch
+        .map(watching -> watching.heard(name, life, Report.read(report)))
+        .orElseGet(() -> Confirmation.of(HeartbeatSettings.standard(), true))
+        .write();
+  }
+
+  private final class Helper implements Pulse {
+    @Override
+    public void init(Agent agent) {
+      // Who enlists says its name.
+    }
+
+    @Override
+    public void enlist(String name, Consumer<Runnable> tell, Clock clock) {
+      own.enlist(name, tell, clock);
+    }
+
+    @Override
+    public void leave(String name) {
+      own.leave(name);
+    }
+
+    @Override
+    public boolean isCutOff() {
+      return own.isCutOff();
+    }
+
+    @Override
+    public void whenGivenUp(Runnable listener) {
+      own.whenGivenUp(listener);
+    }
+
+    @Override
+    public void watch(Clock clock, HeartbeatSettings settings, Watcher watcher) {
+      ContainerWatch watching = new ContainerWatch(clock, settings, watcher);
+      watch = Optional.of(watching);
+      watching.begin();
+    }
+
+    @Override
+    public List<String> addresses(String name) {
+      List<String> own = localAddresses();
+      return watch.map(watching -> watching.addresses(name)).orElse(List.of()).stream()
+          .filter(address -> !own.contains(address))
+          .toList();
+    }
+
+    @Override
+    public SortedMap<String, Condition> containers() {
+      return watch
+          .map(ContainerWatch::containers)
+          .orElseGet(() -> Collections.unmodifiableSortedMap(new TreeMap<>()));
+    }
+  }
+
+  /** JADE tells of each container that ends, also with its process. */
+  private final class Nodes extends Filter {
+    @Override
+    protected boolean accept(VerticalCommand command) {
+      if (command.getName().equals(DEAD_NODE)
+          && command.getParam(0) instanceof NodeDescriptor node
+          && node.getContainer() != null) {
+        watch.ifPresent(watching -> watching.ended(node.getContainer().getName()));
+      }
+      return true;
+    }
+  }
+
+  private final class Local implements PulseSlice {
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public Service getService() {
+      return PulseService.this;
+    }
+
+    @Override
+    public Node getNode() throws ServiceException {
+      try {
+        return getLocalNode();
+      } catch (IMTPException e) {
+        throw new ServiceException("The container has no node", e);
+      }
+    }
+
+    @Override
+    public VerticalCommand serve(HorizontalCommand command) {
+      if (command.getName().equals(BEAT)) {
+        try {
+          command.setReturnValue(
+              heard(
+                  (String) command.getParam(0),
+                  (String) command.getParam(1),
+                  (String) command.getParam(2)));
+        } catch (IllegalArgumentException e) {
+          LOG.debug("A sign of life cannot be read", e);
+          command.setReturnValue(e);
+        }
+      }
+      return null;
+    }
+
+    @Override
+    public String beat(String name, String life, String report) {
+      return heard(name, life, report);
+    }
+  }
+}

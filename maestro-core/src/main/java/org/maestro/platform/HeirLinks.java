@@ -1,0 +1,52 @@
+package org.maestro.platform;
+
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Function;
+import org.maestro.rats.link.RatsLink;
+
+/**
+ * Links to the bus under the names of containers that are no more. Members know a call again by its
+ * caller's name; an agent that takes over calls by that of the one before it, so that what was
+ * under way is heard of, and not done twice. On a broker one connection has a name at a time, so
+ * the one before it is shut out. Thread-safe.
+ */
+final class HeirLinks implements AutoCloseable {
+  private final Function<String, RatsLink> connect;
+  private final Map<String, RatsLink> linkByContainer = new TreeMap<>();
+  private boolean closed;
+
+  /**
+   * @param connect makes a link for a controller
+   */
+  HeirLinks(Function<String, RatsLink> connect) {
+    this.connect = connect;
+  }
+
+  /** What a container's link is called on the bus. */
+  static String controller(String container) {
+    return "container-" + container;
+  }
+
+  synchronized RatsLink of(String container) {
+    if (closed) {
+      throw new PlatformStartException("The platform ends; nobody takes over " + container + ".");
+    }
+    return linkByContainer.computeIfAbsent(container, c -> connect.apply(controller(c)));
+  }
+
+  /** The container is there again, under its own name. */
+  synchronized void letGo(String container) {
+    RatsLink link = linkByContainer.remove(container);
+    if (link != null) {
+      link.close();
+    }
+  }
+
+  @Override
+  public synchronized void close() {
+    closed = true;
+    linkByContainer.values().forEach(RatsLink::close);
+    linkByContainer.clear();
+  }
+}

@@ -1,0 +1,28 @@
+package org.maestro.platform.wires;
+
+import jade.core.Profile;
+import jade.imtp.leap.ICP;
+import jade.imtp.leap.ICPException;
+import jade.imtp.leap.JICP.ConnectionFactory;
+import jade.imtp.leap.JICP.JICPPeer;
+import jade.mtp.TransportAddress;
+
+/**
+ * JADE's own transport between containers, over connections that can be cut. JADE makes it by its
+ * class name; it finds the {@link Wires} in the profile, which has to be a {@link WiredProfile}.
+ */
+public final class CuttablePeer extends JICPPeer {
+  private Wires wires = new Wires();
+
+  @Override
+  public TransportAddress activate(ICP.Listener listener, String peer, Profile profile)
+      throws ICPException {
+    wires = Wires.of(profile);
+    return super.activate(listener, peer, profile);
+  }
+
+  @Override
+  public ConnectionFactory getConnectionFactory() {
+    return wires.factory(CuttableConnection::new, super.getConnectionFactory());
+  }
+}
