@@ -53,11 +53,7 @@ final class AclCrew implements Crew {
     }
     OrderUnderway performance =
         new OrderUnderway(
-            agent,
-            () -> agentOf.apply(member),
-            order,
-            clientOf.apply(order.goalId()),
-            misconduct);
+            agent, () -> agentOf.apply(member), order, clientOf.apply(order.goalId()), misconduct);
     underway.put(performance, member);
     performance.reportTo(
         report -> {

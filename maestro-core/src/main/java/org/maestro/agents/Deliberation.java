@@ -44,7 +44,8 @@ final class Deliberation {
     this.agent = agent;
     this.mind = mind;
     Clients clients = new Clients(mind.knowledge(), this::requester, misconduct);
-    this.crew = new AclCrew(agent, this::agentOf, this::isDoubted, contracts, misconduct, clients::of);
+    this.crew =
+        new AclCrew(agent, this::agentOf, this::isDoubted, contracts, misconduct, clients::of);
     Market market =
         new PermittedMarket(new AclMarket(agent, this::agentOf, contracts, misconduct), clients);
     this.coordinator = new Coordinator(ports(clock, market, crew, story, journal));
