@@ -44,11 +44,13 @@ import org.maestro.sl.SlParser;
 @Isolated("its time is wall time, which others beside it would take")
 class LostContainerTest {
   private static final double SPEED = 10;
-  private static final String SITE = "lost-container";
   private static final String ROBOT = "rose";
   private static final Set<String> DEEDS = Set.of("pickUp", "placeAt");
 
   @TempDir Path directory;
+
+  /** Platforms of one name in one process, one after the other, get into each other's way. */
+  private String name = "";
 
   @Test
   void bobGetsHisCupThoughTheProcessOfTheRobotsAgentIsKilled() throws Exception {
@@ -95,11 +97,13 @@ class LostContainerTest {
   private record Measured(double noticedSeconds, double agentBackSeconds, double goalSeconds) {}
 
   private Measured bobsCup(Disturbance disturbance) throws Exception {
+    name = "lost-" + Long.toString(System.nanoTime(), Character.MAX_RADIX);
     try (EmbeddedBroker broker = EmbeddedBroker.start();
         LocalSite site = LocalSite.paced(settings(broker), SPEED);
-        BusWitness witness = BusWitness.listen(new PahoTransport(broker.uri(), "witness"), SITE);
+        BusWitness witness = BusWitness.listen(new PahoTransport(broker.uri(), "witness"), name);
         JavaProcess robots = take(site)) {
-      until(() -> robots.output().contains("The container robots runs here"));
+      until(() -> robots.output().contains("The container robots runs here") || !robots.isAlive());
+      assertThat(robots.isAlive()).as(robots::errors).isTrue();
       until(() -> site.platform().presentMembers().contains(ROBOT));
       ConcurrentLinkedQueue<StoryEntry> story = new ConcurrentLinkedQueue<>();
       CompletableFuture<Void> atWork = new CompletableFuture<>();
@@ -165,10 +169,10 @@ class LostContainerTest {
     }
   }
 
-  private static SiteSettings settings(EmbeddedBroker broker) {
+  private SiteSettings settings(EmbeddedBroker broker) {
     Home home = new HomeLoader().load(text("/homes/bob.ttl"), "bob.ttl");
     return new SiteSettings(
-        SITE,
+        name,
         home,
         Optional.of(SceneLoader.load("bob-dark", resource("/scenes/bob-dark.ttl"), home)),
         1,
