@@ -2,6 +2,7 @@ package org.maestro.planning;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
@@ -17,6 +18,9 @@ import java.util.PriorityQueue;
 final class OptimalSearch {
   /** Sums of costs that differ by less are equal. */
   private static final double GRAIN = 1e9;
+
+  /** Up to so many it takes longer to leave orders of operators out than to search them. */
+  private static final int FEW_STATES = 500;
 
   /** No estimate was made yet. */
   private static final double UNEVALUATED = -1;
@@ -66,9 +70,11 @@ final class OptimalSearch {
   private final double mostCost;
   private final double haste;
   private final SettledSums sums;
+  private final BitSet all = new BitSet();
   private final Map<State, Node> nodes = new HashMap<>();
   private final PriorityQueue<Entry> queue = new PriorityQueue<>();
   private long sequence;
+  private StubbornSets stubborn;
 
   /**
    * @param mostStates kept at once
@@ -86,6 +92,7 @@ final class OptimalSearch {
     this.mostStates = mostStates;
     this.mostCost = mostCost;
     this.sums = new SettledSums(heuristic.settings(), problem.initial().numbers());
+    this.all.set(0, problem.operators().size());
   }
 
   /** A search for some plan, which may cost up to that many times as much as the cheapest. */
@@ -141,7 +148,8 @@ final class OptimalSearch {
   private void expand(Node node, long totalBefore) {
     int[] landmarks = node.landmarks;
     node.landmarks = new int[0];
-    for (int i = 0; i < problem.operators().size(); i++) {
+    BitSet enough = nodes.size() > FEW_STATES ? stubborn().of(node.state) : all;
+    for (int i = enough.nextSetBit(0); i >= 0; i = enough.nextSetBit(i + 1)) {
       Operator operator = problem.operators().get(i);
       if (Successors.isApplicable(operator, node.state)) {
         State after = sums.settled(Successors.after(operator, node.state));
@@ -153,6 +161,13 @@ final class OptimalSearch {
         }
       }
     }
+  }
+
+  private StubbornSets stubborn() {
+    if (stubborn == null) {
+      stubborn = new StubbornSets(problem);
+    }
+    return stubborn;
   }
 
   private void reach(

@@ -1,9 +1,11 @@
 package org.maestro.planning;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.PriorityQueue;
+import java.util.function.Function;
 
 /**
  * Uniform-cost search over all ground operators, without relevance, pruning or heuristic: slow and
@@ -19,6 +21,16 @@ final class ExhaustiveSearch {
    * say.
    */
   static OptionalDouble cheapest(GroundProblem problem, int mostStates) {
+    return cheapest(problem, mostStates, state -> problem.operators());
+  }
+
+  /**
+   * The same, where from each state it goes on with some operators only.
+   *
+   * @param going also with operators that are not possible in the state
+   */
+  static OptionalDouble cheapest(
+      GroundProblem problem, int mostStates, Function<State, List<Operator>> going) {
     PriorityQueue<Entry> queue = new PriorityQueue<>((a, b) -> Double.compare(a.cost(), b.cost()));
     Map<State, Double> best = new HashMap<>();
     queue.add(new Entry(0, problem.initial()));
@@ -34,7 +46,7 @@ final class ExhaustiveSearch {
       if (best.size() > mostStates) {
         return OptionalDouble.of(Double.NaN);
       }
-      for (Operator operator : problem.operators()) {
+      for (Operator operator : going.apply(entry.state())) {
         if (Successors.isApplicable(operator, entry.state())) {
           State after = Successors.after(operator, entry.state());
           double cost = entry.cost() + operator.price().cost(entry.state().numbers());
