@@ -14,6 +14,7 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import org.apache.jena.graph.NodeFactory;
 import org.apache.jena.sparql.core.Quad;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
@@ -34,6 +35,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private final Clock clock;
   private final Function<Home, Measures> measures;
   private final GraphStorage storage;
+  private final KnowledgeSettings settings;
   private final Instant opened;
   private final Lock writing = new ReentrantLock();
   private final List<Consumer<Change>> listeners = new CopyOnWriteArrayList<>();
@@ -47,7 +49,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
 
   /** A knowledge base in memory. */
   public CollectiveKnowledge(Home home, Clock clock) {
-    this(home, clock, HomeMeasures::new, new MemoryStorage(), KnowledgeSettings.inMemory());
+    this(home, clock, HomeMeasures::new, GraphStorage.open(Store.IN_MEMORY), KnowledgeSettings.inMemory());
   }
 
   CollectiveKnowledge(
@@ -61,6 +63,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     this.clock = clock;
     this.measures = measures;
     this.storage = storage;
+    this.settings = settings;
     this.opened = clock.instant();
     this.ageing = new Ageing(clock, this::age);
     this.world = World.of(home, measures.apply(home));
@@ -79,39 +82,54 @@ public final class CollectiveKnowledge implements KnowledgeBase {
    * A knowledge base that knows what was said before a restart. What was believed then is not
    * believed any more, only remembered: nobody can tell what happened meanwhile.
    *
-   * @throws KnowledgeException when the directory of its settings cannot be used
+   * @throws KnowledgeException when the directory or the store of its settings cannot be used
    */
   public static CollectiveKnowledge open(Home home, Clock clock, KnowledgeSettings settings) {
     CollectiveKnowledge knowledge =
-        new CollectiveKnowledge(home, clock, HomeMeasures::new, new MemoryStorage(), settings);
+        new CollectiveKnowledge(home, clock, HomeMeasures::new, GraphStorage.open(settings.store()), settings);
     knowledge.restore();
     return knowledge;
   }
 
   void restore() {
-    if (file.isEmpty()) {
+    if (file.isEmpty() && !storage.isLasting()) {
       return;
     }
     Instant now = clock.instant();
+    Graphs graphs = new Graphs(world.home());
+    StoredHistory stored = new StoredHistory(storage, graphs);
     Map<Long, Outcome.News> read = new LinkedHashMap<>();
     Cells[] cells = {world.cells()};
-    file.get()
-        .read(
-            now,
-            line -> {
-              Remembered old = Remembered.of(world.declarations(), line.belief(), serial++);
-              if (line.believed() && old.has()) {
-                cells[0] = cells[0].with(old.variable(), Cell.remembered(old.held()));
-              }
-              read.put(old.held().serial(), old.news());
-              note(old.news(), line.belief(), now).forEach(gone -> read.remove(gone.serial()));
-            });
+    Consumer<HistoryFile.Line> remember =
+        line -> {
+          Remembered old = Remembered.of(world.declarations(), line.belief(), serial++);
+          if (line.believed() && old.has()) {
+            cells[0] = cells[0].with(old.variable(), Cell.remembered(old.held()));
+          }
+          read.put(old.held().serial(), old.news());
+          note(old.news(), line.belief(), now).forEach(gone -> read.remove(gone.serial()));
+        };
+    file.ifPresentOrElse(
+        kept -> kept.read(now, remember),
+        () -> stored.read(now.minus(settings.kept()), now).forEach(remember));
     world = world.with(cells[0], world.version());
-    Graphs graphs = new Graphs(world.home());
-    storage.commit(
-        List.of(),
-        List.of(),
-        read.values().stream().flatMap(news -> graphs.provenance(news).stream()).toList());
+    List<Quad> statements =
+        read.values().stream().flatMap(news -> graphs.provenance(news).stream()).toList();
+    List<GraphStorage.Edit> edits = new ArrayList<>();
+    edits.add(new GraphStorage.Edit.Replacement(graphs.worldGraph(), List.of()));
+    edits.add(
+        new GraphStorage.Edit.Replacement(
+            graphs.observationsGraph(), statements.stream().map(Quad::asTriple).toList()));
+    stored
+        .otherMembers(
+            world.home().devices().keySet().stream()
+                .map(member -> graphs.memberGraph(member).getURI())
+                .toList())
+        .forEach(
+            gone ->
+                edits.add(
+                    new GraphStorage.Edit.Replacement(NodeFactory.createURI(gone), List.of())));
+    storage.apply(edits);
   }
 
   @Override

@@ -1,5 +1,6 @@
 package org.maestro.knowledge;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import org.apache.jena.graph.Node;
@@ -11,20 +12,66 @@ import org.apache.jena.sparql.core.Quad;
  * one transaction.
  */
 interface GraphStorage extends AutoCloseable {
-
-  /** Puts the triples in the place of all that is in the graph. */
-  void replace(Node graph, List<Triple> triples);
+  /** How long who reads waits for a slow storage. */
+  Duration PATIENCE = Duration.ofSeconds(20);
 
   /**
-   * @param forgotten subjects whose statements go, whole, from the graph given with them
+   * What is slow is written beside those who write.
+   *
+   * @throws KnowledgeException when it cannot be used
    */
-  void commit(List<Quad> removed, List<Subject> forgotten, List<Quad> added);
+  static GraphStorage open(Store store) {
+    if (store instanceof Store.OnDisk disk) {
+      return new WriteBehind(DatasetStorage.onDisk(disk.directory()), PATIENCE).begin();
+    } else if (store instanceof Store.Endpoint endpoint) {
+      return new WriteBehind(
+              EndpointStorage.open(endpoint.queries(), endpoint.updates()), PATIENCE)
+          .begin();
+    }
+    return DatasetStorage.inMemory();
+  }
+
+  /** Makes the edits, in order. */
+  void apply(List<Edit> edits);
 
   /** Rows of a SPARQL SELECT over all graphs, each by variable; terms as IRIs or lexical forms. */
   List<Map<String, String>> select(String query);
 
+  /** Whether the dataset is still there when the process is not. */
+  boolean isLasting();
+
   @Override
   void close();
+
+  /** Puts the triples in the place of all that is in the graph. */
+  default void replace(Node graph, List<Triple> triples) {
+    apply(List.of(new Edit.Replacement(graph, triples)));
+  }
+
+  /**
+   * @param forgotten subjects whose statements go, whole, from the graph given with them
+   */
+  default void commit(List<Quad> removed, List<Subject> forgotten, List<Quad> added) {
+    apply(List.of(new Edit.Change(removed, forgotten, added)));
+  }
+
+  /** What is written at once. */
+  sealed interface Edit {
+    /** All that is in the graph from now on. */
+    record Replacement(Node graph, List<Triple> triples) implements Edit {
+      public Replacement {
+        triples = List.copyOf(triples);
+      }
+    }
+
+    record Change(List<Quad> removed, List<Subject> forgotten, List<Quad> added) implements Edit {
+      public Change {
+        removed = List.copyOf(removed);
+        forgotten = List.copyOf(forgotten);
+        added = List.copyOf(added);
+      }
+    }
+  }
 
   /** All statements of a subject in a graph. */
   record Subject(Node graph, Node subject) {}

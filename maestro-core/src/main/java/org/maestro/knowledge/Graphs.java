@@ -143,9 +143,36 @@ final class Graphs {
         sosa("resultTime"),
         NodeFactory.createLiteralDT(since.toString(), XSDDatatype.XSDdateTime));
     add(quads, observation, prov("wasAttributedTo"), node(new Term.Name(source.agent())));
+    add(quads, observation, maestro("sourceName"), text(source.agent()));
     add(quads, observation, maestro("sourceKind"), text(source.kind().name()));
     add(quads, observation, maestro("confidence"), node(new Term.Number(news.held().confidence())));
     return quads;
+  }
+
+  /** All statements that are kept, and which of them are believed. */
+  String statementsQuery() {
+    return """
+    SELECT ?statement ?fact ?agent ?kind ?time ?confidence ?believed WHERE {
+      GRAPH <%s> {
+        ?statement <%sfact> ?fact ; <%ssourceName> ?agent ; <%ssourceKind> ?kind ;
+          <%sresultTime> ?time ; <%sconfidence> ?confidence }
+      OPTIONAL { GRAPH <%s> { ?statement <%sfact> ?believed } } }
+    """
+        .formatted(
+            observationsGraph().getURI(),
+            MAESTRO,
+            MAESTRO,
+            MAESTRO,
+            SOSA,
+            MAESTRO,
+            worldGraph().getURI(),
+            MAESTRO);
+  }
+
+  /** The graphs in which members are described. */
+  String membersQuery() {
+    return "SELECT DISTINCT ?graph WHERE { GRAPH ?graph { ?s ?p ?o } FILTER(STRSTARTS(STR(?graph), \"%s\")) }"
+        .formatted(memberGraph("").getURI());
   }
 
   private Optional<Triple> plain(Outcome.News news) {

@@ -11,9 +11,11 @@ import java.util.Optional;
  * @param mostOfEach statements kept of one state variable, so that a stream of positions cannot
  *     fill the memory
  * @param directory where statements are written, to be read again after a restart; empty: they end
- *     with the process
+ *     with the process, or with the store
+ * @param store where the dataset is kept
  */
-public record KnowledgeSettings(Duration kept, int mostOfEach, Optional<Path> directory) {
+public record KnowledgeSettings(
+    Duration kept, int mostOfEach, Optional<Path> directory, Store store) {
 
   private static final Duration A_DAY = Duration.ofDays(1);
   private static final int MOST_OF_EACH = 200;
@@ -29,6 +31,11 @@ public record KnowledgeSettings(Duration kept, int mostOfEach, Optional<Path> di
     }
   }
 
+  /** With the dataset in memory. */
+  public KnowledgeSettings(Duration kept, int mostOfEach, Optional<Path> directory) {
+    this(kept, mostOfEach, directory, Store.IN_MEMORY);
+  }
+
   /** A day, in memory. */
   public static KnowledgeSettings inMemory() {
     return new KnowledgeSettings(A_DAY, MOST_OF_EACH, Optional.empty());
@@ -37,5 +44,10 @@ public record KnowledgeSettings(Duration kept, int mostOfEach, Optional<Path> di
   /** A day, also on disk; the directory is made when it is not there. */
   public static KnowledgeSettings in(Path directory) {
     return new KnowledgeSettings(A_DAY, MOST_OF_EACH, Optional.of(directory));
+  }
+
+  /** The same with the dataset elsewhere. */
+  public KnowledgeSettings with(Store other) {
+    return new KnowledgeSettings(kept, mostOfEach, directory, other);
   }
 }

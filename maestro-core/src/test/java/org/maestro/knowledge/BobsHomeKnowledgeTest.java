@@ -24,9 +24,15 @@ class BobsHomeKnowledgeTest {
   private static final Source ROSE = new Source(Source.Kind.STATED, "rose");
 
   private final CollectiveKnowledge knowledge =
-      new CollectiveKnowledge(
+      CollectiveKnowledge.open(
           new HomeLoader().load(Path.of("../scenarios/src/main/resources/homes/bob.ttl")),
-          new SteppedClock());
+          new SteppedClock(),
+          KnowledgeSettings.inMemory().with(store()));
+
+  /** Where the dataset is kept. */
+  Store store() {
+    return Store.IN_MEMORY;
+  }
 
   @AfterEach
   void close() {

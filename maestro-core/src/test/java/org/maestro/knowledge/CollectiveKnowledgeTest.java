@@ -16,11 +16,17 @@ import org.maestro.sl.Truth;
 
 class CollectiveKnowledgeTest {
 
-  private final Household home = new Household();
+  private final Household home = new Household(store());
+
+  /** Where the dataset is kept. */
+  Store store() {
+    return Store.IN_MEMORY;
+  }
+
 
   @AfterEach
   void close() {
-    home.knowledge.close();
+    home.close();
   }
 
   @Test

@@ -22,11 +22,17 @@ class DisagreementTest {
   private static final Source CAM_C = new Source(Source.Kind.OBSERVED, "cam-c");
   private static final Source ROSE = new Source(Source.Kind.OBSERVED, "rose");
 
-  private final Household home = new Household();
+  private final Household home = new Household(store());
+
+  /** Where the dataset is kept. */
+  Store store() {
+    return Store.IN_MEMORY;
+  }
+
 
   @AfterEach
   void close() {
-    home.knowledge.close();
+    home.close();
   }
 
   @Test

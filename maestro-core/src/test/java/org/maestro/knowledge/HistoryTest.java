@@ -27,10 +27,16 @@ class HistoryTest {
 
   @TempDir private Path directory;
 
+  /** Where the dataset is kept. */
+  Store store() {
+    return Store.IN_MEMORY;
+  }
+
   @Test
   void statementsOlderThanTheKeptTimeGoButForTheLastOfEach() {
     Household home =
-        new Household(new KnowledgeSettings(Duration.ofMinutes(5), 100, Optional.empty()));
+        new Household(
+            new KnowledgeSettings(Duration.ofMinutes(5), 100, Optional.empty()).with(store()));
     home.state(CAM_A, "(= (level lamp-b1) 1)");
     home.state(CAM_A, "(in Cup zone-a)");
     home.pass(Duration.ofMinutes(4));
@@ -50,7 +56,8 @@ class HistoryTest {
 
   @Test
   void aStreamDoesNotFillTheMemory() {
-    Household home = new Household(new KnowledgeSettings(Duration.ofDays(1), 20, Optional.empty()));
+    Household home = new Household(
+            new KnowledgeSettings(Duration.ofDays(1), 20, Optional.empty()).with(store()));
     for (int i = 0; i < 500; i++) {
       home.state(CAM_A, "(position Cup \"1." + i + " 0 0\")");
       home.pass(Duration.ofMillis(33));
@@ -74,12 +81,12 @@ class HistoryTest {
 
   @Test
   void afterARestartWhatWasSaidIsRememberedButNotBelieved() {
-    Household before = new Household(KnowledgeSettings.in(directory));
+    Household before = new Household(KnowledgeSettings.in(directory).with(store()));
     before.state(CAM_A, "(in Cup zone-a)", "(= (illuminance zone-a) 80.5)");
     before.state(CAM_A, "(not (in Bob zone-b))");
     before.knowledge.close();
 
-    Household after = new Household(KnowledgeSettings.in(directory));
+    Household after = new Household(KnowledgeSettings.in(directory).with(store()));
 
     assertThat(after.knowledge.history("(in Cup zone-b)"))
         .containsExactly(new Belief("(in Cup zone-a)", CAM_A, before.clock.instant(), 1));
@@ -94,7 +101,7 @@ class HistoryTest {
     assertThat(after.knowledge.history("(in Cup zone-b)")).hasSize(2);
     after.knowledge.close();
 
-    Household third = new Household(KnowledgeSettings.in(directory));
+    Household third = new Household(KnowledgeSettings.in(directory).with(store()));
     assertThat(third.knowledge.history("(in Cup zone-b)"))
         .extracting(Belief::fact)
         .containsExactly("(in Cup zone-a)", "(in Cup zone-b)");
@@ -103,7 +110,7 @@ class HistoryTest {
 
   @Test
   void whatAKilledProcessWroteLastIsLeftOutWhenItIsNotWhole() throws IOException {
-    Household before = new Household(KnowledgeSettings.in(directory));
+    Household before = new Household(KnowledgeSettings.in(directory).with(store()));
     before.state(CAM_A, "(in Cup zone-a)");
     Path file;
     try (Stream<Path> files = Files.list(directory)) {
@@ -112,7 +119,7 @@ class HistoryTest {
     Files.writeString(
         file, "2026-01-01T00:00:00Z\tobserved\tcam-a\t1\tbelie", StandardOpenOption.APPEND);
 
-    Household after = new Household(KnowledgeSettings.in(directory));
+    Household after = new Household(KnowledgeSettings.in(directory).with(store()));
 
     assertThat(after.knowledge.history("(in Cup zone-a)")).hasSize(1);
     before.knowledge.close();
@@ -122,7 +129,7 @@ class HistoryTest {
   @Test
   void filesInWhichAllIsTooOldAreDeleted() throws IOException {
     for (int run = 0; run < 3; run++) {
-      Household home = new Household(KnowledgeSettings.in(directory));
+      Household home = new Household(KnowledgeSettings.in(directory).with(store()));
       home.state(CAM_A, "(in Cup zone-a)");
       home.knowledge.close();
     }

@@ -1,5 +1,7 @@
 package org.maestro.knowledge;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -40,10 +42,30 @@ final class Household {
     this(KnowledgeSettings.inMemory());
   }
 
+  Household(Store store) {
+    this(KnowledgeSettings.inMemory().with(store));
+  }
+
   Household(KnowledgeSettings settings) {
     knowledge =
-        new CollectiveKnowledge(home(), clock, home -> new Plane(), new MemoryStorage(), settings);
+        new CollectiveKnowledge(
+            home(), clock, home -> new Plane(), GraphStorage.open(settings.store()), settings);
     knowledge.restore();
+  }
+
+  /** What is believed is what stands in the dataset, wherever that is. */
+  void close() {
+    assertThat(
+            knowledge.select(
+                "SELECT ?f WHERE { GRAPH <https://example.org/home#graph/world>"
+                    + " { ?o <https://w3id.org/maestro#fact> ?f } }"))
+        .extracting(row -> row.get("f"))
+        .containsExactlyInAnyOrderElementsOf(
+            knowledge.snapshot().beliefs().stream()
+                .filter(belief -> belief.source().kind() != Source.Kind.DESCRIBED)
+                .map(Belief::fact)
+                .toList());
+    knowledge.close();
   }
 
   static Home home() {

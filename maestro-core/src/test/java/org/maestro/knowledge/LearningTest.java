@@ -36,7 +36,13 @@ class LearningTest {
           "(and (in ?object ?self) (forall (?t - Thing) (not (nextTo ?object ?t))) (open ?self))",
           "");
 
-  private final Household home = new Household();
+  private final Household home = new Household(store());
+
+  /** Where the dataset is kept. */
+  Store store() {
+    return Store.IN_MEMORY;
+  }
+
 
   @BeforeEach
   void light() {
@@ -46,7 +52,7 @@ class LearningTest {
 
   @AfterEach
   void close() {
-    home.knowledge.close();
+    home.close();
   }
 
   @Test

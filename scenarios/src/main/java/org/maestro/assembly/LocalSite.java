@@ -188,13 +188,12 @@ public final class LocalSite implements AutoCloseable {
   }
 
   private KnowledgeBase knowledge() {
-    return settings
-        .dataDirectory()
-        .<KnowledgeBase>map(
-            directory ->
-                CollectiveKnowledge.open(
-                    settings.home(), clock, KnowledgeSettings.in(directory.resolve("knowledge"))))
-        .orElseGet(() -> new CollectiveKnowledge(settings.home(), clock));
+    KnowledgeSettings kept =
+        settings
+            .dataDirectory()
+            .map(directory -> KnowledgeSettings.in(directory.resolve("knowledge")))
+            .orElseGet(KnowledgeSettings::inMemory);
+    return CollectiveKnowledge.open(settings.home(), clock, kept.with(settings.store()));
   }
 
   private void awaitMembers(Duration opening) {

@@ -3,6 +3,7 @@ package org.maestro.assembly;
 import java.net.URI;
 import java.nio.file.Path;
 import java.util.Optional;
+import org.maestro.knowledge.Store;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.Objective;
 import org.maestro.rats.security.SiteSecurity;
@@ -23,6 +24,7 @@ import org.maestro.sim.Scene;
  * @param allocation what plans are to be best in
  * @param physics of the simulated world
  * @param security the files of a secured site; empty: anybody on the broker is believed
+ * @param store where the dataset of the collective knowledge is kept
  */
 public record SiteSettings(
     String name,
@@ -36,7 +38,8 @@ public record SiteSettings(
     Optional<Path> dataDirectory,
     Objective allocation,
     PhysicalParameters physics,
-    Optional<SiteSecurity> security) {
+    Optional<SiteSecurity> security,
+    Store store) {
 
   /** Of a site that allocates steps so that they cost least. */
   public SiteSettings(
@@ -61,7 +64,8 @@ public record SiteSettings(
         dataDirectory,
         Objective.CHEAPEST,
         PhysicalParameters.standard(),
-        Optional.empty());
+        Optional.empty(),
+        Store.IN_MEMORY);
   }
 
   public SiteSettings withAllocation(Objective other) {
@@ -77,7 +81,8 @@ public record SiteSettings(
         dataDirectory,
         other,
         physics,
-        security);
+        security,
+        store);
   }
 
   public SiteSettings withSecurity(Optional<SiteSecurity> files) {
@@ -93,7 +98,26 @@ public record SiteSettings(
         dataDirectory,
         allocation,
         physics,
-        files);
+        files,
+        store);
+  }
+
+  /** The same with the dataset of the collective knowledge elsewhere. */
+  public SiteSettings withStore(Store other) {
+    return new SiteSettings(
+        name,
+        home,
+        scene,
+        seed,
+        broker,
+        jadePort,
+        gui,
+        storyDirectory,
+        dataDirectory,
+        allocation,
+        physics,
+        security,
+        other);
   }
 
   /** The same in a world of other physics. */
@@ -110,7 +134,8 @@ public record SiteSettings(
         dataDirectory,
         allocation,
         other,
-        security);
+        security,
+        store);
   }
 
   /** Of a site that remembers nothing. */

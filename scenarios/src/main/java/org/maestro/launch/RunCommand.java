@@ -9,6 +9,7 @@ import java.util.concurrent.Callable;
 import java.util.regex.Pattern;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
+import org.maestro.knowledge.Store;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.Objective;
 import org.maestro.sim.Scene;
@@ -47,6 +48,13 @@ final class RunCommand implements Callable<Integer> {
       description =
           "Keep goals, their stories and what was said there: after a crash, run it again with the same DIR, and every goal goes on. Without: they end with this process.")
   private Optional<Path> data;
+
+  @Option(
+      names = "--store",
+      paramLabel = "DIR|URL",
+      description =
+          "Keep the RDF dataset of what is known in files there, or behind a SPARQL endpoint (URL, or QUERY-URL,UPDATE-URL); without: in memory.")
+  private Optional<String> store = Optional.empty();
 
   @Option(
       names = "--port",
@@ -106,7 +114,8 @@ final class RunCommand implements Callable<Integer> {
                         .orElseGet(() -> directory.beginStories(name))),
                 data)
             .withAllocation(allocation)
-            .withSecurity(security.files());
+            .withSecurity(security.files())
+            .withStore(store.map(Store::parse).orElse(Store.IN_MEMORY));
     LocalSite site = LocalSite.paced(settings, speed);
     directory.add(
         new RuntimeDirectory.Running(
