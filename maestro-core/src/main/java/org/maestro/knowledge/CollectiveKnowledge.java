@@ -49,7 +49,12 @@ public final class CollectiveKnowledge implements KnowledgeBase {
 
   /** A knowledge base in memory. */
   public CollectiveKnowledge(Home home, Clock clock) {
-    this(home, clock, HomeMeasures::new, GraphStorage.open(Store.IN_MEMORY), KnowledgeSettings.inMemory());
+    this(
+        home,
+        clock,
+        HomeMeasures::new,
+        GraphStorage.open(Store.IN_MEMORY),
+        KnowledgeSettings.inMemory());
   }
 
   CollectiveKnowledge(
@@ -86,7 +91,8 @@ public final class CollectiveKnowledge implements KnowledgeBase {
    */
   public static CollectiveKnowledge open(Home home, Clock clock, KnowledgeSettings settings) {
     CollectiveKnowledge knowledge =
-        new CollectiveKnowledge(home, clock, HomeMeasures::new, GraphStorage.open(settings.store()), settings);
+        new CollectiveKnowledge(
+            home, clock, HomeMeasures::new, GraphStorage.open(settings.store()), settings);
     knowledge.restore();
     return knowledge;
   }

@@ -49,7 +49,8 @@ final class DatasetStorage implements GraphStorage {
     JenaSystem.init();
     try {
       Files.createDirectories(directory);
-      DatasetGraph dataset = DatabaseMgr.connectDatasetGraph(
+      DatasetGraph dataset =
+          DatabaseMgr.connectDatasetGraph(
               Location.create(directory), StoreParams.getSmallStoreParams());
       if (size(directory) > COMPACTED_FROM_BYTES) {
         DatabaseMgr.compact(dataset, true);

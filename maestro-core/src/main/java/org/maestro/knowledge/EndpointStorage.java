@@ -147,7 +147,9 @@ final class EndpointStorage implements GraphStorage {
     return safe;
   }
 
-  /** Names come from anybody: what may not stand in an IRI would end it, and begin another update. */
+  /**
+   * Names come from anybody: what may not stand in an IRI would end it, and begin another update.
+   */
   private static Node safe(Node node) {
     if (!node.isURI() || node.getURI().chars().noneMatch(EndpointStorage::isForbidden)) {
       return node;

@@ -24,8 +24,7 @@ interface GraphStorage extends AutoCloseable {
     if (store instanceof Store.OnDisk disk) {
       return new WriteBehind(DatasetStorage.onDisk(disk.directory()), PATIENCE).begin();
     } else if (store instanceof Store.Endpoint endpoint) {
-      return new WriteBehind(
-              EndpointStorage.open(endpoint.queries(), endpoint.updates()), PATIENCE)
+      return new WriteBehind(EndpointStorage.open(endpoint.queries(), endpoint.updates()), PATIENCE)
           .begin();
     }
     return DatasetStorage.inMemory();

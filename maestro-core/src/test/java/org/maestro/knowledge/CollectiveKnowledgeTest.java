@@ -23,7 +23,6 @@ class CollectiveKnowledgeTest {
     return Store.IN_MEMORY;
   }
 
-
   @AfterEach
   void close() {
     home.close();

@@ -29,7 +29,6 @@ class DisagreementTest {
     return Store.IN_MEMORY;
   }
 
-
   @AfterEach
   void close() {
     home.close();

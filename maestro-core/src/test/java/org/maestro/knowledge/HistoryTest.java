@@ -56,7 +56,8 @@ class HistoryTest {
 
   @Test
   void aStreamDoesNotFillTheMemory() {
-    Household home = new Household(
+    Household home =
+        new Household(
             new KnowledgeSettings(Duration.ofDays(1), 20, Optional.empty()).with(store()));
     for (int i = 0; i < 500; i++) {
       home.state(CAM_A, "(position Cup \"1." + i + " 0 0\")");

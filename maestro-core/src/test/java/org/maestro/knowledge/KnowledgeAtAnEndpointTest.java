@@ -37,7 +37,8 @@ class KnowledgeAtAnEndpointTest {
   }
 
   private static Store fresh() {
-    return Store.parse("http://localhost:%d/home%d".formatted(server.getPort(), USED.getAndIncrement()));
+    return Store.parse(
+        "http://localhost:%d/home%d".formatted(server.getPort(), USED.getAndIncrement()));
   }
 
   @Test
@@ -73,8 +74,7 @@ class KnowledgeAtAnEndpointTest {
         .doesNotContain("\n");
     assertThatThrownBy(() -> Store.parse("http://:80")).hasMessageContaining("is no address");
     assertThat(Store.parse("http://a/query,http://a/update"))
-        .isEqualTo(
-            new Store.Endpoint(URI.create("http://a/query"), URI.create("http://a/update")));
+        .isEqualTo(new Store.Endpoint(URI.create("http://a/query"), URI.create("http://a/update")));
   }
 
   @Nested

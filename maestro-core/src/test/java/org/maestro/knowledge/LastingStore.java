@@ -12,8 +12,7 @@ final class LastingStore {
 
   static void rememberOverARestart(Store store) {
     Household before = new Household(store);
-    before.knowledge.describe(
-        Household.device(Household.individual("lamp-that-left", "Device")));
+    before.knowledge.describe(Household.device(Household.individual("lamp-that-left", "Device")));
     before.state(Household.CAMERA, "(in Cup zone-a)", "(= (illuminance zone-a) 80.5)");
     before.state(Household.CAMERA, "(in Cup zone-b)", "(not (in Bob zone-b))");
     before.close();

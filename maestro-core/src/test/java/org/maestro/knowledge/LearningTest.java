@@ -43,7 +43,6 @@ class LearningTest {
     return Store.IN_MEMORY;
   }
 
-
   @BeforeEach
   void light() {
     home.state(new Source(Source.Kind.OBSERVED, "lux-b"), "(= (illuminance zone-b) 80)");
