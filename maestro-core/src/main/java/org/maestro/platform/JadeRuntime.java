@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.ThreadLocalRandom;
 import java.util.concurrent.locks.LockSupport;
 import org.maestro.agents.MaestroAgent;
 import org.maestro.agents.pulse.PulseService;
@@ -43,6 +44,10 @@ final class JadeRuntime {
           "jade.core.event.NotificationService",
           SteppedMailService.class.getName(),
           PulseService.class.getName());
+
+  private static final int LOWEST_PORT = 20_000;
+  private static final int HIGHEST_PORT = 32_000;
+  private static final int MOST_ATTEMPTS = 1_000;
 
   private JadeRuntime() {}
 
@@ -253,11 +258,25 @@ final class JadeRuntime {
     }
   }
 
+  /**
+   * Not one of those that the system gives to outgoing connections: among those another may get it
+   * before JADE does.
+   */
   private static int freePort() {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName(LOOPBACK))) {
-      return socket.getLocalPort();
+    for (int attempt = 0; attempt < MOST_ATTEMPTS; attempt++) {
+      int port = ThreadLocalRandom.current().nextInt(LOWEST_PORT, HIGHEST_PORT);
+      if (isFree(port)) {
+        return port;
+      }
+    }
+    throw new PlatformStartException("No free port on loopback.");
+  }
+
+  private static boolean isFree(int port) {
+    try (ServerSocket socket = new ServerSocket(port, 1, InetAddress.getByName(LOOPBACK))) {
+      return socket.isBound();
     } catch (IOException e) {
-      throw new PlatformStartException("No free port on loopback.", e);
+      return false;
     }
   }
 
