@@ -24,6 +24,12 @@ class FaultTest {
             + " write candela, such as 300",
         "\"4.5 1.5 2.8\" ; maestro:viewAngle 75 | \"4.5 1.5 2.8\" ; maestro:viewAngle 190"
             + " | cam-b maestro:viewAngle \"190\" is not a number above 0 and up to 180",
+        "\"4.5 1.5 2.8\" ; maestro:viewAngle 75 |"
+            + " \"4.5 1.5 2.8\" ; maestro:viewAngle 75 ; maestro:frameRate 0"
+            + " | cam-b maestro:frameRate \"0\" is not a number above 0; write images each second",
+        "\"4.5 1.5 2.8\" ; maestro:viewAngle 75 |"
+            + " \"4.5 1.5 2.8\" ; maestro:viewAngle 75 ; maestro:resolution \"wide\""
+            + " | cam-b maestro:resolution \"wide\" is no width and height; write both in pixels",
         ":power 17 | :power \"much\" | lamp-b2 :power \"much\" is not a number; write a number in W",
         ":usuallyIn home:zone-a | :usuallyIn home:zone-c"
             + " | Bob :usuallyIn zone-c is not described in this home",
