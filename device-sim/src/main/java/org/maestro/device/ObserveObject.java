@@ -17,7 +17,6 @@ import org.maestro.rats.protocol.CostAnswer;
  */
 final class ObserveObject extends DeviceProcedure {
 
-  private static final int FRAMES = 15;
   private static final double SECONDS = 1;
 
   private final FeatureContext context;
@@ -44,9 +43,9 @@ final class ObserveObject extends DeviceProcedure {
       return;
     }
     Duration begun = context.clock().now();
-    camera.look(
+    Burst.take(
+        camera,
         object.target(),
-        FRAMES,
         new Camera.Listener() {
           @Override
           public void looked(Camera.Look look) {
