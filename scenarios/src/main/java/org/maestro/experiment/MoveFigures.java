@@ -87,16 +87,20 @@ final class MoveFigures {
     figures.add(
         Figure.of(
             "heat-" + words(job).replace(' ', '-'),
-            "Where the robot was during the %d runs %s, all added up (compare figure %s). Rings: where it and the two objects were put at first, about."
-                .formatted(half.size(), words(job), ofPaper),
+            "Where the robot was during %s %s, all added up (compare figure %s). Rings: where it and the two objects were put at first, about."
+                .formatted(counted(half), words(job), ofPaper),
             Heat.draw(
-                "Where the robot was, %s, %d runs".formatted(words(job), half.size()),
+                "Where the robot was, %s, %s".formatted(words(job), counted(half)),
                 Laboratory.WIDTH,
                 Laboratory.DEPTH,
                 places(job, runs),
                 STEP_SECONDS,
                 marks(half.get(0)),
                 greatest)));
+  }
+
+  private static String counted(List<MoveRun> runs) {
+    return runs.size() == 1 ? "one run" : runs.size() + " runs";
   }
 
   private static Map<String, Point2> marks(MoveRun run) {

@@ -23,6 +23,9 @@ final class MoveObject implements Experiment {
   private static final String PACE = "paced.speed";
   private static final int PACED_RUNS = 20;
 
+  /** Of the trail's samples every fifth is written: ten a second. */
+  private static final int TRAIL_STRIDE = 5;
+
   @Override
   public String name() {
     return "move-object";
@@ -216,7 +219,7 @@ final class MoveObject implements Experiment {
     for (MoveRun run : runs) {
       double step = run.trail().step().toMillis() / 1e3;
       List<Point2> places = run.trail().places();
-      for (int i = 0; i < places.size(); i++) {
+      for (int i = 0; i < places.size(); i += TRAIL_STRIDE) {
         table.add(run.number(), i * step, places.get(i).x(), places.get(i).y());
       }
     }

@@ -97,7 +97,8 @@ final class MovePage {
     return List.of(
         "The paper gives no map with measures: the room is 8.4 m by 3 m, with three ceiling cameras of 75 degrees at 2.8 m, which together see all of it, six lamps, one light sensor.",
         "The windows are our assumption: two to the south, 1.4 m wide, 0.9 to 2.1 m high, at Minden's latitude on the day of the equinox; the paper says only that the light upon an object was too high.",
-        "Before each run the objects are put to the same places by hand, not quite exactly, and the robot to the middle; lamps are off and shutters open.",
+        "Before each run the objects are put to the same places by hand, not quite exactly, and the robot to the middle; lamps are off and shutters open. The goal comes 20 s later: by then the building's own agents have seen to the light, with lamps, and with shutters against the sun where there are any.",
+        "The lower bound knows where everything is and that the light is right: shortest way at full speed, placing at the greatest distance that still counts, one grip, one placing, one look of five frames for each object. It counts no decision, no message, no look that finds nothing, and no look that confirms the end.",
         "The robot drives at 0.8 m/s, which is the youBot's data sheet, without getting up to speed; a grip takes 4 s, a placing 3 s (PhysicalParameters names the sources).",
         "A decision of the platform costs 20 ms, messages cost what the stepped clock states.",
         "What is not carried stands for Bob, whom nobody carries; so the direction is certain.");

@@ -60,10 +60,12 @@ record MoveRun(
   private static final double MOVED_METRES = 0.2;
 
   private static final String SOONEST = "platform.soonest";
-  static final Duration TRAIL_STEP = Duration.ofMillis(100);
 
-  /** One burst of 15 frames at 30 frames a second. */
-  private static final double LOOK_SECONDS = 0.5;
+  /** So fine that no square of the floor has more samples than its share by chance. */
+  static final Duration TRAIL_STEP = Duration.ofMillis(20);
+
+  /** A camera needs five frames at least for one look. */
+  private static final double LOOK_FRAMES = 5;
 
   /** What is to be brought where. */
   record Job(String carried, String target) {
@@ -102,7 +104,7 @@ record MoveRun(
           site.simulated().lowerBound(Laboratory.ROBOT, job.carried(), job.target()).toMillis()
                   / 1e3
               + physics.arm().foldSeconds()
-              + 2 * LOOK_SECONDS;
+              + 2 * LOOK_FRAMES / physics.camera().frameRate();
       double brightest =
           Laboratory.THINGS.stream()
               .mapToDouble(thing -> world.lux(world.position(thing).orElseThrow()))

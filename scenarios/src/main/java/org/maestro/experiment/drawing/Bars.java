@@ -148,18 +148,14 @@ public final class Bars {
       items.computeIfAbsent(
           bar.failed() ? bar.group() + ", failed (✗)" : bar.group(),
           label -> Style.patch(label, paint(bar)));
-      if (bar.compared().isPresent()) {
-        items.computeIfAbsent(
-            comparedWith,
-            label -> {
-              LegendItem item = Style.patch(label, Ink.BLACK.color());
-              item.setShape(new Rectangle2D.Double(-15, -3, 30, 6));
-              return item;
-            });
-      }
     }
     LegendItemCollection legend = new LegendItemCollection();
     items.values().forEach(legend::add);
+    if (bars.stream().anyMatch(bar -> bar.compared().isPresent())) {
+      LegendItem dash = Style.patch(comparedWith, Ink.BLACK.color());
+      dash.setShape(new Rectangle2D.Double(-15, -3, 30, 6));
+      legend.add(dash);
+    }
     levels.forEach(level -> legend.add(Style.dash(level.label(), level.ink())));
     return legend;
   }

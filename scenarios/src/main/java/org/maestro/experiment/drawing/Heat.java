@@ -3,15 +3,11 @@ package org.maestro.experiment.drawing;
 import java.awt.Color;
 import java.awt.geom.Ellipse2D;
 import java.awt.image.BufferedImage;
-import java.text.DecimalFormat;
-import java.text.DecimalFormatSymbols;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.annotations.XYTextAnnotation;
-import org.jfree.chart.axis.LogAxis;
 import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.axis.NumberTickUnit;
 import org.jfree.chart.plot.XYPlot;
@@ -114,7 +110,7 @@ public final class Heat {
               new double[] {
                 (column + 0.5) * SQUARE_METRES,
                 (row + 0.5) * SQUARE_METRES,
-                counts[column][row] * seconds
+                Math.log10(Math.max(LEAST_SECONDS, counts[column][row] * seconds))
               });
         }
       }
@@ -130,12 +126,14 @@ public final class Heat {
     return squares;
   }
 
+  /** Of decimal logarithms of seconds. */
   private static LookupPaintScale scale(double greatest) {
-    LookupPaintScale scale = new LookupPaintScale(LEAST_SECONDS, greatest, Color.WHITE);
+    double least = Math.log10(LEAST_SECONDS);
+    double most = Math.log10(greatest);
+    LookupPaintScale scale = new LookupPaintScale(least, most, Color.WHITE);
     for (int i = 0; i < STEPS; i++) {
-      double share = (double) i / (STEPS - 1);
-      double from = LEAST_SECONDS * Math.pow(greatest / LEAST_SECONDS, (double) i / STEPS);
-      scale.add(i == 0 ? 0 : from, viridis(share));
+      double from = least + (most - least) * i / STEPS;
+      scale.add(i == 0 ? least : from, viridis((double) i / (STEPS - 1)));
     }
     return scale;
   }
@@ -153,10 +151,8 @@ public final class Heat {
   }
 
   private static PaintScaleLegend legend(LookupPaintScale scale) {
-    LogAxis axis = new LogAxis("time in a square of 0.1 m (s)");
+    NumberAxis axis = new Decades("time in a square of 0.1 m (s)");
     Style.ink(axis);
-    axis.setNumberFormatOverride(
-        new DecimalFormat("0.##", DecimalFormatSymbols.getInstance(Locale.ROOT)));
     axis.setRange(scale.getLowerBound(), scale.getUpperBound());
     PaintScaleLegend legend = new PaintScaleLegend(scale, axis);
     legend.setPosition(RectangleEdge.RIGHT);
