@@ -36,14 +36,19 @@ record Pointer(String name, Map<String, Object> properties) {
 
   /** Where it is known to be, if the caller knows. */
   Optional<Position> position() {
-    Object value = properties.get("position");
+    return point("position");
+  }
+
+  /** The same of any property that is a point. */
+  Optional<Position> point(String property) {
+    Object value = properties.get(property);
     if (value == null) {
       return Optional.empty();
     }
     List<Double> numbers = numbers(value, " ");
     if (numbers.size() < 2) {
       throw new InvalidCallException(
-          "The position of " + name + " is [x, y, z], not " + value + ".");
+          "The " + property + " of " + name + " is [x, y, z], not " + value + ".");
     }
     return Optional.of(
         new Position(numbers.get(0), numbers.get(1), numbers.size() > 2 ? numbers.get(2) : 0));

@@ -55,7 +55,7 @@ final class Actuator {
     after(
         seconds,
         () -> {
-          Optional<String> defect = world.defect(device);
+          Optional<String> defect = world.faults().defect(device);
           if (defect.isPresent()) {
             failed.accept(defect.get());
           } else {
@@ -73,7 +73,7 @@ final class Actuator {
   }
 
   private void whenThawed(Runnable effect) {
-    Duration frozen = world.frozenFor(device);
+    Duration frozen = world.faults().frozenFor(device);
     if (!frozen.isZero()) {
       clock.schedule(frozen, device, () -> whenThawed(effect));
     } else if (world.isAlive(device)) {

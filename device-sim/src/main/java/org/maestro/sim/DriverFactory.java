@@ -123,19 +123,21 @@ final class DriverFactory {
   private Drivers lamp(Device device) {
     Scene.Entry entry = scene.of(device.id());
     OptionalDouble beam = FloorMap.number(device.individual(), "beamAngle");
-    world.addLamp(
-        device.id(),
-        new LampLight(
-            pose(device),
-            number(device, "luminousIntensity"),
-            beam.orElse(USUAL_BEAM_DEGREES),
-            entry.strength().orElse(FULL_STRENGTH),
-            entry.level().orElse(0)));
+    world
+        .lighting()
+        .put(
+            device.id(),
+            new LampLight(
+                pose(device),
+                number(device, "luminousIntensity"),
+                beam.orElse(USUAL_BEAM_DEGREES),
+                entry.strength().orElse(FULL_STRENGTH),
+                entry.level().orElse(0)));
     return Drivers.none();
   }
 
   private Camera camera(Device device, Actuator actuator, Eye eye, long seed) {
-    PhysicalParameters.CameraData data = parameters.camera();
+    CameraData data = parameters.camera();
     double frameRate = FloorMap.number(device.individual(), "frameRate").orElse(data.frameRate());
     Photographer.Resolution resolution =
         FloorMap.pair(device.individual(), "resolution")
@@ -162,30 +164,29 @@ final class DriverFactory {
   }
 
   private interface Chassis {
-    MobileBase on(Actuator actuator, PhysicalParameters.BaseData base);
+    MobileBase on(Actuator actuator, BaseData base);
   }
 
-  private MobileBase gliding(Actuator actuator, PhysicalParameters.BaseData base) {
+  private MobileBase gliding(Actuator actuator, BaseData base) {
     return new SimulatedBase(actuator, base);
   }
 
-  private MobileBase onMecanumWheels(Actuator actuator, PhysicalParameters.BaseData base) {
-    PhysicalParameters.WheelData wheels = parameters.wheels();
+  private MobileBase onMecanumWheels(Actuator actuator, BaseData base) {
+    WheelData wheels = parameters.wheels();
     return onWheels(
         actuator,
         base,
         new MecanumWheels(wheels.wheelRadius(), wheels.halfLength(), wheels.halfWidth()));
   }
 
-  private MobileBase onTwoWheels(Actuator actuator, PhysicalParameters.BaseData base) {
-    PhysicalParameters.WheelData wheels = parameters.wheels();
+  private MobileBase onTwoWheels(Actuator actuator, BaseData base) {
+    WheelData wheels = parameters.wheels();
     return onWheels(
         actuator, base, new DifferentialWheels(wheels.wheelRadius(), wheels.halfWidth()));
   }
 
-  private MobileBase onWheels(
-      Actuator actuator, PhysicalParameters.BaseData base, WheelGeometry geometry) {
-    PhysicalParameters.WheelData data = parameters.wheels();
+  private MobileBase onWheels(Actuator actuator, BaseData base, WheelGeometry geometry) {
+    WheelData data = parameters.wheels();
     SimulatedWheels wheels = new SimulatedWheels(actuator, geometry, data.slip(), base.radius());
     return new WheeledBase(
         geometry,
@@ -205,7 +206,8 @@ final class DriverFactory {
   private Drivers robot(Device device, Actuator actuator, Chassis chassis) {
     Body body =
         world
-            .findBody(device.id())
+            .whereabouts()
+            .find(device.id())
             .orElseThrow(
                 () ->
                     new SimulationException(
@@ -215,14 +217,13 @@ final class DriverFactory {
                             + device.id()
                             + " stands. Give it a scene:position."));
     robots.add(device.id());
-    world.put(body.withRadius(parameters.base().radius()));
+    world.whereabouts().put(body.withRadius(parameters.base().radius()));
     Scene.Entry truth = scene.of(device.id());
-    PhysicalParameters.BaseData base =
-        parameters.base().atSpeed(truth.speed().orElse(parameters.base().speed()));
-    PhysicalParameters.ArmData arm =
-        parameters.arm().lifting(truth.payload().orElse(parameters.arm().payload()));
-    world.putBattery(
-        device.id(), parameters.battery(), base.power(), truth.charge().orElse(FULL_CHARGE));
+    BaseData base = parameters.base().atSpeed(truth.speed().orElse(parameters.base().speed()));
+    ArmData arm = parameters.arm().lifting(truth.payload().orElse(parameters.arm().payload()));
+    world
+        .batteries()
+        .put(device.id(), parameters.battery(), base.power(), truth.charge().orElse(FULL_CHARGE));
     return Drivers.none()
         .with(Battery.class, SimulatedBattery.start(actuator, parameters.battery()))
         .with(MobileBase.class, chassis.on(actuator, base))

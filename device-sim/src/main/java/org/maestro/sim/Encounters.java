@@ -21,8 +21,8 @@ final class Encounters {
    * @param way straight on from where the robot is, within so many seconds
    */
   static boolean isAhead(World world, String robot, double radius, Segment way, double seconds) {
-    for (String other : world.movingWithout(robot)) {
-      Optional<Drive> drive = world.drive(other);
+    for (String other : world.whereabouts().movingWithout(robot)) {
+      Optional<Drive> drive = world.whereabouts().drive(other);
       if (drive.isPresent()
           && comesNearer(world, radius + world.radius(other), drive.get(), way, seconds)) {
         return true;
@@ -49,7 +49,7 @@ final class Encounters {
   /** Another body that moves and that the robot touches now. */
   static Optional<String> touched(World world, String robot, double radius) {
     Point2 here = world.position(robot).map(Position::floor).orElseThrow();
-    return world.movingWithout(robot).stream()
+    return world.whereabouts().movingWithout(robot).stream()
         .filter(
             other ->
                 world.position(other).orElseThrow().floor().distance(here)

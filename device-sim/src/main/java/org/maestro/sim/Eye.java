@@ -26,7 +26,7 @@ record Eye(Supplier<List<Pose>> views, double turnSeconds, double viewDegrees) {
   }
 
   /** One that a device carries about, and that turns around with it for a look. */
-  static Eye onBoard(Actuator actuator, PhysicalParameters.TurnData turn, double viewDegrees) {
+  static Eye onBoard(Actuator actuator, TurnData turn, double viewDegrees) {
     return new Eye(
         () -> turn.views(actuator.world().position(actuator.device()).orElseThrow(), viewDegrees),
         turn.seconds(),

@@ -92,10 +92,11 @@ final class FaultRunner {
           "The fault %s is for %s, not for %s."
               .formatted(word, deed.subject().words(), subject.isEmpty() ? "the home" : subject));
     }
-    if (deed == Deed.BLOCK && !world.map().doors().containsKey(fault.name().orElseThrow())) {
+    if (deed == Deed.BLOCK
+        && !world.building().map().doors().containsKey(fault.name().orElseThrow())) {
       throw new SimulationException(
           "The fault %s names no door of this home; there are %s."
-              .formatted(word, world.map().doors().keySet()));
+              .formatted(word, world.building().map().doors().keySet()));
     }
     if ((deed == Deed.OFFLINE || deed == Deed.ONLINE) && bus.isEmpty()) {
       throw new SimulationException(
@@ -117,13 +118,14 @@ final class FaultRunner {
     boolean device = home.devices().containsKey(subject);
     return switch (kind) {
       case DEVICE -> device;
-      case ROBOT -> device && world.findBody(subject).isPresent();
-      case LAMP -> world.hasLamp(subject);
+      case ROBOT -> device && world.whereabouts().find(subject).isPresent();
+      case LAMP -> world.lighting().hasLamp(subject);
       case DEVICE_OR_HOME -> device || subject.isEmpty();
-      case ZONE -> world.map().areas().stream().anyMatch(area -> area.name().equals(subject));
+      case ZONE ->
+          world.building().map().areas().stream().anyMatch(area -> area.name().equals(subject));
       case HOME -> subject.isEmpty();
-      case THING -> world.findBody(subject).isPresent();
-      case DOOR -> world.map().doors().containsKey(subject);
+      case THING -> world.whereabouts().find(subject).isPresent();
+      case DOOR -> world.building().map().doors().containsKey(subject);
     };
   }
 
@@ -177,7 +179,7 @@ final class FaultRunner {
   }
 
   private Position middleOf(String door) {
-    Segment opening = world.map().doors().get(door);
+    Segment opening = world.building().map().doors().get(door);
     Point2 middle = opening.at(0.5);
     return Position.onFloor(middle);
   }

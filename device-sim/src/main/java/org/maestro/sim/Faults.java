@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import org.maestro.rats.time.Clock;
 
 /**
  * Which devices have no power or are defect, and what is to happen upon events. Guarded by the
@@ -18,6 +19,8 @@ final class Faults {
 
   private static final double MILLIS_PER_HOUR = 3_600_000;
 
+  private final Object lock;
+  private final Clock clock;
   private final Set<String> dead = new TreeSet<>();
   private final Map<String, String> defects = new TreeMap<>();
   private final Map<String, Duration> frozenUntil = new TreeMap<>();
@@ -25,59 +28,89 @@ final class Faults {
   private final Map<String, Distortion> distortions = new TreeMap<>();
   private final Map<String, Map<WorldEvent.Kind, List<Runnable>>> triggers = new TreeMap<>();
 
+  Faults(Object lock, Clock clock) {
+    this.lock = lock;
+    this.clock = clock;
+  }
+
   /** Whether it had power until now. */
   boolean die(String device) {
-    return dead.add(device);
+    synchronized (lock) {
+      return dead.add(device);
+    }
   }
 
   /** Whether it had no power until now. */
   boolean revive(String device) {
-    return dead.remove(device);
+    synchronized (lock) {
+      return dead.remove(device);
+    }
   }
 
   boolean isAlive(String device) {
-    return !dead.contains(device);
+    synchronized (lock) {
+      return !dead.contains(device);
+    }
   }
 
   void breakDown(String device, String reason) {
-    defects.put(device, reason);
+    synchronized (lock) {
+      defects.put(device, reason);
+    }
   }
 
   void repair(String device) {
-    defects.remove(device);
+    synchronized (lock) {
+      defects.remove(device);
+    }
   }
 
   Optional<String> defect(String device) {
-    return Optional.ofNullable(defects.get(device));
+    synchronized (lock) {
+      return Optional.ofNullable(defects.get(device));
+    }
   }
 
-  void freeze(String device, Duration until) {
-    frozenUntil.put(device, until);
+  /** Commands take effect after so many seconds only. */
+  void freeze(String device, double seconds) {
+    synchronized (lock) {
+      frozenUntil.put(device, clock.now().plusMillis(Math.round(1e3 * seconds)));
+    }
   }
 
   /** How long still; none when it is not frozen. */
-  Duration frozenFor(String device, Duration now) {
-    Duration left = frozenUntil.getOrDefault(device, Duration.ZERO).minus(now);
-    return left.isNegative() ? Duration.ZERO : left;
+  Duration frozenFor(String device) {
+    synchronized (lock) {
+      Duration left = frozenUntil.getOrDefault(device, Duration.ZERO).minus(clock.now());
+      return left.isNegative() ? Duration.ZERO : left;
+    }
   }
 
   void slip(String robot, double share) {
-    slips.put(robot, share);
+    synchronized (lock) {
+      slips.put(robot, share);
+    }
   }
 
   /** The share of its way that the robot's wheels lose. */
-  double slip(String robot) {
-    return slips.getOrDefault(robot, 0.0);
+  double slipOf(String robot) {
+    synchronized (lock) {
+      return slips.getOrDefault(robot, 0.0);
+    }
   }
 
-  void distort(String sensor, double factor, double sharePerHour, Duration since) {
-    distortions.put(sensor, new Distortion(factor, sharePerHour, since));
+  void distort(String sensor, double factor, double sharePerHour) {
+    synchronized (lock) {
+      distortions.put(sensor, new Distortion(factor, sharePerHour, clock.now()));
+    }
   }
 
-  /** What a sensor's measurement is multiplied with. */
-  double distortion(String sensor, Duration now) {
-    Distortion distortion = distortions.get(sensor);
-    return distortion == null ? 1 : distortion.at(now);
+  /** By how much a sensor's measurement differs from the truth; 1 when it does not. */
+  double distortion(String sensor) {
+    synchronized (lock) {
+      Distortion distortion = distortions.get(sensor);
+      return distortion == null ? 1 : distortion.at(clock.now());
+    }
   }
 
   private record Distortion(double factor, double sharePerHour, Duration since) {
@@ -87,15 +120,19 @@ final class Faults {
   }
 
   void when(String device, WorldEvent.Kind kind, Runnable action) {
-    triggers
-        .computeIfAbsent(device, name -> new EnumMap<>(WorldEvent.Kind.class))
-        .computeIfAbsent(kind, any -> new ArrayList<>())
-        .add(action);
+    synchronized (lock) {
+      triggers
+          .computeIfAbsent(device, name -> new EnumMap<>(WorldEvent.Kind.class))
+          .computeIfAbsent(kind, any -> new ArrayList<>())
+          .add(action);
+    }
   }
 
   /** What is to happen now; it is forgotten thereby. */
   List<Runnable> triggered(String device, WorldEvent.Kind kind) {
-    Map<WorldEvent.Kind, List<Runnable>> ofDevice = triggers.get(device);
-    return ofDevice != null && ofDevice.containsKey(kind) ? ofDevice.remove(kind) : List.of();
+    synchronized (lock) {
+      Map<WorldEvent.Kind, List<Runnable>> ofDevice = triggers.get(device);
+      return ofDevice != null && ofDevice.containsKey(kind) ? ofDevice.remove(kind) : List.of();
+    }
   }
 }

@@ -6,7 +6,7 @@ package org.maestro.sim;
  * Where a thing is over-lit it is lost: then whatever has the right colour may be taken for it, and
  * itself it may be taken for what its washed-out colour looks like.
  */
-record Likeness(PhysicalParameters.CameraData camera, PhysicalParameters.ColourData colour) {
+record Likeness(CameraData camera, ColourData colour) {
 
   /** What happens less often than this is left out; assumed. */
   static final double NEVER = 1e-6;

@@ -36,7 +36,10 @@ final class LowerBound {
     }
     double reach = parameters.arm().reach() + SimulatedArm.SLACK_METRES;
     RoutePlanner routes =
-        new RoutePlanner(world.walls(), world.obstacles(robot), parameters.base().radius());
+        new RoutePlanner(
+            world.building().walls(),
+            world.whereabouts().obstacles(robot),
+            parameters.base().radius());
     Point2 start = place(robot);
     Point2 end = place(target);
     double least = Double.POSITIVE_INFINITY;
@@ -52,7 +55,7 @@ final class LowerBound {
       throw new SimulationException(
           "There is no way for " + robot + " to " + thing + " and on to " + target + ".");
     }
-    PhysicalParameters.ArmData arm = parameters.arm();
+    ArmData arm = parameters.arm();
     double seconds =
         least / parameters.base().speed()
             + arm.pickSeconds()

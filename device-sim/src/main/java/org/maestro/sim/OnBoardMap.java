@@ -21,16 +21,16 @@ final class OnBoardMap implements Surroundings {
 
   @Override
   public List<Segment> walls() {
-    return world.walls();
+    return world.building().walls();
   }
 
   @Override
   public List<Obstacle> obstacles() {
-    return world.obstacles(robot);
+    return world.whereabouts().obstacles(robot);
   }
 
   @Override
   public List<Area> areas() {
-    return world.map().areas();
+    return world.building().map().areas();
   }
 }

@@ -80,7 +80,7 @@ final class Photographer {
     Position foot = world.position(name).orElseThrow();
     Looks.Size size = world.looks().size(name);
     Colour colour = colour(world.looks().paint(name));
-    double heading = world.heading(name);
+    double heading = world.whereabouts().heading(name);
     if (robots.contains(name)) {
       solids.add(solid(Shape.BOX, foot, 0, PLATFORM_METRES, size, heading, colour));
       solids.add(round(Shape.DRUM, foot, PLATFORM_METRES, size.height(), MAST_METRES, METAL));
@@ -131,7 +131,7 @@ final class Photographer {
 
   private List<Wall> walls() {
     List<Wall> walls = new ArrayList<>();
-    for (Segment wall : world.walls()) {
+    for (Segment wall : world.building().walls()) {
       walls.add(
           new Wall(wall.from().x(), wall.from().y(), wall.to().x(), wall.to().y(), WALL_METRES));
     }
@@ -143,7 +143,7 @@ final class Photographer {
     double lower = Double.POSITIVE_INFINITY;
     double right = Double.NEGATIVE_INFINITY;
     double upper = Double.NEGATIVE_INFINITY;
-    for (Segment wall : world.walls()) {
+    for (Segment wall : world.building().walls()) {
       for (Point2 end : List.of(wall.from(), wall.to())) {
         left = Math.min(left, end.x());
         lower = Math.min(lower, end.y());
@@ -157,7 +157,10 @@ final class Photographer {
         right,
         upper,
         parameters.image().gridMetres(),
-        (x, y) -> world.luxInShadow(new Position(x, y, 0), lamp -> isInShadow(lamp, x, y, solids)));
+        (x, y) ->
+            world
+                .lighting()
+                .luxInShadow(new Position(x, y, 0), lamp -> isInShadow(lamp, x, y, solids)));
   }
 
   /** Whether a solid stands between a lamp and a point of the floor. */

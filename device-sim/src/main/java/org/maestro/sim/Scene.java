@@ -67,6 +67,7 @@ public record Scene(
    * @param diesWhen the {@link WorldEvent.Kind} upon which it loses power
    * @param colour of what has another colour than the home says
    * @param charge of a robot's battery in the beginning, 0 to 1
+   * @param charges batteries of robots that stand at its reference point
    */
   public record Entry(
       Optional<Position> position,
@@ -82,7 +83,8 @@ public record Scene(
       OptionalDouble payload,
       Optional<WorldEvent.Kind> diesWhen,
       Optional<Paint> colour,
-      OptionalDouble charge) {
+      OptionalDouble charge,
+      boolean charges) {
 
     public static final Entry NOTHING =
         new Entry(
@@ -99,7 +101,8 @@ public record Scene(
             OptionalDouble.empty(),
             Optional.empty(),
             Optional.empty(),
-            OptionalDouble.empty());
+            OptionalDouble.empty(),
+            false);
 
     public Entry at(Position place) {
       return new Entry(
@@ -116,7 +119,8 @@ public record Scene(
           payload,
           diesWhen,
           colour,
-          charge);
+          charge,
+          charges);
     }
   }
 }

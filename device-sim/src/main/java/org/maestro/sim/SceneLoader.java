@@ -167,14 +167,15 @@ public final class SceneLoader {
             number(thing, "payload", left.remove("payload"), 1_000),
             Optional.ofNullable(left.remove("diesWhen")).map(text -> kind(thing, text)),
             Optional.ofNullable(left.remove("colour")).map(text -> paint(thing, text)),
-            number(thing, "charge", left.remove("charge"), 1));
+            number(thing, "charge", left.remove("charge"), 1),
+            truth(thing, "charges", left.remove("charges")).orElse(false));
     if (!left.isEmpty()) {
       throw fault(
           "says scene:"
               + new TreeSet<>(left.keySet()).first()
               + " of "
               + thing
-              + "; known are position, hidden, radius, mass, level, strength, ambientLux, open, opening, dead, speed, payload, diesWhen, colour, charge, fault, walks");
+              + "; known are position, hidden, radius, mass, level, strength, ambientLux, open, opening, dead, speed, payload, diesWhen, colour, charge, charges, fault, walks");
     }
     return entry;
   }

@@ -17,13 +17,13 @@ final class SimulatedArm implements GripperArm {
   static final double SLACK_METRES = 0.06;
 
   private final Actuator actuator;
-  private final PhysicalParameters.ArmData data;
+  private final ArmData data;
   private final Likeness likeness;
   private Optional<Mistake> mistake = Optional.empty();
   private Position hand = new Position(0, 0, 0);
   private long commandNumber;
 
-  SimulatedArm(Actuator actuator, PhysicalParameters.ArmData data, Likeness likeness) {
+  SimulatedArm(Actuator actuator, ArmData data, Likeness likeness) {
     this.actuator = actuator;
     this.data = data;
     this.likeness = likeness;
@@ -61,14 +61,14 @@ final class SimulatedArm implements GripperArm {
 
   private void close(Target target, Completion completion) {
     World world = actuator.world();
-    Optional<Body> wanted = world.findBody(target.name());
+    Optional<Body> wanted = world.whereabouts().find(target.name());
     Optional<Body> body = wanted.filter(this::isAtHand).or(() -> alike(target.name(), wanted));
     if (body.isEmpty()) {
       completion.failed("it is not where it was seen");
     } else if (body.get().mass() > data.payload()) {
       completion.failed("it is heavier than " + data.payload() + " kg");
     } else {
-      world.put(body.get().heldBy(actuator.device()));
+      world.whereabouts().put(body.get().heldBy(actuator.device()));
       mistake =
           Optional.of(new Mistake(body.get().name(), target.name()))
               .filter(taken -> !taken.taken().equals(taken.believed()));
@@ -99,7 +99,7 @@ final class SimulatedArm implements GripperArm {
             .orElse(0.0);
     for (String other : world.bodies()) {
       Optional<Body> body =
-          world.findBody(other).filter(thing -> !other.equals(name) && isAtHand(thing));
+          world.whereabouts().find(other).filter(thing -> !other.equals(name) && isAtHand(thing));
       if (body.isPresent()
           && actuator.happens(
               likeness.mistaken(
@@ -116,7 +116,10 @@ final class SimulatedArm implements GripperArm {
   @Override
   public boolean isPlaceFree() {
     World world = actuator.world();
-    return world.held(actuator.device()).flatMap(thing -> world.occupant(hand, thing)).isEmpty();
+    return world
+        .held(actuator.device())
+        .flatMap(thing -> world.whereabouts().occupant(hand, thing))
+        .isEmpty();
   }
 
   @Override
@@ -145,7 +148,7 @@ final class SimulatedArm implements GripperArm {
             hand.x() + actuator.error(data.placingError()),
             hand.y() + actuator.error(data.placingError()),
             hand.z());
-    world.put(world.body(thing).at(place));
+    world.whereabouts().put(world.whereabouts().body(thing).at(place));
     world.tell(WorldEvent.Kind.PLACED, actuator.device(), Optional.of(thing));
   }
 
@@ -156,14 +159,14 @@ final class SimulatedArm implements GripperArm {
 
   private void run(double seconds, Completion completion, Runnable effect) {
     long number = ++commandNumber;
-    actuator.world().draw(actuator.device(), seconds * data.power());
+    actuator.world().batteries().draw(actuator.device(), seconds * data.power());
     actuator.after(
         seconds,
         () -> {
           if (number != commandNumber) {
             return;
           }
-          Optional<String> defect = actuator.world().defect(actuator.device());
+          Optional<String> defect = actuator.world().faults().defect(actuator.device());
           if (defect.isPresent()) {
             completion.failed(defect.get());
           } else {

@@ -19,10 +19,10 @@ final class SimulatedBase implements MobileBase {
   private static final double GRAZING_METRES = 0.01;
 
   private final Actuator actuator;
-  private final PhysicalParameters.BaseData data;
+  private final BaseData data;
   private long driveNumber;
 
-  SimulatedBase(Actuator actuator, PhysicalParameters.BaseData data) {
+  SimulatedBase(Actuator actuator, BaseData data) {
     this.actuator = actuator;
     this.data = data;
   }
@@ -49,26 +49,26 @@ final class SimulatedBase implements MobileBase {
 
   /** From here, as fast as the wheels grip now. */
   private void roll(List<Point2> way, long number, Completion completion) {
-    double grip = 1 - actuator.world().slipOf(actuator.device());
+    double grip = 1 - actuator.world().faults().slipOf(actuator.device());
     if (grip <= 0) {
-      actuator.world().stop(actuator.device());
+      actuator.world().whereabouts().stop(actuator.device());
       completion.failed("its wheels do not grip");
       return;
     }
     Drive drive = new Drive(actuator.clock().now(), position(), way, grip * data.speed());
-    actuator.world().start(actuator.device(), drive);
+    actuator.world().whereabouts().start(actuator.device(), drive);
     goOn(drive, number, completion);
   }
 
   private void goOn(Drive drive, long number, Completion completion) {
     if (number != driveNumber
-        || !actuator.world().drive(actuator.device()).equals(Optional.of(drive))) {
+        || !actuator.world().whereabouts().drive(actuator.device()).equals(Optional.of(drive))) {
       return;
     }
     World world = actuator.world();
     Duration now = actuator.clock().now();
-    if (drive.speed() != (1 - world.slipOf(actuator.device())) * data.speed()) {
-      world.stop(actuator.device());
+    if (drive.speed() != (1 - world.faults().slipOf(actuator.device())) * data.speed()) {
+      world.whereabouts().stop(actuator.device());
       roll(drive.wayAhead(now), number, completion);
       return;
     }
@@ -77,11 +77,11 @@ final class SimulatedBase implements MobileBase {
             other -> world.tell(WorldEvent.Kind.COLLIDED, actuator.device(), Optional.of(other)));
     double left = drive.begun().plus(drive.duration()).minus(now).toNanos() / 1e9;
     if (left <= 0) {
-      actuator.world().stop(actuator.device());
+      actuator.world().whereabouts().stop(actuator.device());
       actuator.tell(WorldEvent.Kind.DRIVEN);
       completion.done();
     } else if (!isFree(drive.ahead(now, data.checkSeconds()))) {
-      actuator.world().stop(actuator.device());
+      actuator.world().whereabouts().stop(actuator.device());
       actuator.tell(WorldEvent.Kind.BLOCKED);
       completion.failed("something stands in the way");
     } else {
@@ -93,7 +93,9 @@ final class SimulatedBase implements MobileBase {
     World world = actuator.world();
     RoutePlanner body =
         new RoutePlanner(
-            world.walls(), world.obstacles(actuator.device()), data.radius() - GRAZING_METRES);
+            world.building().walls(),
+            world.whereabouts().obstacles(actuator.device()),
+            data.radius() - GRAZING_METRES);
     return ahead.stream()
         .allMatch(
             piece ->
@@ -105,7 +107,7 @@ final class SimulatedBase implements MobileBase {
   @Override
   public void stop() {
     driveNumber++;
-    actuator.world().stop(actuator.device());
+    actuator.world().whereabouts().stop(actuator.device());
   }
 
   @Override

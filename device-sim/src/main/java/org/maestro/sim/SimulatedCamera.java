@@ -21,7 +21,7 @@ import org.maestro.ontology.home.Point2;
 final class SimulatedCamera implements Camera {
 
   private final Actuator actuator;
-  private final PhysicalParameters.CameraData data;
+  private final CameraData data;
   private final Likeness likeness;
   private final Eye eye;
   private final ViewLight light;
@@ -70,7 +70,8 @@ final class SimulatedCamera implements Camera {
     World world = actuator.world();
     Optional<Position> place =
         world
-            .findBody(target.name())
+            .whereabouts()
+            .find(target.name())
             .filter(Body::isInTheOpen)
             .flatMap(body -> world.position(body.name()))
             .filter(this::sees);
@@ -114,7 +115,8 @@ final class SimulatedCamera implements Camera {
     for (String name : world.bodies()) {
       Optional<Position> place =
           world
-              .findBody(name)
+              .whereabouts()
+              .find(name)
               .filter(body -> !name.equals(wanted) && body.isInTheOpen())
               .flatMap(body -> world.position(name))
               .filter(this::sees);
@@ -144,14 +146,14 @@ final class SimulatedCamera implements Camera {
 
   /** Whether a point is in the cone of view and not behind a wall. */
   boolean sees(Position point) {
-    return eye.sees(point, actuator.world().plan());
+    return eye.sees(point, actuator.world().building().plan());
   }
 
   @Override
   public double shareInView(String area) {
-    List<Point2> samples = Eye.samples(actuator.world().map().area(area));
+    List<Point2> samples = Eye.samples(actuator.world().building().map().area(area));
     var from = eye.views().get();
-    FloorPlan plan = actuator.world().plan();
+    FloorPlan plan = actuator.world().building().plan();
     long seen = samples.stream().filter(p -> eye.sees(Position.onFloor(p), from, plan)).count();
     return samples.isEmpty() ? 0 : (double) seen / samples.size();
   }

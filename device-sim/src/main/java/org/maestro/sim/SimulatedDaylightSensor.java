@@ -11,22 +11,20 @@ import org.maestro.ontology.home.Glass;
 final class SimulatedDaylightSensor implements DaylightSensor {
 
   private final Actuator actuator;
-  private final PhysicalParameters.FacadeData data;
+  private final FacadeData data;
   private final List<Glass> windows;
   private Reading told = new Reading(0, 0);
 
   private record Reading(double diffuse, double sun) {}
 
-  private SimulatedDaylightSensor(
-      Actuator actuator, PhysicalParameters.FacadeData data, List<Glass> windows) {
+  private SimulatedDaylightSensor(Actuator actuator, FacadeData data, List<Glass> windows) {
     this.actuator = actuator;
     this.data = data;
     this.windows = windows;
   }
 
   /** It measures from now on. */
-  static SimulatedDaylightSensor start(
-      Actuator actuator, PhysicalParameters.FacadeData data, List<Glass> windows) {
+  static SimulatedDaylightSensor start(Actuator actuator, FacadeData data, List<Glass> windows) {
     SimulatedDaylightSensor sensor = new SimulatedDaylightSensor(actuator, data, windows);
     sensor.told = sensor.measured();
     sensor.goOn();
@@ -56,8 +54,11 @@ final class SimulatedDaylightSensor implements DaylightSensor {
 
   private Reading measured() {
     double sun =
-        windows.stream().mapToDouble(glass -> actuator.world().sunUpon(glass)).average().orElse(0);
-    return new Reading(noisy(actuator.world().diffuseUponWindows()), noisy(sun));
+        windows.stream()
+            .mapToDouble(glass -> actuator.world().lighting().sunUpon(glass))
+            .average()
+            .orElse(0);
+    return new Reading(noisy(actuator.world().lighting().diffuseUponWindows()), noisy(sun));
   }
 
   private double noisy(double lux) {

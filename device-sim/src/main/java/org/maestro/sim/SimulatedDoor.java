@@ -7,9 +7,9 @@ import org.maestro.hal.DoorDrive;
 final class SimulatedDoor implements DoorDrive {
 
   private final Actuator actuator;
-  private final PhysicalParameters.DriveData data;
+  private final DriveData data;
 
-  SimulatedDoor(Actuator actuator, PhysicalParameters.DriveData data) {
+  SimulatedDoor(Actuator actuator, DriveData data) {
     this.actuator = actuator;
     this.data = data;
   }

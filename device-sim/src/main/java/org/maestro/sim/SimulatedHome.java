@@ -1,7 +1,6 @@
 package org.maestro.sim;
 
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,7 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.maestro.device.DeviceMember;
@@ -21,11 +19,9 @@ import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Windows;
 import org.maestro.rats.member.CallPolicy;
-import org.maestro.rats.member.RatsMember;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.InProcessBus;
 import org.maestro.rats.transport.Transport;
-import org.maestro.sim.link.BadLink;
 
 /**
  * A home whose devices are simulated: one world, and one RATS member for each device that has a
@@ -36,12 +32,9 @@ public final class SimulatedHome implements AutoCloseable {
 
   private final Setup setup;
   private final World world;
-  private final Map<String, DeviceMember> members = new LinkedHashMap<>();
-  private final Map<String, Drivers> driversOf = new LinkedHashMap<>();
-  private final Map<String, BadLink> links = new TreeMap<>();
+  private final Map<String, Drivers> driversOf;
+  private final LivingMembers members;
   private final FaultRunner faults;
-  private final Map<String, RatsMember> running = new LinkedHashMap<>();
-  private boolean closed;
 
   /**
    * What a simulated home is made from.
@@ -133,9 +126,16 @@ public final class SimulatedHome implements AutoCloseable {
     this.setup = setup;
     this.world =
         new World(setup.home(), setup.scene(), setup.clock(), setup.seed(), setup.parameters());
+    this.driversOf = furnished();
+    this.members = new LivingMembers(setup, described());
     this.faults =
         new FaultRunner(
-            setup.home(), world, setup.clock(), new Random(~setup.seed()), this::link, setup.bus());
+            setup.home(),
+            world,
+            setup.clock(),
+            new Random(~setup.seed()),
+            members::link,
+            setup.bus());
   }
 
   /**
@@ -146,11 +146,8 @@ public final class SimulatedHome implements AutoCloseable {
    */
   public static SimulatedHome start(Setup setup) {
     SimulatedHome simulated = new SimulatedHome(setup);
-    simulated.furnish();
-    simulated.members.keySet().stream()
-        .filter(simulated.world::isAlive)
-        .forEach(simulated::startMember);
-    simulated.world.listen(simulated::follow);
+    simulated.devices().stream().filter(simulated.world::isAlive).forEach(simulated.members::start);
+    simulated.world.listen(simulated.members::follow);
     simulated.begin(setup.scene().course());
     return simulated;
   }
@@ -177,7 +174,7 @@ public final class SimulatedHome implements AutoCloseable {
 
   /** Ids of the devices run here, in declared order. */
   public List<String> devices() {
-    return List.copyOf(members.keySet());
+    return members.ids();
   }
 
   /**
@@ -221,33 +218,38 @@ public final class SimulatedHome implements AutoCloseable {
   /** All members leave the bus for good. */
   @Override
   public void close() {
-    List<RatsMember> leaving;
-    synchronized (this) {
-      closed = true;
-      leaving = new ArrayList<>(running.values());
-      running.clear();
-    }
-    leaving.forEach(RatsMember::close);
+    members.close();
     world.end();
   }
 
-  private void furnish() {
+  /** Drivers of the devices that are run here, in declared order; all devices get their seeds. */
+  private Map<String, Drivers> furnished() {
     DriverFactory factory =
         new DriverFactory(
             world, setup.scene(), setup.clock(), setup.parameters(), new Windows(setup.home()));
-    List<Device> inOrder = inDeclaredOrder(setup.home());
+    Map<String, Drivers> all = new LinkedHashMap<>();
     Random seeds = new Random(setup.seed());
-    for (Device device : inOrder) {
+    for (Device device : inDeclaredOrder(setup.home())) {
       long seed = seeds.nextLong();
-      Optional<Drivers> drivers = device.driver().map(key -> factory.drivers(device, key, seed));
-      if (drivers.isPresent() && isFitted(drivers.get()) && setup.only().test(device.id())) {
-        driversOf.put(device.id(), drivers.get());
-        members.put(
-            device.id(),
-            DeviceMember.of(
-                device, drivers.get(), setup.clock(), setup.descriptions().apply(device)));
-      }
+      device
+          .driver()
+          .map(key -> factory.drivers(device, key, seed))
+          .filter(this::isFitted)
+          .filter(drivers -> setup.only().test(device.id()))
+          .ifPresent(drivers -> all.put(device.id(), drivers));
     }
+    return all;
+  }
+
+  private Map<String, DeviceMember> described() {
+    Map<String, DeviceMember> described = new LinkedHashMap<>();
+    driversOf.forEach(
+        (id, drivers) -> {
+          Device device = setup.home().devices().get(id);
+          String description = setup.descriptions().apply(device);
+          described.put(id, DeviceMember.of(device, drivers, setup.clock(), description));
+        });
+    return described;
   }
 
   private boolean isFitted(Drivers drivers) {
@@ -263,59 +265,5 @@ public final class SimulatedHome implements AutoCloseable {
                             .orElse(Double.POSITIVE_INFINITY))
                 .thenComparing(Device::id))
         .toList();
-  }
-
-  /** The link of a member, through all its lives. */
-  private synchronized BadLink link(String id) {
-    return links.computeIfAbsent(
-        id,
-        member ->
-            new BadLink(
-                member,
-                setup.clock(),
-                new Random(31 * setup.seed() + List.copyOf(members.keySet()).indexOf(member))));
-  }
-
-  private void startMember(String id) {
-    DeviceMember member = members.get(id);
-    RatsMember started =
-        RatsMember.start(
-            member.profile(),
-            member.values(),
-            link(id).over(setup.transports().apply(id)),
-            setup.site(),
-            setup.policy(),
-            setup.clock());
-    synchronized (this) {
-      running.put(id, started);
-    }
-  }
-
-  private void follow(WorldEvent event) {
-    String subject = event.subject();
-    if (event.kind() == WorldEvent.Kind.DIED) {
-      removeRunning(subject).ifPresent(RatsMember::die);
-    } else if (event.kind() == WorldEvent.Kind.REVIVED && isWanted(subject)) {
-      startMember(subject);
-    } else {
-      findRunning(subject).ifPresent(this::tellChange);
-    }
-  }
-
-  /** The change may have been made by any thread; the member belongs to the clock's. */
-  private void tellChange(RatsMember member) {
-    setup.clock().schedule(Duration.ZERO, member.id(), member::stateChanged);
-  }
-
-  private synchronized Optional<RatsMember> findRunning(String id) {
-    return Optional.ofNullable(running.get(id));
-  }
-
-  private synchronized Optional<RatsMember> removeRunning(String id) {
-    return Optional.ofNullable(running.remove(id));
-  }
-
-  private synchronized boolean isWanted(String id) {
-    return !closed && members.containsKey(id) && !running.containsKey(id);
   }
 }

@@ -9,10 +9,10 @@ import org.maestro.hal.DimmableLamp;
 final class SimulatedLamp implements DimmableLamp {
 
   private final Actuator actuator;
-  private final PhysicalParameters.LampData data;
+  private final LampData data;
   private int whiteKelvin;
 
-  SimulatedLamp(Actuator actuator, PhysicalParameters.LampData data) {
+  SimulatedLamp(Actuator actuator, LampData data) {
     this.actuator = actuator;
     this.data = data;
     this.whiteKelvin = data.whiteKelvin();
@@ -29,7 +29,7 @@ final class SimulatedLamp implements DimmableLamp {
         data.transitionSeconds(),
         completion::failed,
         () -> {
-          actuator.world().setLevel(actuator.device(), level);
+          actuator.world().lighting().setLevel(actuator.device(), level);
           white.ifPresent(kelvin -> whiteKelvin = kelvin);
           actuator.tell(WorldEvent.Kind.LIT);
           completion.done();

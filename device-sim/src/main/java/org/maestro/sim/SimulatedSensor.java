@@ -7,10 +7,10 @@ import org.maestro.hal.Position;
 final class SimulatedSensor implements IlluminationSensor {
 
   private final Actuator actuator;
-  private final PhysicalParameters.SensorData data;
+  private final SensorData data;
   private final Position place;
 
-  SimulatedSensor(Actuator actuator, PhysicalParameters.SensorData data, Position place) {
+  SimulatedSensor(Actuator actuator, SensorData data, Position place) {
     this.actuator = actuator;
     this.data = data;
     this.place = place;
@@ -26,7 +26,7 @@ final class SimulatedSensor implements IlluminationSensor {
             listener.measured(
                 reading(
                     actuator.world().lux(place)
-                        * actuator.world().distortion(actuator.device())
+                        * actuator.world().faults().distortion(actuator.device())
                         * (1 + actuator.error(data.noise())))));
   }
 

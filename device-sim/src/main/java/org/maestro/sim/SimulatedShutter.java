@@ -7,9 +7,9 @@ import org.maestro.hal.ShutterDrive;
 final class SimulatedShutter implements ShutterDrive {
 
   private final Actuator actuator;
-  private final PhysicalParameters.DriveData data;
+  private final DriveData data;
 
-  SimulatedShutter(Actuator actuator, PhysicalParameters.DriveData data) {
+  SimulatedShutter(Actuator actuator, DriveData data) {
     this.actuator = actuator;
     this.data = data;
   }
@@ -21,7 +21,7 @@ final class SimulatedShutter implements ShutterDrive {
         Math.abs(newOpening - opening()) * data.shutterSeconds(),
         completion::failed,
         () -> {
-          actuator.world().setOpening(actuator.device(), newOpening);
+          actuator.world().lighting().setOpening(actuator.device(), newOpening);
           completion.done();
         });
   }

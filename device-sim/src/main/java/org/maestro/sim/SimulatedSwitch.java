@@ -7,9 +7,9 @@ import org.maestro.hal.Switch;
 final class SimulatedSwitch implements Switch {
 
   private final Actuator actuator;
-  private final PhysicalParameters.DriveData data;
+  private final DriveData data;
 
-  SimulatedSwitch(Actuator actuator, PhysicalParameters.DriveData data) {
+  SimulatedSwitch(Actuator actuator, DriveData data) {
     this.actuator = actuator;
     this.data = data;
   }
@@ -21,7 +21,7 @@ final class SimulatedSwitch implements Switch {
         data.relaySeconds(),
         completion::failed,
         () -> {
-          actuator.world().setLevel(actuator.device(), on ? 1 : 0);
+          actuator.world().lighting().setLevel(actuator.device(), on ? 1 : 0);
           actuator.tell(WorldEvent.Kind.LIT);
           completion.done();
         });

@@ -12,11 +12,11 @@ import org.maestro.hal.Tsl2561.Range;
 final class SimulatedTsl2561 implements IlluminationSensor {
 
   private final Actuator actuator;
-  private final PhysicalParameters.SensorData data;
+  private final SensorData data;
   private final Position place;
   private Range range = Range.USUAL;
 
-  SimulatedTsl2561(Actuator actuator, PhysicalParameters.SensorData data, Position place) {
+  SimulatedTsl2561(Actuator actuator, SensorData data, Position place) {
     this.actuator = actuator;
     this.data = data;
     this.place = place;
@@ -31,7 +31,7 @@ final class SimulatedTsl2561 implements IlluminationSensor {
   private void count(Listener listener) {
     double lux =
         actuator.world().lux(place)
-            * actuator.world().distortion(actuator.device())
+            * actuator.world().faults().distortion(actuator.device())
             * (1 + actuator.error(data.noise()));
     Range fitting = fitting(lux);
     if (counts(lux, range) >= range.mostCounts() && fitting != range) {

@@ -48,7 +48,7 @@ final class SimulatedWheels implements WheelMotors, Localization {
     boolean moved = !motion.equals(Twist.STILL);
     double heading = heading();
     World world = actuator.world();
-    world.stop(actuator.device());
+    world.whereabouts().stop(actuator.device());
     since = actuator.clock().now();
     headingThen = heading;
     boolean turns = radiansPerSecond.stream().anyMatch(speed -> speed != 0);
@@ -59,7 +59,7 @@ final class SimulatedWheels implements WheelMotors, Localization {
       }
       return;
     }
-    double grip = 1 - world.slipOf(actuator.device());
+    double grip = 1 - world.faults().slipOf(actuator.device());
     motion =
         geometry.motion(
             radiansPerSecond.stream()
@@ -73,7 +73,7 @@ final class SimulatedWheels implements WheelMotors, Localization {
 
   @Override
   public Optional<String> fault() {
-    return actuator.world().defect(actuator.device());
+    return actuator.world().faults().defect(actuator.device());
   }
 
   private void roll(double heading) {
@@ -83,7 +83,10 @@ final class SimulatedWheels implements WheelMotors, Localization {
       double y = motion.forward() * Math.sin(heading) + motion.left() * Math.cos(heading);
       Point2 from = position();
       Point2 end = new Point2(from.x() + x * WATCHDOG_SECONDS, from.y() + y * WATCHDOG_SECONDS);
-      actuator.world().start(actuator.device(), new Drive(since, from, List.of(end), speed));
+      actuator
+          .world()
+          .whereabouts()
+          .start(actuator.device(), new Drive(since, from, List.of(end), speed));
     }
   }
 
@@ -102,7 +105,9 @@ final class SimulatedWheels implements WheelMotors, Localization {
   public boolean isFree(Segment ahead) {
     World world = actuator.world();
     return new RoutePlanner(
-                world.walls(), world.obstacles(actuator.device()), radius - GRAZING_METRES)
+                world.building().walls(),
+                world.whereabouts().obstacles(actuator.device()),
+                radius - GRAZING_METRES)
             .isFreeWay(ahead.from(), ahead.to())
         && !Encounters.isAhead(world, actuator.device(), radius, ahead, LOOK_AHEAD_SECONDS);
   }

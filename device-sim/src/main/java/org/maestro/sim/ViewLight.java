@@ -57,20 +57,20 @@ final class ViewLight {
   }
 
   private List<Seen> current() {
-    long now = world.lightVersion();
+    long now = world.lighting().version();
     List<Pose> from = eye.views().get();
     if (now != version || !from.equals(views)) {
       seen = measured(from);
       version = now;
       views = from;
     }
-    return world.hasDaylight() ? withThings(from) : seen;
+    return world.lighting().hasDaylight() ? withThings(from) : seen;
   }
 
   private List<Seen> measured(List<Pose> from) {
-    FloorPlan plan = world.plan();
+    FloorPlan plan = world.building().plan();
     List<Seen> areas = new ArrayList<>();
-    for (Area area : world.map().areas()) {
+    for (Area area : world.building().map().areas()) {
       List<Point2> samples = Eye.samples(area);
       double[] lux =
           samples.stream()
@@ -94,9 +94,9 @@ final class ViewLight {
   private List<Seen> withThings(List<Pose> from) {
     Map<String, Seen> byArea = new TreeMap<>();
     seen.forEach(area -> byArea.put(area.light().area(), area));
-    FloorPlan plan = world.plan();
-    for (Position place : world.placesInTheOpen()) {
-      Optional<String> area = world.map().areaAt(place.floor()).map(Area::name);
+    FloorPlan plan = world.building().plan();
+    for (Position place : world.whereabouts().placesInTheOpen()) {
+      Optional<String> area = world.building().map().areaAt(place.floor()).map(Area::name);
       if (area.isPresent() && byArea.containsKey(area.get()) && eye.sees(place, from, plan)) {
         byArea.computeIfPresent(area.get(), (name, known) -> known.with(world.lux(place)));
       }

@@ -44,12 +44,12 @@ final class Walks {
   private void walk(String person, List<Point2> corners, int next) {
     Point2 here = world.position(person).orElseThrow().floor();
     Point2 corner = corners.get(next);
-    world.start(person, new Drive(clock.now(), here, List.of(corner), WALKING_SPEED));
+    world.whereabouts().start(person, new Drive(clock.now(), here, List.of(corner), WALKING_SPEED));
     later(
         person,
         Math.max(0.1, here.distance(corner) / WALKING_SPEED),
         () -> {
-          world.stop(person);
+          world.whereabouts().stop(person);
           world.tell(WorldEvent.Kind.MOVED, person, Optional.empty());
           walk(person, corners, (next + 1) % corners.size());
         });

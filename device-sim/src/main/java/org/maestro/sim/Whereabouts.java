@@ -16,133 +16,182 @@ import org.maestro.rats.time.Clock;
 /** Where all bodies are, who holds what, and who drives. Guarded by the world's lock. */
 final class Whereabouts {
 
+  private final Object lock;
   private final Clock clock;
   private final Map<String, Body> bodies = new TreeMap<>();
   private final Map<String, Drive> drives = new TreeMap<>();
   private final Map<String, List<PathPoint>> paths = new TreeMap<>();
   private final Map<String, Duration> driven = new TreeMap<>();
 
-  Whereabouts(Clock clock) {
+  Whereabouts(Object lock, Clock clock) {
+    this.lock = lock;
     this.clock = clock;
   }
 
   Set<String> names() {
-    return new TreeSet<>(bodies.keySet());
+    synchronized (lock) {
+      return new TreeSet<>(bodies.keySet());
+    }
   }
 
   Optional<Body> find(String name) {
-    return Optional.ofNullable(bodies.get(name));
+    synchronized (lock) {
+      return Optional.ofNullable(bodies.get(name));
+    }
   }
 
   /**
    * @throws SimulationException when it is nowhere
    */
   Body body(String name) {
-    return find(name)
-        .orElseThrow(
-            () ->
-                new SimulationException(
-                    name + " is nowhere in this world; there are " + bodies.keySet()));
+    synchronized (lock) {
+      return find(name)
+          .orElseThrow(
+              () ->
+                  new SimulationException(
+                      name + " is nowhere in this world; there are " + bodies.keySet()));
+    }
   }
 
   void put(Body body) {
-    bodies.put(body.name(), body);
+    synchronized (lock) {
+      bodies.put(body.name(), body);
+    }
   }
 
   Optional<Position> position(String name) {
-    Body body = bodies.get(name);
-    if (body == null) {
-      return Optional.empty();
+    synchronized (lock) {
+      Body body = bodies.get(name);
+      if (body == null) {
+        return Optional.empty();
+      }
+      if (body.holder().isPresent()) {
+        return position(body.holder().get());
+      }
+      return Optional.of(
+          drive(name)
+              .map(drive -> Position.onFloor(drive.positionAt(clock.now())))
+              .orElse(body.position()));
     }
-    if (body.holder().isPresent()) {
-      return position(body.holder().get());
-    }
-    return Optional.of(
-        drive(name)
-            .map(drive -> Position.onFloor(drive.positionAt(clock.now())))
-            .orElse(body.position()));
   }
 
   Optional<String> held(String robot) {
-    return bodies.values().stream()
-        .filter(body -> body.holder().equals(Optional.of(robot)))
-        .map(Body::name)
-        .findFirst();
+    synchronized (lock) {
+      return bodies.values().stream()
+          .filter(body -> body.holder().equals(Optional.of(robot)))
+          .map(Body::name)
+          .findFirst();
+    }
   }
 
-  /** What stands on the floor, but for these. */
-  List<Obstacle> obstaclesWithout(Set<String> names) {
-    List<Obstacle> obstacles = new ArrayList<>();
-    for (Body body : bodies.values()) {
-      if (body.isObstacle() && !names.contains(body.name())) {
-        Point2 place = position(body.name()).orElseThrow().floor();
-        obstacles.add(new Obstacle(place, body.radius()));
+  /** What stands in the robot's way: not itself, not what it holds. */
+  List<Obstacle> obstacles(String robot) {
+    synchronized (lock) {
+      List<Obstacle> obstacles = new ArrayList<>();
+      for (Body body : bodies.values()) {
+        if (body.isObstacle() && !body.name().equals(robot)) {
+          Point2 place = position(body.name()).orElseThrow().floor();
+          obstacles.add(new Obstacle(place, body.radius()));
+        }
       }
+      return obstacles;
     }
-    return obstacles;
   }
 
   /** A body that a thing would overlap if it stood there. */
-  Optional<String> occupant(Position place, Body thing) {
-    return bodies.values().stream()
-        .filter(body -> body.isObstacle() && !body.name().equals(thing.name()))
-        .filter(
-            body ->
-                position(body.name()).orElseThrow().floor().distance(place.floor())
-                    < body.radius() + thing.radius())
-        .map(Body::name)
-        .findFirst();
+  Optional<String> occupant(Position place, String name) {
+    synchronized (lock) {
+      Body thing = body(name);
+      return bodies.values().stream()
+          .filter(body -> body.isObstacle() && !body.name().equals(thing.name()))
+          .filter(
+              body ->
+                  position(body.name()).orElseThrow().floor().distance(place.floor())
+                      < body.radius() + thing.radius())
+          .map(Body::name)
+          .findFirst();
+    }
+  }
+
+  /** Where all that is neither hidden nor held is. */
+  List<Position> placesInTheOpen() {
+    synchronized (lock) {
+      return bodies.values().stream()
+          .filter(Body::isInTheOpen)
+          .flatMap(body -> position(body.name()).stream())
+          .toList();
+    }
   }
 
   Optional<Drive> drive(String robot) {
-    return Optional.ofNullable(drives.get(robot));
+    synchronized (lock) {
+      return Optional.ofNullable(drives.get(robot));
+    }
   }
 
-  /** Who drives or walks. */
-  Set<String> moving() {
-    return new TreeSet<>(drives.keySet());
+  /** Who drives or walks, but for one. */
+  Set<String> movingWithout(String robot) {
+    synchronized (lock) {
+      Set<String> others = new TreeSet<>(drives.keySet());
+      others.remove(robot);
+      return others;
+    }
   }
 
   /** For how long it has driven until now. */
   Duration driven(String robot) {
-    Duration before = driven.getOrDefault(robot, Duration.ZERO);
-    return drive(robot).map(drive -> before.plus(clock.now().minus(drive.begun()))).orElse(before);
+    synchronized (lock) {
+      Duration before = driven.getOrDefault(robot, Duration.ZERO);
+      return drive(robot)
+          .map(drive -> before.plus(clock.now().minus(drive.begun())))
+          .orElse(before);
+    }
   }
 
   void start(String robot, Drive drive) {
-    drives.put(robot, drive);
+    synchronized (lock) {
+      drives.put(robot, drive);
+    }
   }
 
   /** Ends a drive where the robot is now. */
   void stop(String robot) {
-    drive(robot)
-        .ifPresent(
-            drive -> {
-              paths
-                  .computeIfAbsent(robot, name -> new ArrayList<>())
-                  .addAll(drive.pathUntil(clock.now()));
-              driven.merge(robot, clock.now().minus(drive.begun()), Duration::plus);
-              Position place = Position.onFloor(drive.positionAt(clock.now()));
-              drives.remove(robot);
-              put(body(robot).at(place));
-            });
-  }
-
-  double heading(String name) {
-    List<PathPoint> path = path(name);
-    for (int i = path.size() - 1; i > 0; i--) {
-      Point2 from = path.get(i - 1).point();
-      Point2 to = path.get(i).point();
-      if (from.distance(to) > 0) {
-        return Math.atan2(to.y() - from.y(), to.x() - from.x());
-      }
+    synchronized (lock) {
+      drive(robot)
+          .ifPresent(
+              drive -> {
+                paths
+                    .computeIfAbsent(robot, name -> new ArrayList<>())
+                    .addAll(drive.pathUntil(clock.now()));
+                driven.merge(robot, clock.now().minus(drive.begun()), Duration::plus);
+                Position place = Position.onFloor(drive.positionAt(clock.now()));
+                drives.remove(robot);
+                put(body(robot).at(place));
+              });
     }
-    return 0;
   }
 
+  /** In which direction it drives or last drove, from x towards y; radians. */
+  double heading(String name) {
+    synchronized (lock) {
+      List<PathPoint> path = path(name);
+      for (int i = path.size() - 1; i > 0; i--) {
+        Point2 from = path.get(i - 1).point();
+        Point2 to = path.get(i).point();
+        if (from.distance(to) > 0) {
+          return Math.atan2(to.y() - from.y(), to.x() - from.x());
+        }
+      }
+      return 0;
+    }
+  }
+
+  /** Where a robot went, corner by corner, up to now. */
   List<PathPoint> path(String robot) {
-    List<PathPoint> path = new ArrayList<>(paths.getOrDefault(robot, List.of()));
-    drive(robot).ifPresent(drive -> path.addAll(drive.pathUntil(clock.now())));
-    return List.copyOf(path);
+    synchronized (lock) {
+      List<PathPoint> path = new ArrayList<>(paths.getOrDefault(robot, List.of()));
+      drive(robot).ifPresent(drive -> path.addAll(drive.pathUntil(clock.now())));
+      return List.copyOf(path);
+    }
   }
 }

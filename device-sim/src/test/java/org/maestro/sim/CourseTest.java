@@ -118,7 +118,7 @@ class CourseTest {
       homes.clock.run(Duration.ofMillis(1250));
       assertThat(homes.world().position("Bob").orElseThrow().floor().distance(new Point2(3, 2.35)))
           .isLessThan(0.05);
-      assertThat(homes.world().obstacles("rose")).hasSize(1);
+      assertThat(homes.world().whereabouts().obstacles("rose")).hasSize(1);
       homes.clock.run(Duration.ofMillis(2500));
       assertThat(homes.world().position("Bob").orElseThrow().x()).isLessThan(1.1);
     }

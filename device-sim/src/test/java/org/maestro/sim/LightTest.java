@@ -71,11 +71,11 @@ class LightTest {
       World world = homes.world();
       Position point = floor(4.5, 1.5);
       assertThat(world.lux(point)).isCloseTo(17, within(1e-9));
-      world.setLevel("lamp-b1", 1);
+      world.lighting().setLevel("lamp-b1", 1);
       // lamp-b1 is 0.4 m aside at 2.8 m: 505 * 2.8 / 8^1.5 with 0.16 + 7.84 = 8
       double first = 505 * 2.8 / Math.pow(8, 1.5);
       assertThat(world.lux(point)).isCloseTo(17 + first, within(1e-9));
-      world.setLevel("lamp-b2", 1);
+      world.lighting().setLevel("lamp-b2", 1);
       assertThat(world.lux(point))
           .isCloseTo(17 + first + 443.5 * 2.8 / Math.pow(8, 1.5), within(1e-9));
       world.die("lamp-b1");

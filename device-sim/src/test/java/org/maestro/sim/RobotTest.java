@@ -113,7 +113,10 @@ class RobotTest {
     homes.world().moveByHand("Cup", new Position(5.5, 0.5, 0));
     Result missed = call("pick", Map.of("object", there));
     assertThat(missed.error().orElseThrow().message()).contains("not where it was seen");
-    homes.world().put(new Body("Cup", new Position(5.5, 0.5, 0), 0.04, 3, false, Optional.empty()));
+    homes
+        .world()
+        .whereabouts()
+        .put(new Body("Cup", new Position(5.5, 0.5, 0), 0.04, 3, false, Optional.empty()));
     Result heavy = call("pick", Map.of("object", homes.at("Cup")));
     assertThat(heavy.error().orElseThrow().message()).contains("heavier than 0.5 kg");
   }

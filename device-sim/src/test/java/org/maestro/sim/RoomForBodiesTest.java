@@ -68,6 +68,40 @@ class RoomForBodiesTest {
     }
   }
 
+  /** Somebody who walks beside a robot and turns to it within its scanner's time runs into it. */
+  @Test
+  void whoRunsIntoADrivingRobotIsTold() {
+    try (Homes homes =
+        new Homes(
+            "bob",
+            "bob-lit",
+            1,
+            scene ->
+                scene
+                    .with("rose", scene.of("rose").at(new Position(3.6, 0.8, 0)))
+                    .with("Bob", scene.of("Bob").at(new Position(3.6, 1.5, 0)))
+                    .with("Cup", scene.of("Cup").at(new Position(5.6, 2.6, 0))))) {
+      List<WorldEvent> collisions = new ArrayList<>();
+      homes
+          .world()
+          .listen(
+              event -> {
+                if (event.kind() == WorldEvent.Kind.COLLIDED) {
+                  collisions.add(event);
+                }
+              });
+      new Walks(homes.world(), homes.clock)
+          .start("Bob", List.of(new Point2(4.64, 1.5), new Point2(4.64, 0.8)));
+      List<String> ends = new ArrayList<>();
+      drive(homes, "rose", new Point2(5.4, 0.8), ends);
+      homes.clock.run(Duration.ofMillis(1300));
+      assertThat(collisions).isEmpty();
+      homes.clock.run(Duration.ofMillis(400));
+      assertThat(collisions).extracting(WorldEvent::subject).containsOnly("rose");
+      assertThat(collisions).extracting(event -> event.thing().orElse("")).containsOnly("Bob");
+    }
+  }
+
   private static void drive(Homes homes, String robot, Point2 to, List<String> ends) {
     homes
         .simulated

@@ -111,14 +111,24 @@ class SightTest {
       homes.world().hide("Cup", true);
       assertThat(look(homes, camera, 15).detections()).isZero();
       homes.world().hide("Cup", false);
-      homes.world().put(homes.world().body("Cup").heldBy("rose"));
+      homes.world().whereabouts().put(homes.world().whereabouts().body("Cup").heldBy("rose"));
       assertThat(look(homes, camera, 15).detections()).isZero();
     }
   }
 
   @Test
+  void takesAsManyImagesAndAsLargeOnesAsTheHomeSays() {
+    try (Homes homes = new Homes("flat", "flat-day", 1, scene -> scene)) {
+      Camera camera = homes.simulated.drivers("cam-living").find(Camera.class).orElseThrow();
+      assertThat(camera.frameRate()).isEqualTo(15);
+      Photo photo = homes.simulated.photo("cam-living");
+      assertThat(List.of(photo.width(), photo.height())).containsExactly(1280, 720);
+    }
+  }
+
+  @Test
   void isCertainFromItsThresholdOn() {
-    PhysicalParameters.CameraData data = PhysicalParameters.standard().camera();
+    CameraData data = PhysicalParameters.standard().camera();
     assertThat(data.detectability(data.minimumLux())).isGreaterThan(0.98);
     assertThat(data.detectability(62.5)).isLessThan(0.001);
     assertThat(data.detectability(19)).isLessThan(1e-20);

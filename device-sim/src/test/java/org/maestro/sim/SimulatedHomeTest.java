@@ -227,7 +227,8 @@ class SimulatedHomeTest {
         none.payload(),
         Optional.of(kind),
         none.colour(),
-        none.charge());
+        none.charge(),
+        none.charges());
   }
 
   private static MemberStatus.Phase phase(Homes homes, String id) {

@@ -1,0 +1,46 @@
+package org.maestro.scenario;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.maestro.junit.MaestroAssertions.assertThat;
+
+import java.time.Duration;
+import org.junit.jupiter.api.Test;
+import org.maestro.junit.MaestroTest;
+import org.maestro.junit.Stage;
+import org.maestro.sim.World;
+
+/**
+ * One plan over nearly every kind of hardware (M2): shutter, switch, door, light sensors, cameras,
+ * and a robot with Mecanum wheels and a jamming gripper (M80).
+ */
+@MaestroTest(home = "flat", scene = "flat-day")
+class FlatTest {
+
+  @Test
+  void shutterSwitchDoorAndRobotBringTheBook(Stage stage) {
+    World world = stage.world();
+    assertThat(world.lux("living")).isLessThan(72);
+    assertThat(world.lux("sleeping")).isLessThan(72);
+    assertThat(world.isOpen("bedroom-door")).isFalse();
+
+    assertThat(stage.goal("(nextTo Book Ada)"))
+        .isReached()
+        .tells("shutter is opened to")
+        .tells("bed-lamp is set to 1")
+        .tells("bedroom-door opens");
+    assertThat(world.isNextTo("Book", "Ada")).isTrue();
+    assertThat(world.opening("shutter")).isPositive();
+    assertThat(world.lampLevel("bed-lamp")).isEqualTo(1);
+    assertThat(world.isOpen("bedroom-door")).isTrue();
+  }
+
+  @Test
+  void aRobotChargesItsBattery(Stage stage) {
+    stage.world().charge("rose", 0.9);
+    stage.run(Duration.ofSeconds(6));
+    assertThat(stage.goal("(>= (charge rose) 1)"))
+        .isReached()
+        .tells("rose charges its battery at dock");
+    assertThat(stage.world().charge("rose")).isGreaterThan(0.99);
+  }
+}
