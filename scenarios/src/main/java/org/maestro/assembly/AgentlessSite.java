@@ -19,6 +19,7 @@ import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.OptimalPlanner;
+import org.maestro.planning.ReplanningPlanner;
 import org.maestro.rats.link.BusLink;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.time.SteppedClock;
@@ -74,7 +75,7 @@ public final class AgentlessSite implements AutoCloseable {
         new Coordinator(
             new Ports(
                 knowledge,
-                new OptimalPlanner(MOST_STATES),
+                new ReplanningPlanner(new OptimalPlanner(MOST_STATES)),
                 new LinkMarket(deputies, link),
                 new LinkCrew(deputies, link),
                 new InTurn(clock),

@@ -17,6 +17,7 @@ import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.planning.ObjectivePlanner;
 import org.maestro.planning.OptimalPlanner;
+import org.maestro.planning.ReplanningPlanner;
 import org.maestro.platform.MaestroPlatform;
 import org.maestro.platform.PlatformSettings;
 import org.maestro.platform.guard.Guard;
@@ -174,7 +175,8 @@ public final class LocalSite implements AutoCloseable {
                     settings.dataDirectory())
                 .with(settings.security().map(files -> Guard.open(files, CONTROLLER))),
             knowledge(),
-            new ObjectivePlanner(new OptimalPlanner(), settings.allocation()),
+            new ObjectivePlanner(
+                new ReplanningPlanner(new OptimalPlanner()), settings.allocation()),
             link,
             this::link,
             clock,

@@ -59,6 +59,7 @@ public final class PlannerBench {
         table.add(agents, measure(name, wish.words(), problem, rows));
       }
     }
+    rows.addAll(new ReplanningBench(progress).rows());
     return new BenchReport("planner", BenchReport.thisMachine(), rows, table.lines());
   }
 

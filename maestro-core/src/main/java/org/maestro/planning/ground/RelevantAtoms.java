@@ -88,6 +88,7 @@ final class RelevantAtoms {
             return null;
           }
           for (int i = 0; i < statics[cover.symbol()].size(); i++) {
+            patience.check();
             int[] bound = bind(schema, unbound(schema), cover, statics[cover.symbol()].tuple(i));
             if (bound != null && relation.number(added.ground(bound)) < 0) {
               relation.add(added.ground(bound));

@@ -95,7 +95,8 @@ public final class AnytimePlanner {
   private void greedy(Patience patience) {
     try {
       GroundTask task = settled(patience).task();
-      SearchTask reduced = new SearchTask(task, Reduction.reduced(task, patience).operators());
+      SearchTask reduced =
+          new SearchTask(task, Reduction.reduced(task, patience).operators(), patience);
       long[] costs = Arrays.stream(reduced.cost).map(cost -> cost + one()).toArray();
       RelaxedPlan heuristic = new RelaxedPlan(reduced, costs, patience);
       LazyGreedySearch search = new LazyGreedySearch(reduced, heuristic, patience, memory);
@@ -124,7 +125,7 @@ public final class AnytimePlanner {
       if (best.verdict() == Verdict.OPTIMAL) {
         return;
       }
-      SearchTask reduced = new SearchTask(removed.task(), removed.task().operators());
+      SearchTask reduced = new SearchTask(removed.task(), removed.task().operators(), patience);
       List<Leaf> leaves = Factoring.leaves(reduced, below, patience);
       progress.accept(
           "plan of cost %d, bound %d, %d of %d operators and %d facts left, leaves of %s states"

@@ -30,7 +30,7 @@ final class BoundedRemoval {
     GroundTask now = Reduction.reduced(task, patience);
     long bound = 0;
     while (true) {
-      SearchTask search = new SearchTask(now, now.operators());
+      SearchTask search = new SearchTask(now, now.operators(), patience);
       LandmarkCuts cuts = new LandmarkCuts(search, search.cost, patience);
       long estimate = cuts.estimate(search.initial);
       bound = Math.max(bound, estimate);

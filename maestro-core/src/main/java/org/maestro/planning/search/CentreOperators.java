@@ -8,6 +8,7 @@ import java.util.TreeMap;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import org.maestro.planning.ground.GroundTask.Bound;
+import org.maestro.planning.ground.Patience;
 
 /** The operators of a task that are of no leaf, and what they ask of each leaf. */
 final class CentreOperators {
@@ -28,7 +29,10 @@ final class CentreOperators {
   private final boolean[] ownSums;
   private final int[] ownBounds;
 
-  CentreOperators(SearchTask task, Leaf[] leaves) {
+  /**
+   * @throws java.util.concurrent.CancellationException when patience is over
+   */
+  CentreOperators(SearchTask task, Leaf[] leaves, Patience patience) {
     this.task = task;
     facts = new BitSet();
     facts.set(0, task.facts);
@@ -61,6 +65,7 @@ final class CentreOperators {
     conditions = new int[numbers.length][];
     unlocked = new int[numbers.length][];
     for (int i = 0; i < numbers.length; i++) {
+      patience.refuseIfOver();
       prepare(i, leaves);
     }
     goal = Arrays.stream(task.goal).filter(facts::get).toArray();

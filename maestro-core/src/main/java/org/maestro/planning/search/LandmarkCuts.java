@@ -55,9 +55,11 @@ final class LandmarkCuts {
     }
     needed[size] = task.relaxedGoal.length == 0 ? new int[] {truth} : task.relaxedGoal;
     added[size] = new int[] {goal};
+    patience.refuseIfOver();
     int facts = goal + 1;
     consumers = SearchTask.inverse(needed, facts);
     achievers = SearchTask.inverse(added, facts);
+    patience.refuseIfOver();
     value = new long[facts];
     inGoalZone = new boolean[facts];
     inFrontZone = new boolean[facts];

@@ -69,7 +69,7 @@ final class LeafSpace {
       if (now > prices.get(from) || from < targets.length && targets[from] != null) {
         continue;
       }
-      patience.check();
+      patience.refuseIfOver();
       open.clear();
       List<Integer> used = new ArrayList<>();
       for (int o : operators) {

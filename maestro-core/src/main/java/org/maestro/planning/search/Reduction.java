@@ -85,11 +85,13 @@ final class Reduction {
   }
 
   private static GroundTask withoutUnreachable(GroundTask task, Patience patience) {
+    patience.refuseIfOver();
     List<GroundOperator> operators = task.operators();
     int[][] needed = operators.stream().map(GroundOperator::needed).toArray(int[][]::new);
     int[][] consumers = SearchTask.inverse(needed, task.facts());
     int[] open = Arrays.stream(needed).mapToInt(list -> list.length).toArray();
     BitSet reached = new BitSet(task.facts());
+    patience.refuseIfOver();
     Deque<Integer> queue = new ArrayDeque<>();
     for (int fact : task.initial()) {
       reached.set(fact);
@@ -131,11 +133,13 @@ final class Reduction {
   }
 
   private static GroundTask withoutIrrelevant(GroundTask task, Patience patience) {
+    patience.refuseIfOver();
     List<GroundOperator> operators = task.operators();
     int[][] achievers =
         SearchTask.inverse(
             operators.stream().map(GroundOperator::added).toArray(int[][]::new), task.facts());
     BitSet relevant = new BitSet(operators.size());
+    patience.refuseIfOver();
     BitSet wanted = new BitSet(task.facts());
     BitSet wantedSums = new BitSet();
     Deque<Integer> queue = new ArrayDeque<>();

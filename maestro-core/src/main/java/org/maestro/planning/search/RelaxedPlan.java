@@ -39,6 +39,7 @@ final class RelaxedPlan {
     this.task = task;
     this.costs = costs;
     this.patience = patience;
+    patience.refuseIfOver();
     value = new long[task.relaxedFacts];
     supporter = new int[task.relaxedFacts];
     closed = new boolean[task.relaxedFacts];

@@ -7,6 +7,7 @@ import java.util.List;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.GroundTask.Bound;
+import org.maestro.planning.ground.Patience;
 
 /**
  * A ground task with its facts numbered anew without gaps, in arrays that searches run over. A
@@ -36,7 +37,10 @@ final class SearchTask {
 
   private final int[] numberOf;
 
-  SearchTask(GroundTask origin, List<GroundOperator> operators) {
+  /**
+   * @throws java.util.concurrent.CancellationException when patience is over
+   */
+  SearchTask(GroundTask origin, List<GroundOperator> operators, Patience patience) {
     this.origin = origin;
     this.operators = operators;
     BitSet used = new BitSet(origin.facts());
@@ -61,6 +65,7 @@ final class SearchTask {
     relaxedAdded = new int[size][];
     relaxedFacts = facts + origin.bounds().size();
     for (int o = 0; o < size; o++) {
+      patience.check();
       GroundOperator operator = operators.get(o);
       needed[o] = renumbered(operator.needed());
       added[o] = renumbered(operator.added());
@@ -69,6 +74,7 @@ final class SearchTask {
       relaxedNeeded[o] = withBounds(needed[o], operator.bounds());
       relaxedAdded[o] = withBounds(added[o], helped(operator));
     }
+    patience.refuseIfOver();
     goal = renumbered(origin.goal());
     relaxedGoal = withBounds(goal, origin.goalBounds());
     initial = new long[words + origin.sums().length];

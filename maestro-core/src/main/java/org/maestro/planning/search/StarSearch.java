@@ -71,7 +71,7 @@ final class StarSearch {
     this.task = task;
     this.weight = weight;
     this.leaves = leaves.toArray(Leaf[]::new);
-    this.operators = new CentreOperators(task, this.leaves);
+    this.operators = new CentreOperators(task, this.leaves, patience);
     this.below = below;
     this.memory = memory;
     this.patience = patience;
@@ -209,6 +209,7 @@ final class StarSearch {
       if (!operators.isApplicable(centres.state(centre), i)) {
         continue;
       }
+      patience.refuseIfOver();
       long reached = cost[node] + operators.cost(i);
       int[] asked = operators.asked(i);
       int[] conditions = operators.conditions(i);
@@ -276,6 +277,7 @@ final class StarSearch {
     int count = centre < sameCentreCount.length ? sameCentreCount[centre] : 0;
     int[] others = count == 0 ? new int[0] : sameCentre[centre];
     for (int i = count - 1; i >= Math.max(0, count - COMPARED); i--) {
+      patience.check();
       int other = others[i];
       long[] key = table.state(other);
       long price = cost[other];

@@ -6,14 +6,19 @@ import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.PriorityQueue;
 import java.util.Set;
 import java.util.StringTokenizer;
 
 /** Runs a plan over the words of domain and problem; shares nothing with the reader or planner. */
 final class PlanExecutor {
-  private final Map<String, List<?>> actions = new HashMap<>();
+  private final Map<String, List<?>> actions = new LinkedHashMap<>();
+  private final Map<String, String> parents = new HashMap<>();
+  private final Map<String, String> objects = new LinkedHashMap<>();
   private final Set<List<?>> state = new HashSet<>();
   private final Map<List<?>, BigDecimal> values = new HashMap<>();
   private final List<?> goal;
@@ -22,11 +27,17 @@ final class PlanExecutor {
     for (Object section : tree(domain)) {
       if (section instanceof List<?> list && list.get(0).equals(":action")) {
         actions.put((String) list.get(1), list);
+      } else if (section instanceof List<?> list && list.get(0).equals(":types")) {
+        parents.putAll(typed(list.subList(1, list.size())));
+      } else if (section instanceof List<?> list && list.get(0).equals(":constants")) {
+        objects.putAll(typed(list.subList(1, list.size())));
       }
     }
     List<?> wanted = List.of();
     for (Object section : tree(problem)) {
-      if (section instanceof List<?> list && list.get(0).equals(":init")) {
+      if (section instanceof List<?> list && list.get(0).equals(":objects")) {
+        objects.putAll(typed(list.subList(1, list.size())));
+      } else if (section instanceof List<?> list && list.get(0).equals(":init")) {
         for (Object fact : list.subList(1, list.size())) {
           List<?> atom = (List<?>) fact;
           if (atom.get(0).equals("=")) {
@@ -42,6 +53,120 @@ final class PlanExecutor {
     goal = wanted;
   }
 
+  /** Of {@code a b - type c} the type of each. */
+  private static Map<String, String> typed(List<?> words) {
+    Map<String, String> types = new LinkedHashMap<>();
+    List<String> waiting = new ArrayList<>();
+    for (int i = 0; i < words.size(); i++) {
+      if (words.get(i).equals("-")) {
+        String type = words.get(++i).toString();
+        waiting.forEach(name -> types.put(name, type));
+        waiting.clear();
+      } else {
+        waiting.add((String) words.get(i));
+      }
+    }
+    waiting.forEach(name -> types.put(name, "object"));
+    return types;
+  }
+
+  /** Objects of a type, which may be one of several: {@code [either, a, b]}. */
+  private List<String> objects(String type) {
+    List<String> types = List.of(type.replaceAll("[\\[\\],]", "").split(" "));
+    return objects.entrySet().stream()
+        .filter(
+            object -> {
+              String above = object.getValue();
+              while (!types.contains(above) && parents.containsKey(above)) {
+                above = parents.get(above);
+              }
+              return types.contains(above) || types.contains("object");
+            })
+        .map(Map.Entry::getKey)
+        .toList();
+  }
+
+  private record Situation(Set<List<?>> state, Map<List<?>, BigDecimal> values) {}
+
+  private record Entry(BigDecimal cost, Situation situation) {}
+
+  /**
+   * The cost of the cheapest plan, found by trying everything.
+   *
+   * @return empty when there is none; negative when there are too many states to say
+   */
+  Optional<BigDecimal> cheapest(int mostStates) {
+    List<?> total = List.of("total-cost");
+    PriorityQueue<Entry> queue = new PriorityQueue<>((a, b) -> a.cost().compareTo(b.cost()));
+    Map<Situation, BigDecimal> best = new HashMap<>();
+    List<String> all = groundSteps();
+    values.put(total, BigDecimal.ZERO);
+    queue.add(new Entry(BigDecimal.ZERO, situation(total)));
+    best.put(situation(total), BigDecimal.ZERO);
+    while (!queue.isEmpty()) {
+      Entry entry = queue.remove();
+      if (entry.cost().compareTo(best.get(entry.situation())) > 0) {
+        continue;
+      }
+      take(entry, total);
+      if (holds(goal, Map.of())) {
+        return Optional.of(entry.cost());
+      }
+      if (best.size() > mostStates) {
+        return Optional.of(BigDecimal.ONE.negate());
+      }
+      for (String step : all) {
+        take(entry, total);
+        if (isApplicable(step)) {
+          run(step);
+          BigDecimal cost = values.get(total);
+          Situation after = situation(total);
+          BigDecimal known = best.get(after);
+          if (known == null || cost.compareTo(known) < 0) {
+            best.put(after, cost);
+            queue.add(new Entry(cost, after));
+          }
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  private Situation situation(List<?> total) {
+    Map<List<?>, BigDecimal> others = new HashMap<>();
+    values.forEach((function, value) -> others.put(function, value.stripTrailingZeros()));
+    others.remove(total);
+    return new Situation(new HashSet<>(state), others);
+  }
+
+  private void take(Entry entry, List<?> total) {
+    state.clear();
+    state.addAll(entry.situation().state());
+    values.clear();
+    values.putAll(entry.situation().values());
+    values.put(total, entry.cost());
+  }
+
+  private List<String> groundSteps() {
+    List<String> steps = new ArrayList<>();
+    actions.forEach(
+        (name, action) -> {
+          List<String> open = List.of("(" + name);
+          for (String type : typed((List<?>) part(action, ":parameters")).values()) {
+            List<String> longer = new ArrayList<>();
+            open.forEach(start -> objects(type).forEach(o -> longer.add(start + " " + o)));
+            open = longer;
+          }
+          open.forEach(step -> steps.add(step + ")"));
+        });
+    return steps;
+  }
+
+  private boolean isApplicable(String step) {
+    List<?> action = actions.get(step.substring(1, step.length() - 1).split(" ")[0]);
+    return holds((List<?>) part(action, ":precondition"), binding(step));
+  }
+
   /** What the plan costs; fails where it does not hold. */
   BigDecimal cost(List<String> plan) {
     for (String step : plan) {
@@ -52,19 +177,22 @@ final class PlanExecutor {
   }
 
   private void run(String step) {
-    String[] words = step.substring(1, step.length() - 1).split(" ");
-    List<?> action = actions.get(words[0]);
-    Map<String, String> binding = new HashMap<>();
-    int argument = 1;
-    for (Object word : (List<?>) part(action, ":parameters")) {
-      if (((String) word).startsWith("?")) {
-        binding.put((String) word, words[argument++]);
-      }
-    }
+    List<?> action = actions.get(step.substring(1, step.length() - 1).split(" ")[0]);
+    Map<String, String> binding = binding(step);
     assertThat(holds((List<?>) part(action, ":precondition"), binding)).as(step).isTrue();
     List<List<?>> added = new ArrayList<>();
     apply((List<?>) part(action, ":effect"), binding, added);
     state.addAll(added);
+  }
+
+  private Map<String, String> binding(String step) {
+    String[] words = step.substring(1, step.length() - 1).split(" ");
+    Map<String, String> binding = new HashMap<>();
+    int argument = 1;
+    for (String parameter : typed((List<?>) part(actions.get(words[0]), ":parameters")).keySet()) {
+      binding.put(parameter, words[argument++]);
+    }
+    return binding;
   }
 
   private static Object part(List<?> action, String name) {
@@ -76,6 +204,11 @@ final class PlanExecutor {
       case "and" ->
           effect.subList(1, effect.size()).forEach(e -> apply((List<?>) e, binding, added));
       case "not" -> state.remove(bound((List<?>) effect.get(1), binding));
+      case "decrease" ->
+          values.merge(
+              bound((List<?>) effect.get(1), binding),
+              number(effect.get(2), binding).negate(),
+              BigDecimal::add);
       case "increase" ->
           values.merge(
               bound((List<?>) effect.get(1), binding),
@@ -100,17 +233,18 @@ final class PlanExecutor {
       case "=" -> bound(condition, binding).get(1).equals(bound(condition, binding).get(2));
       case ">=" ->
           number(condition.get(1), binding).compareTo(number(condition.get(2), binding)) >= 0;
+      case "<" ->
+          number(condition.get(1), binding).compareTo(number(condition.get(2), binding)) < 0;
       case "<=" ->
           number(condition.get(1), binding).compareTo(number(condition.get(2), binding)) <= 0;
       case "exists" -> {
-        String variable = (String) ((List<?>) condition.get(1)).get(0);
-        yield state.stream()
-            .flatMap(List::stream)
-            .distinct()
+        Map.Entry<String, String> variable =
+            typed((List<?>) condition.get(1)).entrySet().iterator().next();
+        yield objects(variable.getValue()).stream()
             .anyMatch(
                 object -> {
                   Map<String, String> more = new HashMap<>(binding);
-                  more.put(variable, object.toString());
+                  more.put(variable.getKey(), object);
                   return holds((List<?>) condition.get(2), more);
                 });
       }

@@ -45,7 +45,7 @@ class RandomTasksTest {
       @ForAll @LongRange(min = 0, max = 1_000_000) long seed) {
     GroundTask task = task(new Random(seed), true);
     OptionalLong least = leastCost(task);
-    SearchTask search = new SearchTask(task, task.operators());
+    SearchTask search = new SearchTask(task, task.operators(), Patience.endless());
     long bound = new LandmarkCuts(search, search.cost, Patience.endless()).estimate(search.initial);
     assertThat(bound).isLessThanOrEqualTo(least.orElse(LandmarkCuts.INFINITE));
     Solution first = new AnytimePlanner(task, MEMORY, line -> {}).first(Patience.endless());
