@@ -1,5 +1,6 @@
 package org.maestro.knowledge;
 
+import java.net.ConnectException;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.nio.charset.StandardCharsets;
@@ -71,10 +72,15 @@ final class EndpointStorage implements GraphStorage {
 
   private static String reason(RuntimeException e) {
     Throwable cause = e;
-    while (cause.getMessage() == null && cause.getCause() != null) {
+    while (cause.getCause() != null && !(cause instanceof ConnectException)) {
       cause = cause.getCause();
     }
-    return cause.getMessage() == null ? cause.getClass().getSimpleName() : cause.getMessage();
+    if (cause instanceof ConnectException) {
+      return "nothing listens there";
+    }
+    return cause.getMessage() == null
+        ? cause.getClass().getSimpleName()
+        : cause.getMessage().lines().findFirst().orElse("");
   }
 
   @Override

@@ -141,6 +141,7 @@ public final class LocalSite implements AutoCloseable {
   }
 
   private void open(Duration decisionTime, Duration opening) {
+    KnowledgeBase knowledge = knowledge();
     simulated =
         settings
             .scene()
@@ -174,7 +175,7 @@ public final class LocalSite implements AutoCloseable {
                     settings.storyDirectory(),
                     settings.dataDirectory())
                 .with(settings.security().map(files -> Guard.open(files, CONTROLLER))),
-            knowledge(),
+            knowledge,
             new ObjectivePlanner(
                 new ReplanningPlanner(new OptimalPlanner()), settings.allocation()),
             link,
