@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 import org.maestro.ontology.home.Home;
@@ -54,6 +55,14 @@ final class Declarations {
 
   boolean isFluent(String predicate) {
     return declared(predicate).filter(PredicateDeclaration::fluent).isPresent();
+  }
+
+  /** No value of the fluent is below it. */
+  double least(String fluent) {
+    return declared(fluent)
+        .map(PredicateDeclaration::least)
+        .orElseGet(OptionalDouble::empty)
+        .orElse(Double.NEGATIVE_INFINITY);
   }
 
   /** Symmetric atoms are kept once, with their arguments in the order of their texts. */

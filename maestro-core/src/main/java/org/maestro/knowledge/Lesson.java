@@ -50,6 +50,10 @@ final class Lesson {
       Effect effect = feature.learns().orElse(feature.effect());
       List<Fact> facts = new ArrayList<>();
       for (Fact fact : EffectReader.facts(effect, bindings, read, present)) {
+        if (isBelowAll(fact)) {
+          forget.accept(world.declarations().spokenOf(fact));
+          continue;
+        }
         switch (meanwhile(fact, before)) {
           case NOTHING -> facts.add(fact);
           case SHARE -> {
@@ -68,6 +72,14 @@ final class Lesson {
           .forEach(forget);
     }
     return run.refs().stream().map(ref -> FactReader.read(ref, run.member())).toList();
+  }
+
+  /** What was known of the number, or of what the step does to it, was not so. */
+  private boolean isBelowAll(Fact fact) {
+    return fact instanceof Fact.Equation equation
+        && run.feature().learns().isEmpty()
+        && equation.value() instanceof Term.Number expected
+        && expected.value() < world.declarations().least(equation.fluent().name());
   }
 
   /** What a sensor, reading while the step ran, shows of the step's share of a number. */

@@ -80,7 +80,7 @@ final class Household {
                 "(<= (distance ?a ?b) 0.6)",
                 600),
             observed("canSee", "", "?a - Device", "?x - Thing", "", 2),
-            declared("illuminance", "fluent observable", 300, "", "?z - Zone"),
+            declared("illuminance", "fluent observable positive", 300, "", "?z - Zone"),
             declared("level", "fluent observable", 0, "", "?d - Device"),
             declared("covers", "", 0, "", "?d - Device", "?z - Zone"),
             declared("open", "", 0, "", "?d - Device"),
@@ -224,7 +224,8 @@ final class Household {
         Optional.of(observedWhen).filter(text -> !text.isEmpty()).map(SlParser::formula),
         Optional.empty(),
         Optional.empty(),
-        Optional.empty());
+        Optional.empty(),
+        traitList.contains("positive") ? OptionalDouble.of(0) : OptionalDouble.empty());
   }
 
   /** Positions along x alone: zone a up to 3 m, zone b beyond. */

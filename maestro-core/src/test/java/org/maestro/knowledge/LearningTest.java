@@ -219,6 +219,14 @@ class LearningTest {
   }
 
   @Test
+  void whatIsExpectedBelowTheLeastValueIsUnknown() {
+    home.state(Household.CAMERA, "(= (illuminance zone-b) 20)");
+    succeed("lamp-b1", LIGHT, Map.of("level", new Term.Number(-1)), Map.of());
+
+    assertThat(home.number("(illuminance zone-b)")).isEmpty();
+  }
+
+  @Test
   void anUnknownNumberStaysUnknownWhenIncreased() {
     home.state(Household.CAMERA, "(unknown (illuminance zone-b))");
     succeed("lamp-b1", LIGHT, Map.of("level", new Term.Number(1)), Map.of());

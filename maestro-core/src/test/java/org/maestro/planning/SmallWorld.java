@@ -95,7 +95,8 @@ final class SmallWorld implements Facts {
             Optional.empty(),
             Optional.ofNullable(likelyWhen).map(SlParser::formula),
             Optional.empty(),
-            Optional.empty()));
+            Optional.empty(),
+            OptionalDouble.empty()));
     return this;
   }
 

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.TreeMap;
 import org.maestro.sl.Formula;
 import org.maestro.sl.TypedVariable;
@@ -21,6 +22,7 @@ import org.maestro.sl.TypedVariable;
  * @param observedWhen an observation of positions decides it; may be set by effects too
  * @param likelyWhen where an unknown atom is expected first, {@code (usuallyIn ?x ?p)}
  * @param computedBy local name of a geometry function
+ * @param least no value of the fluent is below it
  */
 public record PredicateDeclaration(
     String name,
@@ -37,7 +39,8 @@ public record PredicateDeclaration(
     Optional<Formula> observedWhen,
     Optional<Formula> likelyWhen,
     Optional<String> computedBy,
-    Optional<String> unit) {
+    Optional<String> unit,
+    OptionalDouble least) {
   public PredicateDeclaration {
     parameters = List.copyOf(parameters);
     validForByClass = Collections.unmodifiableMap(new TreeMap<>(validForByClass));

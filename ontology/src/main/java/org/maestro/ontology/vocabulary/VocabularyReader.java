@@ -130,7 +130,8 @@ public final class VocabularyReader {
         graph.isA(node, Maestro.term("GeometryFunction"))
             ? Optional.of(name)
             : literals.text(node, "computedBy"),
-        literals.text(node, "unit"));
+        literals.text(node, "unit"),
+        literals.number(node, "least"));
   }
 
   private List<TypedVariable> arguments(Node node) {
