@@ -3,6 +3,7 @@ package org.maestro.agents;
 import jade.core.AID;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
+import java.util.List;
 import java.util.function.Consumer;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
@@ -14,6 +15,9 @@ import org.maestro.sl.Formula;
 public final class DeskAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
   private static final Duration NO_END = Duration.ofDays(365);
+  private static final int QUESTIONS_KEPT = 256;
+
+  private final transient KnowledgeCache knowledge = new KnowledgeCache(this, QUESTIONS_KEPT);
 
   public DeskAgent(AgentTime time) {
     super(time);
@@ -96,6 +100,31 @@ public final class DeskAgent extends MaestroAgent {
                         aid(CoordinatorAgent.NAME),
                         Words.content("subscribe", Words.named("story", Words.name(goalId)))),
                     lines));
+  }
+
+  /**
+   * Reads the collective knowledge: at once when this was read before, as the desk is told what
+   * changes.
+   *
+   * @param answers in the words of the knowledge agent; told once
+   * @param failure told instead, one sentence
+   */
+  public void know(Formula question, Consumer<List<Content>> answers, Consumer<String> failure) {
+    tell(() -> knowledge.read(question, known -> told(known, answers, failure)));
+  }
+
+  /** The same, and again whenever the answer changes. */
+  public void follow(Formula question, Consumer<List<Content>> answers, Consumer<String> failure) {
+    tell(() -> knowledge.follow(question, known -> told(known, answers, failure)));
+  }
+
+  private static void told(
+      KnowledgeCache.Known known, Consumer<List<Content>> answers, Consumer<String> failure) {
+    if (known.isFailure()) {
+      failure.accept(known.failure());
+    } else {
+      answers.accept(known.answers());
+    }
   }
 
   private AID aid(String localName) {
