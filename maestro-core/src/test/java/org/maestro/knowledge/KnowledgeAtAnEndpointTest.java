@@ -69,7 +69,8 @@ class KnowledgeAtAnEndpointTest {
                         URI.create("http://localhost:1/none"),
                         URI.create("http://localhost:1/none"))))
         .isInstanceOf(KnowledgeException.class)
-        .hasMessageContaining("No SPARQL endpoint answers at http://localhost:1/none (nothing listens there)")
+        .hasMessageContaining(
+            "No SPARQL endpoint answers at http://localhost:1/none (nothing listens there)")
         .message()
         .doesNotContain("\n");
     assertThatThrownBy(() -> Store.parse("http://:80")).hasMessageContaining("is no address");

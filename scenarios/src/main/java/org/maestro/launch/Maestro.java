@@ -25,6 +25,7 @@ import picocli.CommandLine.Spec;
       GoalCommand.class,
       AgentsCommand.class,
       GoalsCommand.class,
+      KnowCommand.class,
       WhyCommand.class,
       CancelCommand.class,
       StopCommand.class,
