@@ -14,15 +14,20 @@ import org.maestro.sl.Term;
  * Refuses goals that speak of what neither home nor vocabulary know, before anybody is asked for
  * anything.
  */
-final class GoalCheck {
+public final class GoalCheck {
   private final Home home;
 
-  GoalCheck(Home home) {
+  /** For goals in this home. */
+  public GoalCheck(Home home) {
     this.home = home;
   }
 
-  /** Throws {@link InvalidGoalException} for the first thing that is wrong. */
-  void check(Formula goal) {
+  /**
+   * Looks at every word of a goal.
+   *
+   * @throws InvalidGoalException for the first that is wrong
+   */
+  public void check(Formula goal) {
     Leaves.of(goal, atom -> checkNames(atom.arguments()), fluent -> checkNames(fluent.arguments()));
     new NameCheck(
             home.vocabulary(),

@@ -34,8 +34,8 @@ import org.maestro.sl.Truth;
  * two rooms farther. The baseline is the first time, of a planner that knows nothing yet.
  */
 final class ReplanningBench {
-  private static final int[] ROOMS = {2, 16, 60};
-  private static final int LEAVING = 25;
+  private static final int[] ROOMS = {2, 16, 40};
+  private static final int LEAVING = 11;
   private static final int WARM_UP = 3;
 
   private final Consumer<String> progress;

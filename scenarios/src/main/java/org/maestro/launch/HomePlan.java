@@ -9,6 +9,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.maestro.coordination.GoalCheck;
+import org.maestro.coordination.InvalidGoalException;
 import org.maestro.coordination.Sentences;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.ontology.home.Home;
@@ -84,8 +86,16 @@ final class HomePlan {
   }
 
   private static Formula goal(Home home, String text) {
-    return SlParser.formula(
-        text, name -> home.vocabulary().predicate(name).filter(word -> word.fluent()).isPresent());
+    Formula goal =
+        SlParser.formula(
+            text,
+            name -> home.vocabulary().predicate(name).filter(word -> word.fluent()).isPresent());
+    try {
+      new GoalCheck(home).check(goal);
+    } catch (InvalidGoalException e) {
+      throw CommandException.badInput(e.getMessage());
+    }
+    return goal;
   }
 
   private static PlanningTask task(Home home, Formula goal) {

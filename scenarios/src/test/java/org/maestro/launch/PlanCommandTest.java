@@ -1,0 +1,123 @@
+package org.maestro.launch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The planner alone, as people call it. */
+class PlanCommandTest {
+  private static final String DOMAIN =
+      """
+      (DEFINE (DOMAIN tank) (:REQUIREMENTS :STRIPS :NUMERIC-FLUENTS)
+       (:PREDICATES (ready)) (:FUNCTIONS (total-cost) (fuel))
+       (:ACTION fill :PARAMETERS () :PRECONDITION (<= (fuel) 7)
+         :EFFECT (AND (INCREASE (fuel) 3) (INCREASE (total-cost) 2)))
+       (:ACTION burn :PRECONDITION (>= (fuel) 5)
+         :EFFECT (AND (DECREASE (fuel) 5) (ready) (INCREASE (total-cost) 0.5))))
+      """;
+  private static final String PROBLEM =
+      "(define (problem t) (:domain tank) (:init (= (fuel) 0)) (:goal (and (ready) GOAL)) (:metric minimize (total-cost)))";
+
+  @TempDir Path directory;
+
+  private record Said(int exitCode, String out, String err) {}
+
+  @Test
+  void writesAHomesTaskThatCostsTheSame() {
+    Path pddl = directory.resolve("bob");
+    Said home = maestro("plan", "bob", "(nextTo Cup Bob)", "--pddl", pddl.toString());
+    assertThat(home.exitCode()).isZero();
+    Said written =
+        maestro(
+            "plan",
+            pddl.resolve("domain.pddl").toString(),
+            pddl.resolve("problem.pddl").toString());
+    assertThat(written.exitCode()).isZero();
+    assertThat(last(written.out())).startsWith("; cost = ").endsWith("(optimal)");
+    assertThat(last(home.out())).isEqualTo(last(written.out()));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "(<= (fuel) 1) | 0 | ; cost = 4.5 (optimal)",
+        "(= (fuel) 2) | 0 | ; cost = 9 (optimal)",
+        "(> (fuel) 10) | 10 | ; unsolvable (proven)"
+      })
+  void solvesNumbersInCapitalsWithAnyLineEnds(String goal, int exitCode, String end)
+      throws IOException {
+    Said said = solve(DOMAIN.replace("\n", "\r\n"), PROBLEM.replace("GOAL", goal));
+    assertThat(said.exitCode()).isEqualTo(exitCode);
+    assertThat(last(said.out())).isEqualTo(end);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "(ready | (set | d.pddl:6:38: There is no predicate set.",
+        "(ready) (INC | (when (ready) (ready)) (INC | d.pddl:6:37: (when ...) in an effect is not supported.",
+        ":STRIPS | :ADL | d.pddl:1:38: The requirement :adl is not supported."
+      })
+  void namesWhatIsNotUnderstood(String from, String to, String problem) throws IOException {
+    int at = DOMAIN.lastIndexOf(from);
+    Said said =
+        solve(
+            DOMAIN.substring(0, at) + to + DOMAIN.substring(at + from.length()),
+            PROBLEM.replace("GOAL", ""));
+    assertThat(said.exitCode()).isEqualTo(2);
+    assertThat(said.err()).contains(problem).doesNotContain("\tat ");
+    assertThat(said.out()).isEmpty();
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "bob | (nextTo Cup Bobb) | Nobody knows a thing named Bobb",
+        "bob | (nexTo Cup Bob) | nexTo",
+        "bob | (nextTo Cup | was expected",
+        "nowhere.ttl | (nextTo Cup Bob) | There is no home file nowhere.ttl"
+      })
+  void refusesGoalsThatMeanNothing(String home, String goal, String sentence) {
+    Said said = maestro("plan", home, goal);
+    assertThat(said.exitCode()).isEqualTo(2);
+    assertThat(said.err()).contains(sentence).doesNotContain("\tat ");
+  }
+
+  @Test
+  void saysWhyAHomeHasNoPlan() {
+    Said said = maestro("plan", "bob", "(open lamp-a1)");
+    assertThat(said.exitCode()).isEqualTo(10);
+    assertThat(said.out()).startsWith("; unsolvable (proven)").contains("needed");
+  }
+
+  private Said solve(String domain, String problem) throws IOException {
+    Path d = Files.writeString(directory.resolve("d.pddl"), domain);
+    Path p = Files.writeString(directory.resolve("p.pddl"), problem);
+    return maestro("plan", d.toString(), p.toString(), "--deadline", "60");
+  }
+
+  private static String last(String text) {
+    return text.strip().lines().reduce("", (before, line) -> line);
+  }
+
+  private static Said maestro(String... arguments) {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    ByteArrayOutputStream err = new ByteArrayOutputStream();
+    int exitCode =
+        Maestro.commandLine(new PrintStream(out), new PrintStream(err)).execute(arguments);
+    return new Said(
+        exitCode, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
+  }
+}
