@@ -23,6 +23,8 @@ import org.apache.activemq.artemis.core.settings.impl.AddressSettings;
  * of it is left.
  */
 public final class EmbeddedBroker implements AutoCloseable {
+  /** By itself Artemis looks every two seconds only, however short a client's keep-alive is. */
+  private static final long FROZEN_LOOKED_FOR_EVERY_MILLIS = 200;
 
   private static final String HOST = "127.0.0.1";
 
@@ -119,6 +121,7 @@ public final class EmbeddedBroker implements AutoCloseable {
     configuration.setJMXManagementEnabled(false);
     configuration.setMessageCounterEnabled(false);
     configuration.setMaxDiskUsage(-1);
+    configuration.setConnectionTtlCheckInterval(FROZEN_LOOKED_FOR_EVERY_MILLIS);
     configuration.setName("rats-" + port);
     configuration.addAddressSetting("#", quietAboutDeadLetters());
     configuration.addAcceptorConfiguration(

@@ -84,6 +84,7 @@ final class ArtemisFiles {
           <core xmlns="urn:activemq:core">
             <name>rats</name>
             <persistence-enabled>false</persistence-enabled>
+            <connection-ttl-check-interval>200</connection-ttl-check-interval>
             <security-enabled>true</security-enabled>
             <jmx-management-enabled>false</jmx-management-enabled>
             <journal-pool-files>10</journal-pool-files>

@@ -21,7 +21,6 @@ public final class PahoTransport implements Transport {
 
   private static final Logger LOG = LoggerFactory.getLogger(PahoTransport.class);
   private static final Duration KEEP_ALIVE = Duration.ofSeconds(15);
-  private static final long STALLED_NANOS = KEEP_ALIVE.multipliedBy(3).dividedBy(2).toNanos();
   private static final long SHORTEST_RETRY_MILLIS = 200;
   private static final long LONGEST_RETRY_MILLIS = 2_000;
   private static final long ATTEMPT_SECONDS = 10;
@@ -30,6 +29,7 @@ public final class PahoTransport implements Transport {
   private final URI broker;
   private final String clientId;
   private final Optional<Credentials> credentials;
+  private final Duration keepAlive;
   private final ScheduledThreadPoolExecutor loop;
   private final Events events = new Events();
   private final List<PahoSubscription> subscriptions = new ArrayList<>();
@@ -52,7 +52,17 @@ public final class PahoTransport implements Transport {
    * @param broker such as {@code tcp://127.0.0.1:1883}
    */
   public PahoTransport(URI broker, String clientId) {
-    this(broker, clientId, Optional.empty());
+    this(broker, clientId, Optional.empty(), KEEP_ALIVE);
+  }
+
+  /**
+   * As one that is noticed sooner or later when it freezes: the broker tells of a client's will
+   * when it has heard nothing for one and a half times as long.
+   *
+   * @param keepAlive whole seconds, from 1; usual are 15
+   */
+  public PahoTransport(URI broker, String clientId, Duration keepAlive) {
+    this(broker, clientId, Optional.empty(), keepAlive);
   }
 
   /**
@@ -61,10 +71,16 @@ public final class PahoTransport implements Transport {
    * @param broker such as {@code ssl://127.0.0.1:8883}
    */
   public PahoTransport(URI broker, Credentials credentials) {
-    this(broker, credentials.user(), Optional.of(credentials));
+    this(broker, credentials.user(), Optional.of(credentials), KEEP_ALIVE);
   }
 
-  private PahoTransport(URI broker, String clientId, Optional<Credentials> credentials) {
+  private PahoTransport(
+      URI broker, String clientId, Optional<Credentials> credentials, Duration keepAlive) {
+    if (keepAlive.toSeconds() < 1) {
+      throw new IllegalArgumentException(
+          "A keep-alive is one second or more, not " + keepAlive + ".");
+    }
+    this.keepAlive = keepAlive;
     this.broker = broker;
     this.clientId = clientId;
     this.credentials = credentials;
@@ -182,7 +198,7 @@ public final class PahoTransport implements Transport {
   private void attempt() {
     if (!leaving) {
       PahoConnection tried =
-          new PahoConnection(broker, clientId, KEEP_ALIVE, will, credentials, events);
+          new PahoConnection(broker, clientId, keepAlive, will, credentials, events);
       connection = tried;
       tried.connect();
       loop.schedule(() -> guarded(() -> giveUp(tried)), ATTEMPT_SECONDS, TimeUnit.SECONDS);
@@ -267,7 +283,8 @@ public final class PahoTransport implements Transport {
 
   /** What arrived while this loop stood still may be stale, and must not be acted on. */
   private boolean reconnectedAfterStall() {
-    boolean stalled = System.nanoTime() - lastSignOfLife > STALLED_NANOS;
+    boolean stalled =
+        System.nanoTime() - lastSignOfLife > keepAlive.multipliedBy(3).dividedBy(2).toNanos();
     if (stalled) {
       lastSignOfLife = System.nanoTime();
       if (connection != null) {

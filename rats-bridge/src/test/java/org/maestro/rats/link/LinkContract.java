@@ -3,15 +3,10 @@ package org.maestro.rats.link;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.time.Duration;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.function.BooleanSupplier;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.maestro.rats.member.RatsMember;
 import org.maestro.rats.member.TestDevice;
@@ -21,36 +16,9 @@ import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Progress;
-import org.maestro.rats.protocol.Result;
-import org.maestro.rats.time.Clock;
-import org.maestro.rats.transport.Transport;
 
 /** Link and members from end to end; run over each transport with its clock. */
-abstract class LinkContract {
-
-  private final List<AutoCloseable> opened = new ArrayList<>();
-
-  abstract Clock clock();
-
-  /** A transport that is not open yet. */
-  abstract Transport client(String id);
-
-  abstract void stopBroker();
-
-  abstract void restartBroker();
-
-  /**
-   * Waits until the condition holds, at most some minutes of simulated time, and fails if it does
-   * not.
-   */
-  abstract void await(BooleanSupplier condition);
-
-  @AfterEach
-  void closeAll() throws Exception {
-    for (AutoCloseable closeable : opened) {
-      closeable.close();
-    }
-  }
+abstract class LinkContract extends FormerLivesContract {
 
   @Test
   void knowsMembersThatCameBeforeAndAfter() {
@@ -234,89 +202,6 @@ abstract class LinkContract {
   }
 
   @Test
-  void takesUpTheCallsOfItsFormerLife() {
-    TestDevice device = new TestDevice("anna", clock());
-    String boot = join(device, "home").boot();
-    Transport formerTransport = client("cca");
-    RatsLink former = BusLink.connect("cca", "home", formerTransport, clock());
-    await(() -> usable(former, "anna"));
-    RatsLink.Order drive = order("G1-1", boot, "drive", Map.of("to", "a"));
-    RatsLink.Order queued = order("G1-2", boot, "drive", Map.of("to", "b"));
-    RatsLink.Order watch = order("G1-3", boot, "watch", Map.of("object", "Cup"));
-    RatsLink.Order echo = order("G1-4", boot, "echo", Map.of("a", 1.5, "b", List.of(1.0, 2.0)));
-    Map<RatsLink.Order, Listener> before = new LinkedHashMap<>();
-    for (RatsLink.Order order : List.of(drive, queued, watch, echo)) {
-      before.put(order, new Listener());
-      former.call(order, before.get(order));
-    }
-    await(
-        () ->
-            before.get(echo).ended()
-                && before.get(drive).progress.size() == 2
-                && before.get(watch).observations.size() > 0);
-    formerTransport.die();
-    RatsLink link = connect("cca", "home");
-    await(() -> usable(link, "anna"));
-    Map<RatsLink.Order, Listener> after = new LinkedHashMap<>();
-    for (RatsLink.Order order : List.of(drive, queued, watch, echo)) {
-      after.put(order, new Listener());
-      link.call(order, after.get(order));
-    }
-    await(
-        () ->
-            after.get(drive).ended()
-                && after.get(queued).ended()
-                && after.get(echo).ended()
-                && after.get(watch).observations.size() > 1);
-    assertThat(after.get(drive).only().outcome()).isEqualTo(Outcome.SUCCEEDED);
-    assertThat(after.get(queued).only().outcome()).isEqualTo(Outcome.SUCCEEDED);
-    assertThat(after.get(echo).only()).isEqualTo(before.get(echo).only());
-    assertThat(after.get(watch).progress)
-        .extracting(Progress::kind)
-        .containsExactly(Progress.Kind.ESTABLISHED);
-    assertThat(device.log)
-        .extracting(line -> line.substring(line.indexOf(' ') + 1))
-        .containsOnlyOnce("start watch", "start echo")
-        .filteredOn("start drive"::equals)
-        .hasSize(2);
-  }
-
-  @Test
-  void refusesForeignWordsAndLivesForACallOfAFormerLife() {
-    TestDevice device = new TestDevice("anna", clock());
-    String boot = join(device, "home").boot();
-    RatsLink link = connect("cca", "home");
-    await(() -> usable(link, "anna"));
-    Listener first = new Listener();
-    link.call(order("G1-1", boot, "echo", Map.of("a", 1)), first);
-    await(first::ended);
-    Listener other = new Listener();
-    link.call(order("G1-1", boot, "echo", Map.of("a", 2)), other);
-    Listener late = new Listener();
-    link.call(order("G1-2", "a-former-one", "echo", Map.of()), late);
-    await(() -> other.ended() && late.ended());
-    assertThat(other.only().error().orElseThrow().code()).isEqualTo(ErrorCode.DUPLICATE_ID);
-    assertFailed(late.only(), ErrorCode.RESTARTED);
-    assertThat(device.log).hasSize(1);
-  }
-
-  @Test
-  void endsACallOfItsFormerLife() {
-    RatsMember anna = join("anna", "home");
-    Transport formerTransport = client("cca");
-    RatsLink former = BusLink.connect("cca", "home", formerTransport, clock());
-    await(() -> usable(former, "anna"));
-    Listener watching = new Listener();
-    former.call(order("G1-1", anna.boot(), "watch", Map.of("object", "Cup")), watching);
-    await(() -> watching.observations.size() > 0);
-    formerTransport.die();
-    RatsLink link = connect("cca", "home");
-    await(() -> usable(link, "anna") && running(link, "anna").contains("G1-1"));
-    link.cancel("anna", anna.boot(), "G1-1");
-    await(() -> running(link, "anna").isEmpty());
-  }
-
-  @Test
   void endsEveryCallWhenItCloses() {
     join("anna", "home");
     RatsLink link = connect("cca", "home");
@@ -343,96 +228,5 @@ abstract class LinkContract {
                     Optional.empty(),
                     new Listener()))
         .isInstanceOf(IllegalArgumentException.class);
-  }
-
-  private static RatsLink.Order order(
-      String id, String boot, String feature, Map<String, Object> parameters) {
-    return new RatsLink.Order(
-        Optional.of(id),
-        "anna",
-        Optional.of(boot),
-        feature,
-        parameters,
-        seconds(600),
-        Optional.of("G1"));
-  }
-
-  private static List<String> running(RatsLink link, String id) {
-    return member(link, id).state().orElseThrow().running();
-  }
-
-  private RatsMember join(String id, String site) {
-    return join(new TestDevice(id, clock()), site);
-  }
-
-  private RatsMember join(TestDevice device, String site) {
-    String id = device.profile().id();
-    RatsMember member =
-        RatsMember.start(
-            device.profile(), () -> List.copyOf(device.facts), client(id), site, clock());
-    opened.add(member);
-    return member;
-  }
-
-  private RatsLink connect(String id, String site) {
-    RatsLink link = BusLink.connect(id, site, client(id), clock());
-    opened.add(0, link);
-    return link;
-  }
-
-  private static boolean usable(RatsLink link, String id) {
-    return link.members().stream()
-        .anyMatch(
-            member ->
-                member.id().equals(id)
-                    && member.phase() == MemberStatus.Phase.READY
-                    && member.description().isPresent()
-                    && member.state().isPresent());
-  }
-
-  private static RatsLink.Member member(RatsLink link, String id) {
-    return link.members().stream()
-        .filter(member -> member.id().equals(id))
-        .findFirst()
-        .orElseThrow();
-  }
-
-  private static Duration seconds(int seconds) {
-    return Duration.ofSeconds(seconds);
-  }
-
-  private static void assertFailed(Result result, ErrorCode code) {
-    assertThat(result.outcome()).isEqualTo(Outcome.FAILED);
-    assertThat(result.error().orElseThrow().code()).isEqualTo(code);
-  }
-
-  private static final class Listener implements RatsLink.CallListener {
-    private final List<Progress> progress = new CopyOnWriteArrayList<>();
-    private final List<Observation> observations = new CopyOnWriteArrayList<>();
-    private final List<Result> results = new CopyOnWriteArrayList<>();
-
-    @Override
-    public void progressed(Progress sign) {
-      progress.add(sign);
-    }
-
-    @Override
-    public void observed(Observation observation) {
-      observations.add(observation);
-    }
-
-    @Override
-    public void ended(Result result) {
-      results.add(result);
-    }
-
-    boolean ended() {
-      return !results.isEmpty();
-    }
-
-    Result only() {
-      assertThat(results).hasSize(1);
-      return results.get(0);
-    }
   }
 }

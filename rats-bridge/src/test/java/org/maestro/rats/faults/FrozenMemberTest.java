@@ -1,0 +1,102 @@
+package org.maestro.rats.faults;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import org.awaitility.Awaitility;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.parallel.Isolated;
+import org.maestro.rats.broker.EmbeddedBroker;
+import org.maestro.rats.link.BusLink;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.member.RatsMember;
+import org.maestro.rats.member.TestDevice;
+import org.maestro.rats.protocol.MemberStatus;
+import org.maestro.rats.time.PacedClock;
+import org.maestro.rats.transport.PahoTransport;
+
+/**
+ * A member in a process of its own that is frozen: its connection stays open, and nothing comes.
+ */
+@Isolated("its time is wall time, which others beside it would take")
+@DisabledOnOs(OS.WINDOWS)
+class FrozenMemberTest {
+  private static final Duration KEEP_ALIVE = Duration.ofSeconds(2);
+  private static final Duration COMES_WITHIN = Duration.ofSeconds(60);
+
+  @Test
+  void aFrozenMemberIsNoticedWithinTwoKeepAlivesAndIsBackWhenItThaws() throws Exception {
+    try (EmbeddedBroker broker = EmbeddedBroker.start();
+        PacedClock clock = new PacedClock(1);
+        RatsLink link =
+            BusLink.connect("cca", "home", new PahoTransport(broker.uri(), "cca"), clock)) {
+      Process process = member(broker.uri());
+      try {
+        await(() -> is(link, MemberStatus.Phase.READY), COMES_WITHIN);
+        signal("STOP", process);
+        long frozen = System.nanoTime();
+        await(() -> is(link, MemberStatus.Phase.LOST), COMES_WITHIN);
+        assertThat(Duration.ofNanos(System.nanoTime() - frozen))
+            .isLessThan(KEEP_ALIVE.multipliedBy(2));
+        signal("CONT", process);
+        await(() -> is(link, MemberStatus.Phase.READY), COMES_WITHIN);
+      } finally {
+        process.destroyForcibly().onExit().join();
+      }
+    }
+  }
+
+  private static boolean is(RatsLink link, MemberStatus.Phase phase) {
+    return link.members().stream().anyMatch(member -> member.phase() == phase);
+  }
+
+  private static void await(BooleanSupplier condition, Duration limit) {
+    Awaitility.await()
+        .pollInterval(Duration.ofMillis(20))
+        .atMost(limit)
+        .until(condition::getAsBoolean);
+  }
+
+  private static Process member(URI broker) throws IOException {
+    return new ProcessBuilder(
+            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-XX:TieredStopAtLevel=1",
+            "-cp",
+            System.getProperty("java.class.path"),
+            Member.class.getName(),
+            broker.toString())
+        .redirectErrorStream(true)
+        .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+        .start();
+  }
+
+  private static void signal(String name, Process process) throws Exception {
+    assertThat(
+            new ProcessBuilder(List.of("kill", "-" + name, Long.toString(process.pid())))
+                .start()
+                .waitFor())
+        .isZero();
+  }
+
+  /** The process of the member; it ends when it is killed. */
+  static final class Member {
+    public static void main(String[] arguments) throws InterruptedException {
+      PacedClock clock = new PacedClock(1);
+      TestDevice device = new TestDevice("anna", clock);
+      RatsMember.start(
+          device.profile(),
+          () -> List.of(),
+          new PahoTransport(URI.create(arguments[0]), "anna", KEEP_ALIVE),
+          "home",
+          clock);
+      Thread.currentThread().join();
+    }
+  }
+}
