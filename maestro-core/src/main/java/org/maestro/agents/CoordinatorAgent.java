@@ -101,29 +101,25 @@ public final class CoordinatorAgent extends MaestroAgent {
         () -> {
           if (deliberation.agentMoves(member, member + " is getting another agent")) {
             present.remove(member);
-            clock()
-                .schedule(
-                    patience(MOVE),
-                    getLocalName(),
-                    () ->
-                        agentStaysAway(
-                            member, "it has had no agent for %d s".formatted(MOVE.toSeconds())));
+            clock().schedule(patience(MOVE), getLocalName(), () -> tell(() -> hasNotCome(member)));
           }
         });
   }
 
+  private void hasNotCome(String member) {
+    if (deliberation.isAwaited(member)) {
+      deliberation.agentStaysAway(
+          member, "it has had no agent for %d s".formatted(MOVE.toSeconds()));
+    }
+  }
+
   /**
-   * The member's agent has moved, and is not there again.
+   * The member has no agent, and gets none for now.
    *
    * @param reason a clause. Any thread may call.
    */
   public void agentStaysAway(String member, String reason) {
-    tell(
-        () -> {
-          if (deliberation.isAwaited(member)) {
-            deliberation.memberLost(member, reason);
-          }
-        });
+    tell(() -> deliberation.agentStaysAway(member, reason));
   }
 
   /**

@@ -177,6 +177,15 @@ final class Deliberation {
     return true;
   }
 
+  /** It has no agent, and this is why. */
+  void agentStaysAway(String member, String reason) {
+    if (isAwaited(member)) {
+      memberLost(member, reason);
+    } else if (!agentByMember.containsKey(member)) {
+      coordinator.memberAway(member, reason);
+    }
+  }
+
   /** Whether its agent has not come yet after it moved. */
   boolean isAwaited(String member) {
     return isDoubted(member) && !agentByMember.containsKey(member);

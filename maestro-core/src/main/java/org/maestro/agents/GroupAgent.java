@@ -142,10 +142,13 @@ public final class GroupAgent extends MaestroAgent {
     }
   }
 
-  /** An agent speaks of its own member only. */
+  /** An agent speaks of its own member only; that one is gone the supervisor may say as well. */
   private void memberNews(ACLMessage message, Words words) {
     String member = words.string("member").orElse("");
-    if (!called.contains(member) || !member.equals(message.getSender().getLocalName())) {
+    String sender = message.getSender().getLocalName();
+    boolean isLost = words.string("phase").filter("lost"::equals).isPresent();
+    if (!called.contains(member)
+        || !member.equals(sender) && !(isLost && sender.equals(SupervisorAgent.NAME))) {
       return;
     }
     if (words.string("phase").filter("ready"::equals).isPresent()) {

@@ -1,9 +1,12 @@
 package org.maestro.agents;
 
 import jade.lang.acl.ACLMessage;
+import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.maestro.agents.pulse.Pulse;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.sl.Content;
@@ -16,6 +19,8 @@ public final class SupervisorAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
 
   public static final String NAME = "supervisor";
+
+  private static final Duration HOST_WITHIN = Duration.ofSeconds(10);
 
   /** What a joining container takes over. */
   public record Handover(String brokerUri, String site, List<String> members) {}
@@ -40,6 +45,17 @@ public final class SupervisorAgent extends MaestroAgent {
     boolean reviveCoordinator();
 
     List<Line> agents();
+
+    /**
+     * A process offers itself as a host for agents, by its {@link HostAgent}.
+     *
+     * @return where the bus is; empty: it cannot be reached from elsewhere
+     * @throws IllegalArgumentException with one sentence when something that it provides cannot be
+     *     read
+     */
+    default Optional<Handover> offered(String host, List<String> provides) {
+      return Optional.empty();
+    }
 
     /** The supervisor is there, and can hear who is alive. */
     default void watchOver(Pulse pulse) {
@@ -84,6 +100,7 @@ public final class SupervisorAgent extends MaestroAgent {
     String action = words.string("action").orElse("");
     switch (action) {
       case "take" -> handOver(message, words);
+      case "offer" -> offer(message, words);
       case "stop" -> {
         link.safe();
         reply(
@@ -96,7 +113,7 @@ public final class SupervisorAgent extends MaestroAgent {
           refuse(
               message,
               ACLMessage.NOT_UNDERSTOOD,
-              "The supervisor cannot " + action + "; it can take, stop and revive.");
+              "The supervisor cannot " + action + "; it can take, offer, stop and revive.");
     }
   }
 
@@ -122,6 +139,77 @@ public final class SupervisorAgent extends MaestroAgent {
     } else {
       refuse(message, ACLMessage.REFUSE, "The central coordination agent (CCA) is there.");
     }
+  }
+
+  private void offer(ACLMessage message, Words words) {
+    String host = words.string("host").orElse("");
+    List<String> provides =
+        words.find("provides").map(Words::terms).orElse(List.of()).stream()
+            .map(Words::plain)
+            .toList();
+    if (!message.getSender().getLocalName().equals(HostAgent.name(host))) {
+      refuse(message, ACLMessage.REFUSE, "A host is offered by its own agent only.");
+      return;
+    }
+    try {
+      containers
+          .offered(host, provides)
+          .ifPresentOrElse(
+              handover -> answer(message, handover),
+              () ->
+                  refuse(
+                      message,
+                      ACLMessage.REFUSE,
+                      "The bus of this platform lives in its own process; agents elsewhere could not reach it."));
+    } catch (IllegalArgumentException e) {
+      refuse(message, ACLMessage.REFUSE, e.getMessage());
+    }
+  }
+
+  /**
+   * Has a host start a member's agent. Any thread may call.
+   *
+   * @param problem is told on this agent's thread why it is not started, or nothing when it is
+   */
+  public void beginOn(
+      String host, String member, String controller, Consumer<Optional<String>> problem) {
+    tell(
+        () ->
+            ask(
+                message(
+                    ACLMessage.REQUEST,
+                    getAID(HostAgent.name(host)),
+                    Words.content(
+                        "perform",
+                        Words.named("action", Words.name("host")),
+                        Words.named("member", Words.text(member)),
+                        Words.named("controller", Words.text(controller)))),
+                HOST_WITHIN,
+                reply -> {
+                  if (Conversations.isFinal(reply)) {
+                    problem.accept(
+                        reply.getPerformative() == ACLMessage.INFORM
+                            ? Optional.empty()
+                            : Replies.reason(reply).or(() -> Optional.of("no answer")));
+                  }
+                }));
+  }
+
+  /** Tells agents that count on a member that it is gone. Any thread may call. */
+  public void tellLost(String member, String reason, Collection<String> agents) {
+    tell(
+        () ->
+            agents.forEach(
+                agent ->
+                    send(
+                        message(
+                            ACLMessage.INFORM,
+                            getAID(agent),
+                            Words.content(
+                                "inform",
+                                Words.named("member", Words.name(member)),
+                                Words.named("phase", Words.name("lost")),
+                                Words.named("reason", Words.text(reason)))))));
   }
 
   /** Ending a container waits for JADE, which an agent must not. */
@@ -155,14 +243,18 @@ public final class SupervisorAgent extends MaestroAgent {
               + ".");
       return;
     }
+    answer(message, handover.get());
+  }
+
+  private void answer(ACLMessage message, Handover handover) {
     reply(
         message,
         ACLMessage.INFORM,
         Words.content(
             "inform",
-            Words.named("broker", Words.text(handover.get().brokerUri())),
-            Words.named("site", Words.text(handover.get().site())),
-            Words.named("members", handover.get().members().stream().map(Words::text).toList())));
+            Words.named("broker", Words.text(handover.brokerUri())),
+            Words.named("site", Words.text(handover.site())),
+            Words.named("members", handover.members().stream().map(Words::text).toList())));
   }
 
   private void list(ACLMessage message) {

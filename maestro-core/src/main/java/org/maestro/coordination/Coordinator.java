@@ -213,6 +213,13 @@ public final class Coordinator {
     roster.doubt(member, reason);
   }
 
+  /** The member has never been there, and this is why. */
+  public void memberAway(String member, String reason) {
+    if (!roster.isThere(member)) {
+      roster.absent(member, reason);
+    }
+  }
+
   /** The member was there all the time. */
   public void memberTrusted(String member) {
     if (roster.trust(member)) {

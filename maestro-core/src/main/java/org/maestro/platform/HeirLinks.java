@@ -13,7 +13,7 @@ import org.maestro.rats.link.RatsLink;
  */
 final class HeirLinks implements AutoCloseable {
   private final Function<String, RatsLink> connect;
-  private final Map<String, RatsLink> linkByContainer = new TreeMap<>();
+  private final Map<String, RatsLink> linkByController = new TreeMap<>();
   private boolean closed;
 
   /**
@@ -28,16 +28,16 @@ final class HeirLinks implements AutoCloseable {
     return "container-" + container;
   }
 
-  synchronized RatsLink of(String container) {
+  synchronized RatsLink of(String controller) {
     if (closed) {
-      throw new PlatformStartException("The platform ends; nobody takes over " + container + ".");
+      throw new PlatformStartException("The platform ends; nobody takes over " + controller + ".");
     }
-    return linkByContainer.computeIfAbsent(container, c -> connect.apply(controller(c)));
+    return linkByController.computeIfAbsent(controller, connect);
   }
 
-  /** The container is there again, under its own name. */
-  synchronized void letGo(String container) {
-    RatsLink link = linkByContainer.remove(container);
+  /** The controller is there again itself. */
+  synchronized void letGo(String controller) {
+    RatsLink link = linkByController.remove(controller);
     if (link != null) {
       link.close();
     }
@@ -46,7 +46,7 @@ final class HeirLinks implements AutoCloseable {
   @Override
   public synchronized void close() {
     closed = true;
-    linkByContainer.values().forEach(RatsLink::close);
-    linkByContainer.clear();
+    linkByController.values().forEach(RatsLink::close);
+    linkByController.clear();
   }
 }

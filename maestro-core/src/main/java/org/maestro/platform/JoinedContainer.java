@@ -19,6 +19,7 @@ import java.util.function.Function;
 import org.maestro.agents.AgentTime;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.GenericAgent;
+import org.maestro.agents.HostAgent;
 import org.maestro.agents.SupervisorAgent;
 import org.maestro.agents.Words;
 import org.maestro.ontology.home.Device;
@@ -166,6 +167,56 @@ public final class JoinedContainer implements AutoCloseable {
     }
     for (String member : members) {
       JadeRuntime.start(home, member, new GenericAgent(time, link, member, describedBy));
+    }
+  }
+
+  /**
+   * Offers this process as a host for agents. To be called once.
+   *
+   * @param name of the host, and of its container when it has none yet
+   * @param provides words, each alone or with a blank and a number
+   * @param links makes links under the names of controllers, once it is known where the bus is
+   * @throws PlatformStartException when the platform refuses
+   */
+  public void offer(
+      String name,
+      List<String> provides,
+      Function<SupervisorAgent.Handover, Function<String, RatsLink>> links,
+      BiFunction<String, String, Device> describedBy) {
+    AgentContainer home;
+    synchronized (this) {
+      home = ofTopic.orElseGet(() -> named(name));
+      ofTopic = Optional.of(home);
+    }
+    CompletableFuture<Function<String, RatsLink>> bus = new CompletableFuture<>();
+    HostAgent host =
+        new HostAgent(
+            time,
+            (member, controller) ->
+                JadeRuntime.start(
+                    home,
+                    member,
+                    new GenericAgent(time, bus.join().apply(controller), member, describedBy)));
+    JadeRuntime.start(home, HostAgent.name(name), host);
+    CompletableFuture<ACLMessage> answered = new CompletableFuture<>();
+    host.offer(name, provides, answered::complete);
+    bus.complete(links.apply(handover(answered)));
+  }
+
+  private static SupervisorAgent.Handover handover(CompletableFuture<ACLMessage> answered) {
+    try {
+      ACLMessage reply = answered.get(ANSWER_WITHIN.toSeconds() + 5, TimeUnit.SECONDS);
+      Words words = Words.of(Words.parse(reply.getContent()).get(0));
+      if (reply.getPerformative() != ACLMessage.INFORM) {
+        throw new PlatformStartException(words.string("reason").orElse("Refused."));
+      }
+      return new SupervisorAgent.Handover(
+          words.string("broker").orElseThrow(), words.string("site").orElseThrow(), List.of());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new PlatformStartException("Interrupted while the platform was asked.", e);
+    } catch (ExecutionException | TimeoutException e) {
+      throw new PlatformStartException("The supervisor of the platform did not answer.", e);
     }
   }
 

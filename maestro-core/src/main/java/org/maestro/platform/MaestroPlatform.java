@@ -14,6 +14,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -25,6 +26,7 @@ import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.GenericAgent;
 import org.maestro.agents.GroupAgent;
+import org.maestro.agents.HostAgent;
 import org.maestro.agents.KnowledgeAgent;
 import org.maestro.agents.MaestroAgent;
 import org.maestro.agents.Mind;
@@ -37,6 +39,7 @@ import org.maestro.coordination.StoryEntry;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.ontology.home.Device;
 import org.maestro.planning.Planner;
+import org.maestro.platform.hosts.Provision;
 import org.maestro.platform.wires.Wires;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.MemberStatus;
@@ -75,6 +78,8 @@ public final class MaestroPlatform implements AutoCloseable {
   private volatile CoordinatorAgent coordinator;
   private volatile boolean hasCoordinator = true;
   private final DeskAgent desk;
+  private final SupervisorAgent supervisor;
+  private final Rescue rescue;
   private volatile boolean closing;
   private volatile Optional<Pulse> heartbeats = Optional.empty();
   private final Collection<Story> listeners = new ConcurrentLinkedQueue<>();
@@ -120,6 +125,8 @@ public final class MaestroPlatform implements AutoCloseable {
     this.chronicle = new Chronicle(ofCentre.journal(), clock, ofCentre.recovery());
     this.coordinator = coordinator(new Past(chronicle, ofCentre.recovery(), ofCentre.stories()));
     this.desk = new DeskAgent(time);
+    this.supervisor = new SupervisorAgent(time, link, new Supervision());
+    this.rescue = new Rescue(new Ways());
   }
 
   /**
@@ -169,7 +176,7 @@ public final class MaestroPlatform implements AutoCloseable {
     memory.stories().ifPresent(listeners::add);
     accept(KnowledgeAgent.NAME, new KnowledgeAgent(time, knowledge, describedBy));
     accept(CoordinatorAgent.NAME, coordinator);
-    accept(SupervisorAgent.NAME, new SupervisorAgent(time, link, new Supervision()));
+    accept(SupervisorAgent.NAME, supervisor);
     accept(DESK, desk);
     knowledge.home().devices().values().stream()
         .sorted(Comparator.comparingDouble(Device::order).thenComparing(Device::id))
@@ -264,15 +271,15 @@ public final class MaestroPlatform implements AutoCloseable {
   }
 
   private void place(String member, String topic) {
-    topics.place(member, topic, this::agentFor);
+    if (rescue.fitsHere(member)) {
+      topics.place(member, topic, this::agentFor);
+    } else {
+      rescue.settle(member);
+    }
   }
 
   private GenericAgent agentFor(String member) {
     return agentFor(member, link);
-  }
-
-  private GenericAgent heirFor(String member, String container) {
-    return agentFor(member, heirs.of(container));
   }
 
   private GenericAgent agentFor(String member, RatsLink its) {
@@ -292,13 +299,14 @@ public final class MaestroPlatform implements AutoCloseable {
       hasCoordinator = false;
       return;
     }
+    if (member.startsWith(HostAgent.name(""))) {
+      rescue.gone(member.substring(HostAgent.name("").length()));
+      return;
+    }
     if (topics.endedElsewhere(member)) {
-      coordinator.agentMoves(member);
       String container = topics.places().get(member);
-      Thread starter =
-          new Thread(() -> topics.reclaim(member, m -> heirFor(m, container)), "agent-starter");
-      starter.setDaemon(true);
-      starter.start();
+      coordinator.agentMoves(member);
+      rescue.lost(member, HeirLinks.controller(container));
     } else {
       coordinator.agentEnded(member);
     }
@@ -327,6 +335,11 @@ public final class MaestroPlatform implements AutoCloseable {
 
   public KnowledgeBase knowledge() {
     return knowledge;
+  }
+
+  /** Members whose agents need what no host that is there provides. */
+  public Set<String> homeless() {
+    return rescue.homeless();
   }
 
   /** Where goals are stated. */
@@ -430,6 +443,43 @@ public final class MaestroPlatform implements AutoCloseable {
     }
   }
 
+  /** How agents without a host get one. */
+  private final class Ways implements Rescue.Ways {
+    @Override
+    public Provision needs(String member) {
+      return Provision.of(
+          Optional.ofNullable(knowledge.home().devices().get(member))
+              .map(Device::hostNeeds)
+              .orElse(Set.of()));
+    }
+
+    @Override
+    public void beginHere(String member, String controller) {
+      String topic =
+          Optional.ofNullable(knowledge.home().devices().get(member))
+              .map(MaestroPlatform::topic)
+              .orElse(DEFAULT_TOPIC);
+      topics.reclaim(member, topic, m -> agentFor(m, heirs.of(controller)));
+    }
+
+    @Override
+    public void beginThere(
+        String host, String member, String controller, Consumer<Optional<String>> problem) {
+      topics.movedTo(member, host);
+      supervisor.beginOn(host, member, controller, problem);
+    }
+
+    @Override
+    public void nobody(String member, String reason) {
+      LOG.warn(
+          "There is a problem with {}: {}. Goals do without it, and it is there again as soon as such a host joins.",
+          member,
+          reason);
+      coordinator.agentStaysAway(member, reason);
+      supervisor.tellLost(member, reason, knowledge.home().groups().keySet());
+    }
+  }
+
   /** What the supervisor may do here. */
   private final class Supervision implements SupervisorAgent.Containers {
     @Override
@@ -454,7 +504,8 @@ public final class MaestroPlatform implements AutoCloseable {
 
     private Optional<SupervisorAgent.Handover> release(String topic, String broker) {
       Optional<List<String>> members = topics.release(topic);
-      heirs.letGo(topic);
+      heirs.letGo(HeirLinks.controller(topic));
+      members.ifPresent(gone -> gone.forEach(rescue::settled));
       members.ifPresent(gone -> gone.forEach(coordinator::agentMoves));
       return members.map(gone -> new SupervisorAgent.Handover(broker, settings.site(), gone));
     }
@@ -462,6 +513,16 @@ public final class MaestroPlatform implements AutoCloseable {
     @Override
     public List<String> topics() {
       return topics.topics();
+    }
+
+    @Override
+    public Optional<SupervisorAgent.Handover> offered(String host, List<String> provides) {
+      Optional<SupervisorAgent.Handover> bus =
+          settings
+              .brokerUri()
+              .map(broker -> new SupervisorAgent.Handover(broker, settings.site(), List.of()));
+      bus.ifPresent(there -> rescue.offered(host, provides));
+      return bus;
     }
 
     @Override

@@ -95,12 +95,15 @@ final class TopicContainers {
   }
 
   /** The process that had the member's agent has lost it: the agent and its topic come back. */
-  synchronized void reclaim(String member, Function<String, MaestroAgent> newAgent) {
-    String topic = topicByMemberElsewhere.remove(member);
-    if (topic != null) {
-      topicsElsewhere.remove(topic);
-      place(member, topic, newAgent);
-    }
+  synchronized void reclaim(String member, String topic, Function<String, MaestroAgent> newAgent) {
+    topicByMemberElsewhere.remove(member);
+    topicsElsewhere.remove(topic);
+    place(member, topic, newAgent);
+  }
+
+  /** The member's agent lives in a container of another process now. */
+  synchronized void movedTo(String member, String container) {
+    topicByMemberElsewhere.put(member, container);
   }
 
   synchronized List<String> topics() {

@@ -7,6 +7,8 @@ import java.net.URI;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
@@ -204,7 +206,7 @@ public final class LocalSite implements AutoCloseable {
         simulated.stream()
             .flatMap(home -> home.devices().stream().filter(home.world()::isAlive))
             .toList();
-    if (!runUntil(() -> platform.presentMembers().containsAll(expected), opening)) {
+    if (!runUntil(() -> isThereOrHomeless(expected), opening)) {
       throw new SiteException(
           "Within %d simulated seconds only these devices came: %s; expected were %s."
               .formatted(
@@ -212,6 +214,13 @@ public final class LocalSite implements AutoCloseable {
                   String.join(", ", platform.presentMembers()),
                   String.join(", ", expected)));
     }
+  }
+
+  /** One whose agent needs another host than this process comes when such a host does. */
+  private boolean isThereOrHomeless(List<String> expected) {
+    Set<String> settled = new TreeSet<>(platform.presentMembers());
+    settled.addAll(platform.homeless());
+    return settled.containsAll(expected);
   }
 
   /**

@@ -2,6 +2,8 @@ package org.maestro.launch;
 
 import java.io.PrintWriter;
 import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
@@ -38,8 +40,22 @@ final class ContainerCommand implements Callable<Integer> {
       names = "--name",
       paramLabel = "NAME",
       required = true,
-      description = "The topic: robots, cameras, lights, sensors.")
+      description = "Of the container; the topic, unless --topic or --provides is given.")
   private String name;
+
+  @Option(
+      names = "--topic",
+      paramLabel = "TOPIC",
+      description = "The topic whose agents it takes: robots, cameras, lights, sensors.")
+  private Optional<String> topic;
+
+  @Option(
+      names = "--provides",
+      paramLabel = "WORD",
+      split = ",",
+      description =
+          "What this host has for agents that need it (maestro:hostNeeds), such as microphone or \"memory 512\"; agents of lost hosts are started here too.")
+  private List<String> provides = List.of();
 
   private final PacedClock clock = new PacedClock(1);
   private final AtomicReference<HostedTopic> hosted = new AtomicReference<>();
@@ -52,7 +68,13 @@ final class ContainerCommand implements Callable<Integer> {
   }
 
   private void begin() {
-    HostedTopic begun = HostedTopic.begin(Endpoint.parse(main), name, clock, security.files());
+    HostedTopic begun =
+        HostedTopic.begin(
+            Endpoint.parse(main),
+            new HostedTopic.Wish(
+                name, provides.isEmpty() ? topic.or(() -> Optional.of(name)) : topic, provides),
+            clock,
+            security.files());
     hosted.set(begun);
     begun.whenGivenUp(
         () -> {
@@ -63,8 +85,14 @@ final class ContainerCommand implements Callable<Integer> {
   }
 
   private String announcement() {
-    return "The container %s runs here, with %s."
-        .formatted(name, String.join(", ", hosted.get().members()));
+    String has =
+        hosted.get().members().isEmpty()
+            ? "and waits for agents"
+            : "with " + String.join(", ", hosted.get().members());
+    return provides.isEmpty()
+        ? "The container %s runs here, %s.".formatted(name, has)
+        : "The container %s runs here, %s. It provides %s."
+            .formatted(name, has, String.join(", ", provides));
   }
 
   /** It was frozen or cut off, and others act in its place now. */

@@ -14,11 +14,13 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.locks.LockSupport;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.Words;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.platform.JoinedContainer;
+import org.maestro.platform.PlatformStartException;
 import org.maestro.sl.Content;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -32,6 +34,11 @@ import picocli.CommandLine.Spec;
 final class GoalCommand implements Callable<Integer> {
   private static final Duration NO_END = Duration.ofDays(365);
   private static final int LOOK_AGAIN_SECONDS = 2;
+
+  /** A platform that stands by has taken over by then, if there is one. */
+  private static final Duration RETURN = Duration.ofSeconds(20);
+
+  private static final Duration BETWEEN_LOOKS = Duration.ofMillis(250);
 
   @Spec private CommandSpec spec;
   @Mixin private PlatformOptions platform;
@@ -60,6 +67,8 @@ final class GoalCommand implements Callable<Integer> {
   private Optional<Double> deadlineSeconds = Optional.empty();
 
   private volatile String id = "";
+  private boolean resumes;
+  private long goneSince;
 
   @Option(names = "--json", description = "Print one JSON document instead of the story.")
   private boolean json;
@@ -67,8 +76,51 @@ final class GoalCommand implements Callable<Integer> {
   @Override
   public Integer call() {
     Endpoint endpoint = platform.endpoint();
+    while (true) {
+      try {
+        return ask(endpoint);
+      } catch (PlatformGoneException e) {
+        goneSince = System.nanoTime();
+        awaitReturn(endpoint);
+        resumes = true;
+      } catch (PlatformStartException e) {
+        // Who has just taken over listens a moment before it lets anybody in.
+        if (!resumes || isGoneForGood()) {
+          throw e;
+        }
+        LockSupport.parkNanos(BETWEEN_LOOKS.toNanos());
+      }
+    }
+  }
+
+  /** The platform that was asked is no more; another may have taken over. */
+  private static final class PlatformGoneException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+  }
+
+  private boolean isGoneForGood() {
+    return System.nanoTime() - goneSince > RETURN.toNanos();
+  }
+
+  private void awaitReturn(Endpoint endpoint) {
+    while (id.isEmpty() || !platform.isStillAt(endpoint) || !endpoint.answers()) {
+      if (id.isEmpty() || isGoneForGood()) {
+        throw CommandException.outside(
+            "The platform has ended before the goal did; if it keeps its goals (run --data), start it again, and ./maestro goal --follow %s tells how it ends."
+                .formatted(id.isEmpty() ? "GOAL" : id));
+      }
+      LockSupport.parkNanos(BETWEEN_LOOKS.toNanos());
+    }
+    if (!json) {
+      spec.commandLine().getOut().println("The platform has ended, and another has taken over.");
+    }
+  }
+
+  private int ask(Endpoint endpoint) {
     CompletableFuture<ACLMessage> ended = new CompletableFuture<>();
-    try (JoinedContainer container = platform.join()) {
+    JoinedContainer container = platform.join();
+    try {
+      container.whenGivenUp(() -> ended.completeExceptionally(new PlatformGoneException()));
       container
           .desk()
           .request(
@@ -94,6 +146,11 @@ final class GoalCommand implements Callable<Integer> {
         throw CommandException.outside(Reply.reason(Reply.words(reply)));
       }
       return reply.getPerformative() == ACLMessage.CONFIRM ? tellHeld(words) : tell(reply);
+    } catch (PlatformGoneException e) {
+      container.abandon();
+      throw e;
+    } finally {
+      container.close();
     }
   }
 
@@ -103,11 +160,14 @@ final class GoalCommand implements Callable<Integer> {
         return ended.get(LOOK_AGAIN_SECONDS, TimeUnit.SECONDS);
       } catch (TimeoutException e) {
         if (!platform.isStillAt(endpoint)) {
-          throw CommandException.outside(
-              "The platform has ended before the goal did; if it keeps its goals (run --data), start it again, and ./maestro goal --follow %s tells how it ends."
-                  .formatted(id.isEmpty() ? "GOAL" : id));
+          throw new PlatformGoneException();
         }
-      } catch (InterruptedException | ExecutionException e) {
+      } catch (ExecutionException e) {
+        if (e.getCause() instanceof PlatformGoneException gone) {
+          throw gone;
+        }
+        throw CommandException.outside("The goal is not followed any more.", e);
+      } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
         throw CommandException.outside("The goal is not followed any more.", e);
       }
@@ -115,8 +175,8 @@ final class GoalCommand implements Callable<Integer> {
   }
 
   private Content request() {
-    if (stated) {
-      return Words.content("await", Words.named("goal", Words.name(goal)));
+    if (stated || resumes) {
+      return Words.content("await", Words.named("goal", Words.name(resumes ? id : goal)));
     }
     List<Content.Argument> arguments = new ArrayList<>();
     arguments.add(Words.named("goal", Words.text(goal)));

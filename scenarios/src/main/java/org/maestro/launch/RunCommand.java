@@ -12,6 +12,7 @@ import org.maestro.assembly.SiteSettings;
 import org.maestro.knowledge.Store;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.Objective;
+import org.maestro.platform.Duty;
 import org.maestro.sim.Scene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -57,6 +58,12 @@ final class RunCommand implements Callable<Integer> {
   private Optional<String> store = Optional.empty();
 
   @Option(
+      names = "--standby",
+      description =
+          "Wait beside a platform that runs with the same --data, --name and --port, and take over as soon as its process has died.")
+  private boolean standby;
+
+  @Option(
       names = "--port",
       paramLabel = "P",
       defaultValue = "1099",
@@ -85,7 +92,8 @@ final class RunCommand implements Callable<Integer> {
     double speed = simulation.speed();
     check();
     RuntimeDirectory directory = RuntimeDirectory.ofUser();
-    if (directory.running().stream().anyMatch(platform -> platform.name().equals(name))) {
+    if (!standby
+        && directory.running().stream().anyMatch(platform -> platform.name().equals(name))) {
       throw CommandException.outside(
           "A platform named "
               + name
@@ -116,6 +124,7 @@ final class RunCommand implements Callable<Integer> {
             .withAllocation(allocation)
             .withSecurity(security.files())
             .withStore(store.map(Store::parse).orElse(Store.IN_MEMORY));
+    Optional<Duty> duty = data.map(this::takeDuty);
     LocalSite site = LocalSite.paced(settings, speed);
     directory.add(
         new RuntimeDirectory.Running(
@@ -125,8 +134,25 @@ final class RunCommand implements Callable<Integer> {
             site.broker().map(URI::toString),
             settings.security().map(files -> files.directory().toString())));
     UntilStopped.run(
-        spec.commandLine().getOut(), announcement(loaded, site), () -> end(directory, site));
+        spec.commandLine().getOut(), announcement(loaded, site), () -> end(directory, site, duty));
     return ExitCode.DONE;
+  }
+
+  private Duty takeDuty(Path kept) {
+    Optional<Duty> now = Duty.tryToTake(kept);
+    if (now.isPresent()) {
+      return now.get();
+    }
+    if (!standby) {
+      throw CommandException.outside(
+          "The directory %s is in use by another platform; stop it, name another directory, or wait beside it with --standby."
+              .formatted(kept));
+    }
+    PrintWriter out = spec.commandLine().getOut();
+    out.println("Standing by for the platform " + name + ". Stop with Ctrl-C.");
+    Duty taken = Duty.await(kept);
+    out.println("The platform " + name + " has died; this process takes over.");
+    return taken;
   }
 
   private void check() {
@@ -139,6 +165,10 @@ final class RunCommand implements Callable<Integer> {
     }
     if (withoutSimulation && simulation.namesScene()) {
       throw CommandException.badInput("--scene and --no-sim exclude each other; leave one away.");
+    }
+    if (standby && (data.isEmpty() || broker.isEmpty() || !withoutSimulation || port == 0)) {
+      throw CommandException.badInput(
+          "--standby needs what outlives a process: --data DIR, --no-sim --broker URI, and --port P other than 0.");
     }
     if (withoutSimulation && broker.isEmpty()) {
       throw CommandException.badInput("--no-sim needs --broker URI, over which the devices come.");
@@ -170,8 +200,9 @@ final class RunCommand implements Callable<Integer> {
     return String.join(System.lineSeparator(), runs, kept, next);
   }
 
-  private void end(RuntimeDirectory directory, LocalSite site) {
+  private void end(RuntimeDirectory directory, LocalSite site, Optional<Duty> duty) {
     directory.remove(name);
     site.close();
+    duty.ifPresent(Duty::close);
   }
 }

@@ -13,6 +13,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -52,6 +53,8 @@ class LostContainerTest {
   /** Platforms of one name in one process, one after the other, get into each other's way. */
   private String name = "";
 
+  private String needs = "";
+
   @Test
   void bobGetsHisCupThoughTheProcessOfTheRobotsAgentIsKilled() throws Exception {
     Measured measured = bobsCup(Disturbance.KILL);
@@ -66,6 +69,76 @@ class LostContainerTest {
 
     assertThat(measured.noticedSeconds()).isLessThan(5);
     assertThat(measured.agentBackSeconds() - measured.noticedSeconds()).isLessThan(3);
+  }
+
+  /**
+   * Three hosts: the platform's own does not fit, of two that do one dies, then the other (A37).
+   */
+  @Test
+  void anAgentThatNeedsMoreThanTheOwnProcessHasGoesFromHostToHost() throws Exception {
+    name = "hosts-" + Long.toString(System.nanoTime(), Character.MAX_RADIX);
+    needs = "maestro:hostNeeds \"radio\" ;";
+    try (EmbeddedBroker broker = EmbeddedBroker.start();
+        LocalSite site = LocalSite.paced(settings(broker), SPEED);
+        BusWitness witness = BusWitness.listen(new PahoTransport(broker.uri(), "witness"), name)) {
+      assertThat(site.platform().homeless()).containsExactly(ROBOT);
+      try (JavaProcess attic = host(site, "attic", "radio,memory 512");
+          JavaProcess cellar = host(site, "cellar", "radio");
+          JavaProcess shed = host(site, "shed", "lamp")) {
+        for (JavaProcess host : List.of(attic, cellar, shed)) {
+          until(() -> host.output().contains("It provides ") || !host.isAlive());
+          assertThat(host.isAlive()).as(host::errors).isTrue();
+        }
+        until(() -> site.platform().presentMembers().contains(ROBOT));
+        String first = placeOf(site);
+        assertThat(first).isIn("attic", "cellar");
+        Pursued pursued = pursue(site);
+        until(pursued.atWork()::isDone);
+
+        long killed = System.nanoTime();
+        (first.equals("attic") ? attic : cellar).kill();
+        until(() -> !placeOf(site).equals(first));
+        until(() -> site.platform().presentMembers().contains(ROBOT));
+        assertThat(secondsSince(killed)).isLessThan(3);
+        until(pursued.ended()::isDone);
+        assertThat(pursued.ended().join().reached()).as(told(pursued.story())).isTrue();
+        assertThat(witness.executedTwice()).isEmpty();
+        assertThat(witness.doneTwice(DEEDS)).isEmpty();
+
+        (first.equals("attic") ? cellar : attic).kill();
+        until(() -> site.platform().homeless().contains(ROBOT));
+        Pursued nobody = pursue(site, "(in %s zone-b)".formatted(ROBOT));
+        until(nobody.ended()::isDone);
+        assertThat(String.join(" ", nobody.ended().join().reasons())).contains("needs radio");
+      }
+      try (JavaProcess loft = host(site, "loft", "radio")) {
+        until(() -> site.platform().presentMembers().contains(ROBOT));
+        assertThat(placeOf(site)).isEqualTo("loft");
+        assertThat(loft.isAlive()).isTrue();
+      }
+    }
+  }
+
+  private static String placeOf(LocalSite site) {
+    return site.platform().agents().stream()
+        .filter(row -> row.agent().equals(ROBOT))
+        .map(AgentRow::container)
+        .findFirst()
+        .orElse("");
+  }
+
+  private JavaProcess host(LocalSite site, String host, String provides) throws IOException {
+    return JavaProcess.start(
+        "org.maestro.launch.Maestro",
+        List.of(
+            "container",
+            "--main",
+            "127.0.0.1:" + site.platform().port(),
+            "--name",
+            host,
+            "--provides",
+            provides),
+        Map.of("XDG_RUNTIME_DIR", directory.toString()));
   }
 
   /** Ten runs of each; what was measured goes to the output. */
@@ -105,19 +178,9 @@ class LostContainerTest {
       until(() -> robots.output().contains("The container robots runs here") || !robots.isAlive());
       assertThat(robots.isAlive()).as(robots::errors).isTrue();
       until(() -> site.platform().presentMembers().contains(ROBOT));
-      ConcurrentLinkedQueue<StoryEntry> story = new ConcurrentLinkedQueue<>();
-      CompletableFuture<Void> atWork = new CompletableFuture<>();
-      site.platform()
-          .onStory(
-              entry -> {
-                story.add(entry);
-                if (entry.kind() == StoryEntry.Kind.STEP && entry.text().contains(" picks ")) {
-                  atWork.complete(null);
-                }
-              });
-      CompletableFuture<GoalReport> ended = new CompletableFuture<>();
-      site.platform().pursue(SlParser.formula("(nextTo Cup Bob)"), id -> {}, ended::complete);
-      until(atWork::isDone);
+      Pursued pursued = pursue(site);
+      CompletableFuture<GoalReport> ended = pursued.ended();
+      until(pursued.atWork()::isDone);
 
       long began = System.nanoTime();
       if (disturbance == Disturbance.KILL) {
@@ -131,7 +194,7 @@ class LostContainerTest {
       double back = secondsSince(began);
       until(ended::isDone);
 
-      assertThat(ended.join().reached()).as(told(story)).isTrue();
+      assertThat(ended.join().reached()).as(told(pursued.story())).isTrue();
       if (disturbance == Disturbance.FREEZE) {
         robots.thaw();
         until(() -> robots.output().contains("it joins again"));
@@ -149,6 +212,32 @@ class LostContainerTest {
       assertThat(witness.doneTwice(DEEDS)).isEmpty();
       return new Measured(noticed, back, ended.join().duration().toMillis() / 1000.0);
     }
+  }
+
+  /** A goal and what is known of it. */
+  private record Pursued(
+      Queue<StoryEntry> story,
+      CompletableFuture<Void> atWork,
+      CompletableFuture<GoalReport> ended) {}
+
+  private static Pursued pursue(LocalSite site) {
+    return pursue(site, "(nextTo Cup Bob)");
+  }
+
+  private static Pursued pursue(LocalSite site, String goal) {
+    Pursued pursued =
+        new Pursued(
+            new ConcurrentLinkedQueue<>(), new CompletableFuture<>(), new CompletableFuture<>());
+    site.platform()
+        .onStory(
+            entry -> {
+              pursued.story().add(entry);
+              if (entry.kind() == StoryEntry.Kind.STEP && entry.text().contains(" picks ")) {
+                pursued.atWork().complete(null);
+              }
+            });
+    site.platform().pursue(SlParser.formula(goal), id -> {}, pursued.ended()::complete);
+    return pursued;
   }
 
   /** The container of the other process is lost, or one of this process has taken its name. */
@@ -170,7 +259,12 @@ class LostContainerTest {
   }
 
   private SiteSettings settings(EmbeddedBroker broker) {
-    Home home = new HomeLoader().load(text("/homes/bob.ttl"), "bob.ttl");
+    Home home =
+        new HomeLoader()
+            .load(
+                text("/homes/bob.ttl")
+                    .replace("home:rose a :MobileRobot ;", "home:rose a :MobileRobot ; " + needs),
+                "bob.ttl");
     return new SiteSettings(
         name,
         home,

@@ -67,7 +67,15 @@ final class ContainerWatch {
     if (givenUp.containsKey(life)) {
       return Confirmation.of(settings, false);
     }
-    String before = lifeByContainer.put(container, life);
+    String before = lifeByContainer.get(container);
+    if (before != null
+        && !before.equals(life)
+        && containers.conditions().get(container) == Condition.ALIVE) {
+      // JADE gives a name once; whoever else uses it joined a platform that is no more.
+      givenUp.put(life, container);
+      return Confirmation.of(settings, false);
+    }
+    lifeByContainer.put(container, life);
     if (!life.equals(before)) {
       containers.forget(container);
       if (before != null) {

@@ -48,6 +48,7 @@ final class OwnPulse {
   private volatile Duration lease = settings.lease();
   private volatile Duration confirmed = Duration.ZERO;
   private volatile Optional<Runnable> listener = Optional.empty();
+  private volatile boolean refused;
   private volatile boolean ended;
 
   OwnPulse(Road road) {
@@ -113,7 +114,7 @@ final class OwnPulse {
       return;
     }
     census.ask(now());
-    if (silence().compareTo(lease.multipliedBy(LEASES_UNTIL_ORPHANED)) > 0) {
+    if (silence().compareTo(refused ? lease : lease.multipliedBy(LEASES_UNTIL_ORPHANED)) > 0) {
       giveUp("The platform has not been heard of for " + silence().toSeconds() + " s");
       return;
     }
@@ -134,12 +135,14 @@ final class OwnPulse {
       Confirmation answer =
           Confirmation.read(road.beat(life, census.silent(sent, settings.period())));
       lease = answer.lease();
+      refused = false;
       if (answer.welcome()) {
         confirmed = sent;
       } else {
         giveUp("The platform has given this container up");
       }
     } catch (IMTPException | ServiceException | IllegalArgumentException e) {
+      refused = true;
       LOG.debug("A sign of life did not get through", e);
     } finally {
       onItsWay.set(false);

@@ -23,6 +23,7 @@ import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.maestro.rats.time.Clock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -105,10 +106,18 @@ public final class PulseService extends BaseService {
   }
 
   private String heard(String name, String life, String report) {
+    if (watch.isPresent() && !isOfThisPlatform(name)) {
+      return Confirmation.of(HeartbeatSettings.standard(), false).write();
+    }
     return watch
         .map(watching -> watching.heard(name, life, Report.read(report)))
         .orElseGet(() -> Confirmation.of(HeartbeatSettings.standard(), true))
         .write();
+  }
+
+  /** A platform that has taken over does not know the containers of the one before it. */
+  private boolean isOfThisPlatform(String name) {
+    return Stream.of(container.getMain().containerIDs()).anyMatch(id -> id.getName().equals(name));
   }
 
   private final class Helper implements Pulse {

@@ -4,9 +4,12 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
 
 /**
  * A device with the features it offers, from the home file or from the description that it sends.
@@ -44,6 +47,22 @@ public record Device(
 
   public String id() {
     return individual.name();
+  }
+
+  /**
+   * What a host has to provide for the device's agent ({@code maestro:hostNeeds}): words, or words
+   * with a blank and a number.
+   */
+  public Set<String> hostNeeds() {
+    Set<String> needs = new TreeSet<>();
+    for (Term need : individual.properties().getOrDefault("hostNeeds", List.of())) {
+      if (need instanceof Term.Text text) {
+        needs.add(text.value());
+      } else if (need instanceof Term.Name name) {
+        needs.add(name.text());
+      }
+    }
+    return needs;
   }
 
   /** See {@link Individual#order}. */

@@ -1,0 +1,114 @@
+package org.maestro.agents;
+
+import jade.lang.acl.ACLMessage;
+import java.time.Duration;
+import java.util.List;
+import java.util.function.Consumer;
+import org.maestro.sl.Content;
+
+/**
+ * Stands for a process that offers itself as a host: starts and ends agents there when the
+ * supervisor asks for it. That it ends tells the platform that the host is gone.
+ */
+public final class HostAgent extends MaestroAgent {
+  private static final long serialVersionUID = 1L;
+
+  private static final Duration ANSWER_WITHIN = Duration.ofSeconds(20);
+  private static final String PREFIX = "host-";
+
+  /** What the host can do; may take long, and is called by a thread of its own. */
+  public interface Host {
+    /**
+     * Starts a member's agent.
+     *
+     * @param controller under whose name it calls members
+     * @throws RuntimeException with one sentence when it cannot
+     */
+    void begin(String member, String controller);
+  }
+
+  private final transient Host host;
+
+  public HostAgent(AgentTime time, Host host) {
+    super(time);
+    this.host = host;
+  }
+
+  /** What the agent of a host is called. */
+  public static String name(String host) {
+    return PREFIX + host;
+  }
+
+  /**
+   * Offers the host to the supervisor. Any thread may call.
+   *
+   * @param name of the host, by which this agent is called
+   * @param answer gets the final reply, on this agent's thread
+   */
+  public void offer(String name, List<String> provides, Consumer<ACLMessage> answer) {
+    tell(
+        () ->
+            ask(
+                message(
+                    ACLMessage.REQUEST,
+                    getAID(SupervisorAgent.NAME),
+                    Words.content(
+                        "perform",
+                        Words.named("action", Words.name("offer")),
+                        Words.named("host", Words.text(name)),
+                        Words.named("provides", provides.stream().map(Words::text).toList()))),
+                ANSWER_WITHIN,
+                reply -> {
+                  if (Conversations.isFinal(reply)) {
+                    answer.accept(reply);
+                  }
+                }));
+  }
+
+  @Override
+  protected void received(ACLMessage message) {
+    for (Content content : Words.parse(message.getContent())) {
+      Words words = Words.of(content);
+      boolean asked =
+          content.operator().equals("perform")
+              && words.string("action").filter("host"::equals).isPresent()
+              && message.getSender().getLocalName().equals(SupervisorAgent.NAME);
+      if (asked) {
+        begin(message, words.string("member").orElse(""), words.string("controller").orElse(""));
+      } else {
+        refuse(
+            message,
+            ACLMessage.REFUSE,
+            getLocalName() + " starts agents, and only when the supervisor asks for it.");
+      }
+    }
+  }
+
+  /** Starting an agent waits for JADE, which an agent must not. */
+  private void begin(ACLMessage message, String member, String controller) {
+    if (isCutOff()) {
+      refuse(message, ACLMessage.REFUSE, getLocalName() + " was cut off from the platform.");
+      return;
+    }
+    Thread starter =
+        new Thread(
+            () -> {
+              try {
+                host.begin(member, controller);
+                tell(() -> done(message));
+              } catch (RuntimeException e) {
+                tell(() -> refuse(message, ACLMessage.FAILURE, String.valueOf(e.getMessage())));
+              }
+            },
+            "agent-starter");
+    starter.setDaemon(true);
+    starter.start();
+  }
+
+  private void done(ACLMessage message) {
+    reply(
+        message,
+        ACLMessage.INFORM,
+        Words.content("inform", Words.named("done", Words.name("host"))));
+  }
+}

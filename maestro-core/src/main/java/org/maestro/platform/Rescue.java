@@ -1,0 +1,184 @@
+package org.maestro.platform;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+import org.maestro.platform.hosts.Placing;
+import org.maestro.platform.hosts.Provision;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Finds a host for agents that have none: because theirs is gone, or because none has fitted yet.
+ * Any thread may call; what takes long is done on threads of its own.
+ */
+final class Rescue {
+  private static final Logger LOG = LoggerFactory.getLogger(Rescue.class);
+
+  /** The host that is this process. */
+  private static final String OWN = "";
+
+  private final Ways ways;
+  private final Map<String, Provision> provisionByHost = new TreeMap<>();
+  private final Map<String, String> hostByMember = new TreeMap<>();
+  private final Map<String, String> controllerByMember = new TreeMap<>();
+  private final Map<String, String> holderByController = new TreeMap<>();
+  private final Set<String> homeless = new TreeSet<>();
+
+  /** What can be done about it. */
+  interface Ways {
+    Provision needs(String member);
+
+    /** Starts the agent in this process; calls under the controller's name. */
+    void beginHere(String member, String controller);
+
+    /**
+     * Starts the agent on another host.
+     *
+     * @param problem is told why it is not, or nothing when it is
+     */
+    void beginThere(
+        String host, String member, String controller, Consumer<Optional<String>> problem);
+
+    /** Nobody takes the member's agent; said to all who count on it. */
+    void nobody(String member, String reason);
+  }
+
+  Rescue(Ways ways) {
+    this.ways = ways;
+    provisionByHost.put(OWN, Provision.of(List.of()));
+  }
+
+  /** A host is there; agents that only it fits are started there. */
+  void offered(String host, Collection<String> provides) {
+    List<String> waiting;
+    synchronized (this) {
+      provisionByHost.put(host, Provision.of(provides));
+      waiting = new ArrayList<>(homeless);
+    }
+    waiting.forEach(this::settle);
+  }
+
+  synchronized void gone(String host) {
+    provisionByHost.remove(host);
+    holderByController.values().removeIf(host::equals);
+  }
+
+  /** Whether this process provides what the member's agent needs. */
+  boolean fitsHere(String member) {
+    return Provision.of(List.of()).lacks(ways.needs(member)).isEmpty();
+  }
+
+  /**
+   * The member's agent is no more.
+   *
+   * @param controller under whose name it has called
+   */
+  void lost(String member, String controller) {
+    synchronized (this) {
+      controllerByMember.putIfAbsent(member, controller);
+      hostByMember.remove(member);
+    }
+    settle(member);
+  }
+
+  /** The member has an agent by other means. */
+  synchronized void settled(String member) {
+    homeless.remove(member);
+    String controller = controllerByMember.remove(member);
+    if (controller != null) {
+      holderByController.remove(controller);
+    }
+    hostByMember.remove(member);
+  }
+
+  synchronized Set<String> homeless() {
+    return Collections.unmodifiableSet(new TreeSet<>(homeless));
+  }
+
+  /** Finds a host for one that has none. */
+  void settle(String member) {
+    Thread settling = new Thread(() -> settle(member, new TreeSet<>()), "agent-starter");
+    settling.setDaemon(true);
+    settling.start();
+  }
+
+  private void settle(String member, Set<String> tried) {
+    Provision needs = ways.needs(member);
+    Optional<Placing.Host> chosen = Placing.choose(needs, hosts(tried));
+    if (chosen.isEmpty()) {
+      stayAway(member, needs);
+      return;
+    }
+    String host = chosen.get().name();
+    String controller = reserve(member, host);
+    try {
+      if (chosen.get().own()) {
+        ways.beginHere(member, controller);
+      } else {
+        ways.beginThere(
+            host, member, controller, problem -> begun(member, host, problem, needs, tried));
+      }
+    } catch (RuntimeException e) {
+      LOG.warn("{} gets no agent here: {}", member, e.getMessage());
+      tried.add(host);
+      settle(member, tried);
+    }
+  }
+
+  private void begun(
+      String member, String host, Optional<String> problem, Provision needs, Set<String> tried) {
+    if (problem.isPresent()) {
+      LOG.warn("{} does not start the agent of {}: {}", host, member, problem.get());
+      tried.add(host);
+      Thread next = new Thread(() -> settle(member, tried), "agent-starter");
+      next.setDaemon(true);
+      next.start();
+    } else {
+      LOG.info("The agent of {} runs on {} now, which provides {}", member, host, needs.inWords());
+    }
+  }
+
+  private synchronized List<Placing.Host> hosts(Set<String> tried) {
+    List<Placing.Host> hosts = new ArrayList<>();
+    provisionByHost.forEach(
+        (host, provides) -> {
+          if (!tried.contains(host)) {
+            int agents = Collections.frequency(hostByMember.values(), host);
+            hosts.add(new Placing.Host(host, provides, host.equals(OWN), agents));
+          }
+        });
+    return hosts;
+  }
+
+  /**
+   * Calls go on under the name under which they began, unless another host has taken that name: on
+   * the bus one has a name at a time.
+   */
+  private synchronized String reserve(String member, String host) {
+    homeless.remove(member);
+    hostByMember.put(member, host);
+    String usual = HeirLinks.controller(host.equals(OWN) ? "here" : host);
+    String former = controllerByMember.getOrDefault(member, usual);
+    String controller =
+        holderByController.computeIfAbsent(former, name -> host).equals(host) ? former : usual;
+    controllerByMember.put(member, controller);
+    return controller;
+  }
+
+  private void stayAway(String member, Provision needs) {
+    synchronized (this) {
+      homeless.add(member);
+    }
+    ways.nobody(
+        member,
+        "its agent needs %s, which no host that is there provides".formatted(needs.inWords()));
+  }
+}

@@ -1,0 +1,149 @@
+package org.maestro.launch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import jade.lang.acl.ACLMessage;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import org.awaitility.Awaitility;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.RepeatedTest;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
+import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.Words;
+import org.maestro.platform.JoinedContainer;
+import org.maestro.platform.PlatformStartException;
+import org.maestro.rats.time.PacedClock;
+
+/**
+ * The process of the main container is killed while a goal runs; another that stands by takes over,
+ * the agents of another process join it, and the goal that somebody follows is reached (A32).
+ */
+@Isolated("its time is wall time, which others beside it would take")
+class MainDeathTest {
+  private static final Duration LIMIT = Duration.ofSeconds(120);
+  private static final String GOAL = "(stamped letter-0-0)";
+
+  private final PacedClock clock = new PacedClock(1);
+
+  @TempDir Path directory;
+
+  @Test
+  void anotherTakesOverAndTheGoalIsReached() throws Exception {
+    assertThat(killed()).as("seconds until the platform answers again").isLessThan(5);
+  }
+
+  @Tag("full")
+  @RepeatedTest(10)
+  void asOftenAsItHappens() throws Exception {
+    System.out.printf("main killed, answers again after %.2f s%n", killed());
+  }
+
+  private double killed() throws Exception {
+    int port = freePort();
+    try (PostOffice office = new PostOffice(List.of(1, 1))) {
+      Path home = Files.writeString(directory.resolve("post.ttl"), office.homeText());
+      try (JavaProcess main = run(office, home, port);
+          JavaProcess second = run(office, home, port, "--standby")) {
+        until(() -> main.output().contains("runs: "), main);
+        until(() -> second.output().contains("Standing by"), second);
+        double seconds;
+        try (JavaProcess goal = maestro("goal", GOAL, "--main", "127.0.0.1:" + port)) {
+          until(() -> office.atTheGate().size() == 1, goal);
+          main.kill();
+          seconds = secondsUntilItAnswers(port);
+          until(() -> goal.output().contains("another has taken over"), goal);
+          office.open("press-0");
+          assertThat(goal.await(LIMIT).exitCode()).as(goal::errors).isZero();
+        }
+        assertThat(second.output()).contains("this process takes over");
+        assertThat(office.stampsByLetter()).containsEntry("letter-0-0", 1);
+        assertThat(office.witness().executedTwice()).isEmpty();
+        return seconds;
+      }
+    }
+  }
+
+  private double secondsUntilItAnswers(int port) {
+    long killed = System.nanoTime();
+    List<Double> seconds = new ArrayList<>();
+    while (seconds.isEmpty()) {
+      try (JoinedContainer desk =
+          JoinedContainer.join(
+              Optional.of(PostOffice.SITE),
+              "127.0.0.1",
+              port,
+              "desk-" + System.nanoTime(),
+              clock)) {
+        ACLMessage goals =
+            desk.ask(ACLMessage.QUERY_REF, CoordinatorAgent.NAME, Words.content("query-ref"));
+        if (goals.getPerformative() == ACLMessage.INFORM) {
+          seconds.add((System.nanoTime() - killed) / 1e9);
+        }
+      } catch (PlatformStartException e) {
+        assertThat(System.nanoTime() - killed).as(e.getMessage()).isLessThan(LIMIT.toNanos());
+      }
+    }
+    return seconds.get(0);
+  }
+
+  private JavaProcess run(PostOffice office, Path home, int port, String... more)
+      throws IOException {
+    List<String> arguments =
+        new ArrayList<>(
+            List.of(
+                "run",
+                home.toString(),
+                "--no-sim",
+                "--broker",
+                office.broker(),
+                "--data",
+                directory.resolve("data").toString(),
+                "--port",
+                String.valueOf(port),
+                "--name",
+                PostOffice.SITE));
+    arguments.addAll(List.of(more));
+    return maestro(arguments.toArray(String[]::new));
+  }
+
+  private JavaProcess maestro(String... arguments) throws IOException {
+    Path runtime = Files.createDirectories(directory.resolve("runtime"));
+    return JavaProcess.start(
+        "org.maestro.launch.Maestro",
+        List.of(arguments),
+        Map.of("XDG_RUNTIME_DIR", runtime.toString()));
+  }
+
+  private static int freePort() throws IOException {
+    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      return socket.getLocalPort();
+    }
+  }
+
+  @AfterEach
+  void stopTheClock() {
+    clock.close();
+  }
+
+  private static void until(BooleanSupplier condition, JavaProcess process) {
+    Awaitility.await()
+        .pollDelay(Duration.ZERO)
+        .pollInterval(Duration.ofMillis(20))
+        .atMost(LIMIT)
+        .until(() -> condition.getAsBoolean() || !process.isAlive());
+    assertThat(condition.getAsBoolean()).as(process::errors).isTrue();
+  }
+}
