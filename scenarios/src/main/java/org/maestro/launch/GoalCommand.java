@@ -84,7 +84,7 @@ final class GoalCommand implements Callable<Integer> {
         awaitReturn(endpoint);
         resumes = true;
       } catch (PlatformStartException e) {
-        // Who has just taken over listens a moment before it lets anybody in.
+        // Who has just taken over listens a moment before its agents are there.
         if (!resumes || isGoneForGood()) {
           throw e;
         }
@@ -142,6 +142,9 @@ final class GoalCommand implements Callable<Integer> {
         throw CommandException.badInput(Reply.reason(Reply.words(reply)));
       }
       Words words = Reply.words(reply).get(0);
+      if (words.string("state").isEmpty() && resumes) {
+        throw new PlatformStartException(Reply.reason(Reply.words(reply)));
+      }
       if (words.string("state").isEmpty()) {
         throw CommandException.outside(Reply.reason(Reply.words(reply)));
       }
