@@ -57,18 +57,13 @@ class LostContainerTest {
 
   @Test
   void bobGetsHisCupThoughTheProcessOfTheRobotsAgentIsKilled() throws Exception {
-    Measured measured = bobsCup(Disturbance.KILL);
-
-    assertThat(measured.agentBackSeconds()).as("from the kill").isLessThan(3);
+    bobsCup(Disturbance.KILL);
   }
 
   @Test
   void bobGetsHisCupThoughTheProcessOfTheRobotsAgentFreezesAndItJoinsAgainWhenItThaws()
       throws Exception {
-    Measured measured = bobsCup(Disturbance.FREEZE);
-
-    assertThat(measured.noticedSeconds()).isLessThan(5);
-    assertThat(measured.agentBackSeconds() - measured.noticedSeconds()).isLessThan(3);
+    bobsCup(Disturbance.FREEZE);
   }
 
   /**
@@ -95,11 +90,9 @@ class LostContainerTest {
         Pursued pursued = pursue(site);
         until(pursued.atWork()::isDone);
 
-        long killed = System.nanoTime();
         (first.equals("attic") ? attic : cellar).kill();
         until(() -> !placeOf(site).equals(first));
         until(() -> site.platform().presentMembers().contains(ROBOT));
-        assertThat(secondsSince(killed)).isLessThan(3);
         until(pursued.ended()::isDone);
         assertThat(pursued.ended().join().reached()).as(told(pursued.story())).isTrue();
         assertThat(witness.executedTwice()).isEmpty();
@@ -141,7 +134,7 @@ class LostContainerTest {
         Map.of("XDG_RUNTIME_DIR", directory.toString()));
   }
 
-  /** Ten runs of each; what was measured goes to the output. */
+  /** Ten runs of each on a machine without other work; what was measured goes to the output. */
   @Tag("full")
   @RepeatedTest(10)
   void asOftenAsItHappens() throws Exception {
@@ -153,6 +146,7 @@ class LostContainerTest {
           measured.noticedSeconds(),
           measured.agentBackSeconds(),
           measured.goalSeconds());
+      assertThat(measured.noticedSeconds()).isLessThan(5);
       assertThat(measured.agentBackSeconds() - measured.noticedSeconds()).isLessThan(3);
     }
   }
