@@ -18,6 +18,7 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -55,7 +56,17 @@ class LostContainerTest {
 
   private String needs = "";
 
+  /** What JADE has for a whole process goes with its last platform, also while another begins. */
+  @BeforeEach
+  void formerPlatformsHaveEnded() {
+    until(
+        () ->
+            Thread.getAllStackTraces().keySet().stream()
+                .noneMatch(thread -> thread.getName().equals("maestro-container-end")));
+  }
+
   @Test
+  @Tag("full")
   void bobGetsHisCupThoughTheProcessOfTheRobotsAgentIsKilled() throws Exception {
     bobsCup(Disturbance.KILL);
   }
@@ -70,6 +81,7 @@ class LostContainerTest {
    * Three hosts: the platform's own does not fit, of two that do one dies, then the other (A37).
    */
   @Test
+  @Tag("full")
   void anAgentThatNeedsMoreThanTheOwnProcessHasGoesFromHostToHost() throws Exception {
     name = "hosts-" + Long.toString(System.nanoTime(), Character.MAX_RADIX);
     needs = "maestro:hostNeeds \"radio\" ;";
