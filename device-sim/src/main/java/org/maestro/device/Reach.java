@@ -30,6 +30,7 @@ final class Reach {
 
   private final Robot robot;
   private final double reach;
+  private WalledFloor held = new WalledFloor(List.of(), SPOT_CLEARANCE);
 
   Reach(Robot robot, double reach) {
     this.robot = robot;
@@ -92,9 +93,8 @@ final class Reach {
   }
 
   private List<Point2> freeOnes(List<Point2> spots) {
-    RoutePlanner body =
-        new RoutePlanner(
-            robot.surroundings().walls(), robot.surroundings().obstacles(), SPOT_CLEARANCE);
+    held = held.with(robot.surroundings().walls());
+    RoutePlanner body = new RoutePlanner(held, robot.surroundings().obstacles());
     return spots.stream().filter(spot -> body.isFree(spot) && robot.isOnMap(spot)).toList();
   }
 

@@ -21,12 +21,17 @@ final class Robot {
 
   private static final double GRID_METRES = 0.25;
 
+  /** So much farther in than need be, lest rounding makes it stand outside; metres. */
+  private static final double BESIDE_METRES = 1e-4;
+
   private final MobileBase base;
   private final Surroundings surroundings;
+  private WalledFloor walls;
 
   Robot(FeatureContext context) {
     this.base = context.driver(MobileBase.class);
     this.surroundings = context.driver(Surroundings.class);
+    this.walls = new WalledFloor(List.of(), base.radius());
   }
 
   MobileBase base() {
@@ -38,8 +43,8 @@ final class Robot {
   }
 
   Optional<Route> routeToNearest(List<Point2> goals) {
-    return new RoutePlanner(surroundings.walls(), surroundings.obstacles(), base.radius())
-        .shortest(base.position(), goals);
+    walls = walls.with(surroundings.walls());
+    return new RoutePlanner(walls, surroundings.obstacles()).shortest(base.position(), goals);
   }
 
   double seconds(Route route) {
@@ -67,12 +72,37 @@ final class Robot {
     if (isWholly(base.position(), area, edges)) {
       stands.add(base.position());
     }
+    for (Segment edge : edges) {
+      for (Point2 point : beside(edge)) {
+        if (isWholly(point, area, edges)) {
+          stands.add(point);
+        }
+      }
+    }
     for (Point2 point : area.outline().samples(GRID_METRES)) {
       if (isWholly(point, area, edges)) {
         stands.add(point);
       }
     }
     return stands.isEmpty() ? List.of(area.outline().centroid()) : stands;
+  }
+
+  /** Where it stands right beside an edge, on either side, as near as can be to where it is. */
+  private List<Point2> beside(Segment edge) {
+    double length = edge.length();
+    if (length <= 2 * base.radius()) {
+      return List.of();
+    }
+    double margin = base.radius() / length;
+    double alongX = (edge.to().x() - edge.from().x()) / length;
+    double alongY = (edge.to().y() - edge.from().y()) / length;
+    Point2 here = base.position();
+    double along = (here.x() - edge.from().x()) * alongX + (here.y() - edge.from().y()) * alongY;
+    Point2 foot = edge.at(Math.max(margin, Math.min(1 - margin, along / length)));
+    double away = base.radius() + BESIDE_METRES;
+    double x = alongY * away;
+    double y = -alongX * away;
+    return List.of(new Point2(foot.x() + x, foot.y() + y), new Point2(foot.x() - x, foot.y() - y));
   }
 
   private boolean isWholly(Point2 point, Area area, List<Segment> edges) {

@@ -4,11 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.PriorityQueue;
-import java.util.Set;
 import org.maestro.hal.Surroundings.Obstacle;
 import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Segment;
@@ -24,19 +22,22 @@ public final class RoutePlanner {
   private static final double TOLERANCE = FreeFloor.TOLERANCE;
   private static final double OUTWARD = 1e-4;
 
-  private final List<Segment> walls;
+  private final WalledFloor walls;
   private final List<Obstacle> obstacles;
-  private final double radius;
   private final FreeFloor floor;
 
   /**
    * @param radius of the body; metres
    */
   public RoutePlanner(List<Segment> walls, List<Obstacle> obstacles, double radius) {
-    this.walls = List.copyOf(walls);
+    this(new WalledFloor(walls, radius), obstacles);
+  }
+
+  /** With what is known of the walls for such a body. */
+  public RoutePlanner(WalledFloor walls, List<Obstacle> obstacles) {
+    this.walls = walls;
     this.obstacles = List.copyOf(obstacles);
-    this.radius = radius;
-    this.floor = new FreeFloor(walls, obstacles, radius);
+    this.floor = new FreeFloor(walls, obstacles);
   }
 
   /** Whether the body may stand there. */
@@ -113,13 +114,17 @@ public final class RoutePlanner {
   }
 
   private List<Point2> corners() {
-    Set<Point2> ends = new LinkedHashSet<>();
-    walls.forEach(wall -> Collections.addAll(ends, wall.from(), wall.to()));
     List<Point2> around = new ArrayList<>();
-    ends.forEach(end -> addPolygon(around, end, radius));
+    for (Point2 corner : walls.corners()) {
+      if (floor.isFreeOfObstacles(corner)) {
+        around.add(corner);
+      }
+    }
+    List<Point2> atObstacles = new ArrayList<>();
     obstacles.forEach(
-        obstacle -> addPolygon(around, obstacle.middle(), obstacle.radius() + radius));
-    around.removeIf(corner -> !isFree(corner));
+        obstacle -> addPolygon(atObstacles, obstacle.middle(), obstacle.radius() + walls.radius()));
+    atObstacles.removeIf(corner -> !isFree(corner));
+    around.addAll(atObstacles);
     return around;
   }
 
@@ -172,7 +177,8 @@ public final class RoutePlanner {
     return new Route(way, length);
   }
 
-  private static void addPolygon(List<Point2> points, Point2 middle, double clearance) {
+  /** Corners of a polygon around a circle, a little outside of it. */
+  static void addPolygon(List<Point2> points, Point2 middle, double clearance) {
     double outer = clearance / Math.cos(Math.PI / SIDES) + OUTWARD;
     for (int i = 0; i < SIDES; i++) {
       double angle = 2 * Math.PI * i / SIDES;

@@ -159,7 +159,7 @@ final class Daylight {
   }
 
   private double[] factors(Position point, FloorPlan plan) {
-    if (!planOfShares.equals(Optional.of(plan)) || shares.size() > MOST_KEPT) {
+    if (planOfShares.isEmpty() || planOfShares.get() != plan || shares.size() > MOST_KEPT) {
       shares.clear();
       planOfShares = Optional.of(plan);
     }

@@ -22,18 +22,29 @@ record LampLight(Pose pose, double candela, double beamDegrees, double strength,
   }
 
   /**
-   * What it adds to the light on a horizontal surface: I cos / d^2, nothing outside the beam or
-   * behind a wall; lux.
+   * The third power of the way of its light to a point; metres, 0 when none gets there: outside of
+   * the beam, above the lamp or behind a wall.
    */
-  double lux(Position point, FloorPlan plan) {
-    double height = pose.z() - point.z();
-    if (level == 0
-        || height <= 0
+  double cubedWay(Position point, FloorPlan plan) {
+    if (pose.z() <= point.z()
         || pose.angleTo(point.x(), point.y(), point.z()) > beamDegrees / 2
         || plan.isBlocked(pose.floor(), point.floor())) {
       return 0;
     }
-    double distance = point.distance(new Position(pose.x(), pose.y(), pose.z()));
-    return level * strength * candela * height / Math.pow(distance, 3);
+    return Math.pow(point.distance(new Position(pose.x(), pose.y(), pose.z())), 3);
+  }
+
+  /** What it adds to the light on a horizontal surface: I cos / d^2; lux. */
+  double lux(Position point, double cubedWay) {
+    if (level == 0 || cubedWay == 0) {
+      return 0;
+    }
+    double height = pose.z() - point.z();
+    return level * strength * candela * height / cubedWay;
+  }
+
+  /** The same for a point of which the way is not known yet. */
+  double lux(Position point, FloorPlan plan) {
+    return level == 0 ? 0 : lux(point, cubedWay(point, plan));
   }
 }

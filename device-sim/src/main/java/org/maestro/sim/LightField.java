@@ -1,5 +1,6 @@
 package org.maestro.sim;
 
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -18,18 +19,36 @@ import org.maestro.ontology.home.Pose;
  */
 final class LightField {
 
+  private static final int MOST_KEPT = 20_000;
+
   private final Map<String, LampLight> lamps = new LinkedHashMap<>();
+  private final Map<Position, double[]> cubedWays = new HashMap<>();
+  private Optional<FloorPlan> planOfWays = Optional.empty();
   private final Map<String, Double> ambient = new TreeMap<>();
   private long version;
 
   double lux(Position point, Optional<Area> area, FloorPlan plan, Predicate<String> isAlive) {
     double lux = area.map(place -> ambient.getOrDefault(place.name(), 0.0)).orElse(0.0);
+    double[] ways = cubedWays(point, plan);
+    int next = 0;
     for (Map.Entry<String, LampLight> lamp : lamps.entrySet()) {
-      if (isAlive.test(lamp.getKey())) {
-        lux += lamp.getValue().lux(point, plan);
+      double way = ways[next++];
+      if (way > 0 && lamp.getValue().level() > 0 && isAlive.test(lamp.getKey())) {
+        lux += lamp.getValue().lux(point, way);
       }
     }
     return lux;
+  }
+
+  /** Of all lamps, kept until walls or lamps change: light is asked for at the same points. */
+  private double[] cubedWays(Position point, FloorPlan plan) {
+    if (planOfWays.isEmpty() || planOfWays.get() != plan || cubedWays.size() > MOST_KEPT) {
+      cubedWays.clear();
+      planOfWays = Optional.of(plan);
+    }
+    return cubedWays.computeIfAbsent(
+        point,
+        place -> lamps.values().stream().mapToDouble(lamp -> lamp.cubedWay(place, plan)).toArray());
   }
 
   /** What comes from lamps that something hides. */
@@ -69,7 +88,10 @@ final class LightField {
   }
 
   void put(String name, LampLight lamp) {
-    lamps.put(name, lamp);
+    LampLight former = lamps.put(name, lamp);
+    if (former == null || !former.pose().equals(lamp.pose())) {
+      cubedWays.clear();
+    }
     changed();
   }
 

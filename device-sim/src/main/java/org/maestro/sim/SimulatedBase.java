@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.maestro.device.RoutePlanner;
+import org.maestro.device.WalledFloor;
 import org.maestro.hal.Completion;
 import org.maestro.hal.MobileBase;
 import org.maestro.ontology.home.Point2;
@@ -20,11 +21,13 @@ final class SimulatedBase implements MobileBase {
 
   private final Actuator actuator;
   private final BaseData data;
+  private WalledFloor walls;
   private long driveNumber;
 
   SimulatedBase(Actuator actuator, BaseData data) {
     this.actuator = actuator;
     this.data = data;
+    this.walls = new WalledFloor(List.of(), data.radius() - GRAZING_METRES);
   }
 
   @Override
@@ -91,11 +94,8 @@ final class SimulatedBase implements MobileBase {
 
   private boolean isFree(List<Segment> ahead) {
     World world = actuator.world();
-    RoutePlanner body =
-        new RoutePlanner(
-            world.building().walls(),
-            world.whereabouts().obstacles(actuator.device()),
-            data.radius() - GRAZING_METRES);
+    walls = walls.with(world.building().walls());
+    RoutePlanner body = new RoutePlanner(walls, world.whereabouts().obstacles(actuator.device()));
     return ahead.stream()
         .allMatch(
             piece ->

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.maestro.device.RoutePlanner;
+import org.maestro.device.WalledFloor;
 import org.maestro.hal.Localization;
 import org.maestro.hal.Twist;
 import org.maestro.hal.WheelMotors;
@@ -32,6 +33,7 @@ final class SimulatedWheels implements WheelMotors, Localization {
   private final WheelGeometry geometry;
   private final double slip;
   private final double radius;
+  private WalledFloor walls;
   private Twist motion = Twist.STILL;
   private Duration since = Duration.ZERO;
   private double headingThen;
@@ -41,6 +43,7 @@ final class SimulatedWheels implements WheelMotors, Localization {
     this.geometry = geometry;
     this.slip = slip;
     this.radius = radius;
+    this.walls = new WalledFloor(List.of(), radius - GRAZING_METRES);
   }
 
   @Override
@@ -104,10 +107,8 @@ final class SimulatedWheels implements WheelMotors, Localization {
   @Override
   public boolean isFree(Segment ahead) {
     World world = actuator.world();
-    return new RoutePlanner(
-                world.building().walls(),
-                world.whereabouts().obstacles(actuator.device()),
-                radius - GRAZING_METRES)
+    walls = walls.with(world.building().walls());
+    return new RoutePlanner(walls, world.whereabouts().obstacles(actuator.device()))
             .isFreeWay(ahead.from(), ahead.to())
         && !Encounters.isAhead(world, actuator.device(), radius, ahead, LOOK_AHEAD_SECONDS);
   }

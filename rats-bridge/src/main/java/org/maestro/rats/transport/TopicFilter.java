@@ -6,7 +6,7 @@ import java.util.List;
  * An MQTT topic filter: {@code +} stands for one level, {@code #} at the end for the parent and all
  * below.
  */
-record TopicFilter(String text, List<String> levels) {
+record TopicFilter(String text, List<String> levels, int firstWildcard, String before) {
 
   static TopicFilter of(String text) {
     List<String> levels = List.of(text.split("/", -1));
@@ -19,22 +19,22 @@ record TopicFilter(String text, List<String> levels) {
             "'" + text + "' is no topic filter: + takes a whole level, # the last one");
       }
     }
-    return new TopicFilter(text, levels);
+    int wildcard = firstWildcard(text);
+    // most topics are told apart by what stands before; a/# is for a, too
+    return new TopicFilter(text, levels, wildcard, text.substring(0, Math.max(0, wildcard - 1)));
   }
 
-  private int firstWildcard() {
+  private static int firstWildcard(String text) {
     int plus = text.indexOf('+');
     int hash = text.indexOf('#');
     return plus < 0 || hash < 0 ? Math.max(plus, hash) : Math.min(plus, hash);
   }
 
   boolean matches(String topic) {
-    int wildcard = firstWildcard();
-    if (wildcard < 0) {
+    if (firstWildcard < 0) {
       return text.equals(topic);
     }
-    // most topics are told apart by what stands before; a/# is for a, too
-    if (!topic.startsWith(text.substring(0, Math.max(0, wildcard - 1)))) {
+    if (!topic.startsWith(before)) {
       return false;
     }
     String[] parts = topic.split("/", -1);
