@@ -86,9 +86,7 @@ final class BusyWorld implements AutoCloseable {
         ended -> clock.schedule(BETWEEN_LEVELS, lamp, () -> adjust(lamp, level == 1 ? 0.5 : 1)));
   }
 
-  /**
-   * Picks a thing up and places it in the next zone, for ever; where that fails it drives there.
-   */
+  /** Picks a thing up and brings it somewhere, for ever; where that fails it drives on. */
   private void carry(String robot, String thing, int round) {
     call(
         robot,
@@ -96,15 +94,7 @@ final class BusyWorld implements AutoCloseable {
         Map.of("object", pointer(thing)),
         picked -> {
           if (picked.outcome() == Outcome.SUCCEEDED) {
-            String zone = zones.get(round % zones.size());
-            call(
-                robot,
-                "place",
-                Map.of("object", pointer(thing), "target", pointer(zone)),
-                placed -> {
-                  carried += placed.outcome() == Outcome.SUCCEEDED ? 1 : 0;
-                  clock.schedule(OPENING, robot, () -> carry(robot, thing, round + 1));
-                });
+            bring(robot, thing, round);
           } else {
             String next = things.get((round + 1) % things.size());
             String zone = zones.get((round + 1) % zones.size());
@@ -114,6 +104,29 @@ final class BusyWorld implements AutoCloseable {
                 Map.of("to", pointer(zone)),
                 moved -> clock.schedule(OPENING, robot, () -> carry(robot, next, round + 1)));
           }
+        });
+  }
+
+  /** Places it in the next zone where it can be placed; somebody looks after batteries. */
+  private void bring(String robot, String thing, int round) {
+    call(
+        robot,
+        "place",
+        Map.of("object", pointer(thing), "target", pointer(zones.get(round % zones.size()))),
+        placed -> {
+          boolean done = placed.outcome() == Outcome.SUCCEEDED;
+          carried += done ? 1 : 0;
+          simulated.world().charge(robot, 1);
+          clock.schedule(
+              OPENING,
+              robot,
+              () -> {
+                if (done) {
+                  carry(robot, thing, round + 1);
+                } else {
+                  bring(robot, thing, round + 1);
+                }
+              });
         });
   }
 
