@@ -20,6 +20,8 @@ public final class PlanProgram {
             .setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8))
             .setExecutionExceptionHandler(failures)
             .setParameterExceptionHandler(failures);
-    System.exit(commandLine.execute(arguments));
+    int exitCode = commandLine.execute(arguments);
+    commandLine.getOut().flush();
+    System.exit(exitCode);
   }
 }

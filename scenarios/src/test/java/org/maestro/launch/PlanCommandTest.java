@@ -8,6 +8,11 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -100,6 +105,33 @@ class PlanCommandTest {
     Said said = maestro("plan", "bob", "(open lamp-a1)");
     assertThat(said.exitCode()).isEqualTo(10);
     assertThat(said.out()).startsWith("; unsolvable (proven)").contains("needed");
+  }
+
+  @Test
+  void saysSoWhenMemoryIsUsedUpBeforeAnythingIsFound() throws IOException, InterruptedException {
+    String words = IntStream.range(0, 60).mapToObj(i -> "o" + i).collect(Collectors.joining(" "));
+    Path domain =
+        Files.writeString(
+            directory.resolve("d.pddl"),
+            """
+            (define (domain large) (:predicates (p ?a ?b ?c ?d) (won))
+             (:action make :parameters (?a ?b ?c ?d) :effect (p ?a ?b ?c ?d))
+             (:action win :parameters (?a ?b ?c ?d) :precondition (p ?a ?b ?c ?d) :effect (won)))
+            """);
+    Path problem =
+        Files.writeString(
+            directory.resolve("p.pddl"),
+            "(define (problem l) (:domain large) (:objects %s) (:init) (:goal (won)))"
+                .formatted(words));
+    JavaProcess.Ended ended =
+        JavaProcess.start(
+                PlanProgram.class.getName(),
+                List.of(domain.toString(), problem.toString()),
+                Map.of("JAVA_TOOL_OPTIONS", "-Xmx32m"))
+            .await(Duration.ofSeconds(60));
+    assertThat(ended.exitCode()).isEqualTo(12);
+    assertThat(ended.output()).contains("the memory is used up; give Java more");
+    assertThat(ended.errors()).doesNotContain("\tat ");
   }
 
   private Said solve(String domain, String problem) throws IOException {
