@@ -1,9 +1,11 @@
 package org.maestro.bench;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
+import java.util.Set;
 import java.util.TreeSet;
 
 /**
@@ -92,10 +94,11 @@ final class PlanningHome {
   private void addRooms(int rooms) {
     int doors = share(10, 0);
     int door = 0;
+    Set<Set<Integer>> ways = new HashSet<>();
     for (int room = 1; room < rooms + rooms / 6; room++) {
       int here = room < rooms ? room : random.nextInt(rooms);
       int there = room < rooms ? random.nextInt(room) : random.nextInt(rooms);
-      if (here == there) {
+      if (here == there || !ways.add(Set.of(here, there))) {
         continue;
       }
       int length = between(2, 9);

@@ -228,7 +228,13 @@ public final class PddlReader {
         if (!SchemaReader.isNumber(number.text())) {
           throw number.position().error("Expected a number, found %s.", number.text());
         }
-        values.put(reader.groundFunction(group.items().get(1)), new BigDecimal(number.text()));
+        BigDecimal value = new BigDecimal(number.text());
+        BigDecimal before = values.put(reader.groundFunction(group.items().get(1)), value);
+        if (before != null && before.compareTo(value) != 0) {
+          throw group
+              .position()
+              .error("This function has the value %s already.", before.toPlainString());
+        }
       }
       case "at" -> {
         boolean timed =

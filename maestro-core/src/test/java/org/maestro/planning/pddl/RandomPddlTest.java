@@ -24,7 +24,7 @@ import org.maestro.planning.search.Solution.Verdict;
 class RandomPddlTest {
   private static final int MOST_STATES = 1200;
 
-  @Property(tries = 80, shrinking = ShrinkingMode.OFF)
+  @Property(tries = 60, shrinking = ShrinkingMode.OFF)
   void costsWhatTryingEverythingCosts(@ForAll long seed) {
     Random random = new Random(seed);
     String domain = domain(random);
