@@ -39,7 +39,8 @@ final class SecureCommand implements Callable<Integer> {
       index = "1",
       arity = "0..1",
       paramLabel = "HOME.ttl",
-      description = "A home, or a shipped one: its devices become members.")
+      description =
+          "A home, or a shipped one: its devices become members, its containers controllers.")
   private Optional<String> home;
 
   @Option(
@@ -76,9 +77,16 @@ final class SecureCommand implements Callable<Integer> {
   @Override
   public Integer call() {
     TreeSet<String> allMembers = new TreeSet<>(members);
-    home.map(Shipped::home).ifPresent(loaded -> allMembers.addAll(loaded.devices().keySet()));
-    List<String> allControllers = new ArrayList<>(USUAL_CONTROLLERS);
+    TreeSet<String> allControllers = new TreeSet<>(USUAL_CONTROLLERS);
     allControllers.addAll(controllers);
+    home.map(Shipped::home)
+        .ifPresent(
+            loaded -> {
+              allMembers.addAll(loaded.devices().keySet());
+              loaded.devices().values().stream()
+                  .flatMap(device -> device.container().stream())
+                  .forEach(topic -> allControllers.add("container-" + topic));
+            });
     List<String> allHosts = new ArrayList<>(hosts);
     allHosts.addAll(LOCAL_HOSTS);
     List<String> allGuests = new ArrayList<>(guests);

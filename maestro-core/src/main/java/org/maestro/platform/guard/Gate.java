@@ -71,12 +71,13 @@ final class Gate extends ServerSocket {
   private void receive(SSLSocket stranger) {
     String from = stranger.getInetAddress().getHostAddress();
     try {
-      Optional<String> refusal = guard.admit(stranger);
-      if (refusal.isEmpty()) {
+      Guard.Admission admission = guard.admit(stranger);
+      if (admission.refusal().isPresent()) {
+        refused(from, admission.refusal().get());
+      } else if (admission.stays()) {
         admitted.add(Optional.of(stranger));
         return;
       }
-      refused(from, refusal.get());
     } catch (EOFException gone) {
       refused(from, "it left before it had shown the join token");
     } catch (IOException none) {

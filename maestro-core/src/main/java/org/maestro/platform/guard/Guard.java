@@ -105,7 +105,7 @@ public final class Guard {
    */
   public Optional<String> objection(String host, int port) {
     try {
-      call(host, port).close();
+      connect(host, port, false).close();
       return Optional.empty();
     } catch (IOException refused) {
       return Optional.of(refused.getMessage());
@@ -114,13 +114,20 @@ public final class Guard {
 
   /** Connects to another container, and is let in. */
   Socket call(String host, int port) throws IOException {
+    return connect(host, port, true);
+  }
+
+  /**
+   * @param stays false when it only wants to know whether it would be let in
+   */
+  private Socket connect(String host, int port, boolean stays) throws IOException {
     SSLSocket socket = (SSLSocket) access.tls().getSocketFactory().createSocket();
     try {
       socket.setEnabledProtocols(new String[] {PROTOCOL});
       socket.setTcpNoDelay(true);
       socket.connect(new InetSocketAddress(host, port), CONNECTED_WITHIN_MILLIS);
       socket.setSoTimeout(INTRODUCED_WITHIN_MILLIS);
-      introduce(socket, host + ":" + port);
+      introduce(socket, host + ":" + port, stays);
       socket.setSoTimeout(0);
       return socket;
     } catch (IOException refused) {
@@ -129,7 +136,7 @@ public final class Guard {
     }
   }
 
-  private void introduce(SSLSocket socket, String address) throws IOException {
+  private void introduce(SSLSocket socket, String address, boolean stays) throws IOException {
     try {
       socket.startHandshake();
       if (holder(socket).isEmpty()) {
@@ -141,6 +148,7 @@ public final class Guard {
       byte[] token = access.token();
       out.writeShort(token.length);
       out.write(token);
+      out.writeBoolean(stays);
       out.flush();
       String refusal = new DataInputStream(socket.getInputStream()).readUTF();
       if (!refusal.isEmpty()) {
@@ -156,25 +164,33 @@ public final class Guard {
   }
 
   /**
-   * Lets in who has connected.
+   * Lets in who has connected, and tells it so, or why not.
    *
-   * @return why it was not let in, in a part of a sentence; it is told so
    * @throws IOException when it went away, or spoke no TLS of the site
    */
-  Optional<String> admit(SSLSocket socket) throws IOException {
+  Admission admit(SSLSocket socket) throws IOException {
     socket.setSoTimeout(INTRODUCED_WITHIN_MILLIS);
     socket.setTcpNoDelay(true);
     socket.startHandshake();
     DataInputStream in = new DataInputStream(socket.getInputStream());
     int length = in.readUnsignedShort();
     byte[] token = in.readNBytes(Math.min(length, MOST_OF_A_TOKEN));
+    boolean stays = in.readBoolean();
     Optional<String> refusal = refusal(socket, token);
     DataOutputStream out = new DataOutputStream(socket.getOutputStream());
     out.writeUTF(refusal.orElse(""));
     out.flush();
     socket.setSoTimeout(0);
-    return refusal;
+    return new Admission(refusal, stays);
   }
+
+  /**
+   * What is made of who has connected.
+   *
+   * @param refusal why it was not let in, in a part of a sentence
+   * @param stays false when it only wanted to know
+   */
+  record Admission(Optional<String> refusal, boolean stays) {}
 
   private Optional<String> refusal(SSLSocket socket, byte[] token) throws SSLException {
     Optional<String> holder = holder(socket);

@@ -48,8 +48,10 @@ class GateTest {
     gate.close();
   }
 
+  /** Who only asks whether it would be let in is not handed on: JADE would wait for its words. */
   @Test
   void whoHasCertificateAndTokenIsLetInAndHeard() throws Exception {
+    assertThat(guard(site, "console").objection(LOOPBACK, gate.getLocalPort())).isEmpty();
     try (Socket robots = guard(site, "container-robots").call(LOOPBACK, gate.getLocalPort());
         Socket there = gate.accept()) {
       robots.getOutputStream().write(7);
