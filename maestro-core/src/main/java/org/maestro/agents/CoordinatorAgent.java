@@ -219,7 +219,12 @@ public final class CoordinatorAgent extends MaestroAgent {
   private void memberNews(ACLMessage message, Words words, Content whole) {
     Optional<String> member = words.string("member");
     Optional<String> phase = words.string("phase");
-    if (member.isPresent() && phase.isPresent()) {
+    Optional<String> alert = words.string("alert");
+    if (member.isPresent() && alert.isPresent()) {
+      misconduct(
+          words.string("goal").orElse("none"),
+          "%s raises an alarm: %s".formatted(member.get(), alert.get().replaceAll("\\.$", "")));
+    } else if (member.isPresent() && phase.isPresent()) {
       if (phase.get().equals("ready")) {
         deliberation.memberPresent(member.get(), message.getSender(), words.string("life"));
         present.add(member.get());

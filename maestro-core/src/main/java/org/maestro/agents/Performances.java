@@ -139,7 +139,7 @@ final class Performances {
                 parameters,
                 deed.timeout(),
                 deed.goal()),
-            new CallReporter(agent::tell, new Reporter(conversation, deed.feature(), reported)));
+            new CallReporter(agent::tell, new Reporter(conversation, deed, reported)));
     handles.put(conversation, handle);
     return handle;
   }
@@ -254,12 +254,12 @@ final class Performances {
   /** Tells on what becomes of one call. */
   private final class Reporter implements CallReporter.Listener {
     private final String conversation;
-    private final FeatureType feature;
+    private final Deed deed;
     private final BiConsumer<Outcome, Crew.Report> reported;
 
-    Reporter(String conversation, FeatureType feature, BiConsumer<Outcome, Crew.Report> reported) {
+    Reporter(String conversation, Deed deed, BiConsumer<Outcome, Crew.Report> reported) {
       this.conversation = conversation;
-      this.feature = feature;
+      this.deed = deed;
       this.reported = reported;
     }
 
@@ -278,9 +278,22 @@ final class Performances {
               Words.content(
                   "inform",
                   Words.named("member", Words.name(member)),
-                  Words.named("feature", Words.name(feature.name())),
+                  Words.named("feature", Words.name(deed.feature().name())),
                   Words.terms("bindings", view.bindings(conversation)),
                   Words.terms("outputs", outputs))));
+    }
+
+    @Override
+    public void alerted(String message) {
+      agent.send(
+          agent.message(
+              ACLMessage.INFORM,
+              agent.getAID(CoordinatorAgent.NAME),
+              Words.content(
+                  "inform",
+                  Words.named("member", Words.name(member)),
+                  Words.named("alert", Words.text(message)),
+                  Words.named("goal", Words.name(deed.goal().orElse("none"))))));
     }
 
     @Override

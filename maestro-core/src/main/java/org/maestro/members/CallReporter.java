@@ -13,6 +13,7 @@ import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Progress;
 import org.maestro.rats.protocol.RatsError;
+import org.maestro.rats.protocol.ReservedFeature;
 import org.maestro.rats.protocol.Result;
 import org.maestro.sl.Term;
 
@@ -31,6 +32,9 @@ public final class CallReporter implements RatsLink.CallListener {
 
     /** Each value set of a stream teaches, as the first did. */
     void learnt(Map<String, Term> outputs);
+
+    /** Something that people should hear of at once. */
+    default void alerted(String message) {}
 
     /** Nothing more will come. */
     void over();
@@ -54,7 +58,12 @@ public final class CallReporter implements RatsLink.CallListener {
 
   @Override
   public void observed(Observation observation) {
-    worker.execute(() -> listener.learnt(JsonTerms.terms(observation.values())));
+    if (observation.feature().equals(ReservedFeature.ALERT)) {
+      String message = String.valueOf(observation.values().get("message"));
+      worker.execute(() -> listener.alerted(message));
+    } else {
+      worker.execute(() -> listener.learnt(JsonTerms.terms(observation.values())));
+    }
   }
 
   @Override
