@@ -144,10 +144,20 @@ final class BrokenCup implements Experiment {
                                 !run.success(),
                                 OptionalDouble.empty()))
                     .toList(),
-                List.of(),
+                mean(times(runs)),
                 "")));
     runs.forEach(run -> figures.addAll(run.pictures()));
     return figures;
+  }
+
+  private static List<Bars.Level> mean(Spread times) {
+    return times.count() == 0
+        ? List.of()
+        : List.of(
+            new Bars.Level(
+                times.mean(),
+                String.format(Locale.ROOT, "mean of runs cleaned up: %.1f s", times.mean()),
+                Ink.BLUE));
   }
 
   private static Page page(
