@@ -126,7 +126,7 @@ public final class MaestroPlatform implements AutoCloseable {
     this.coordinator = coordinator(new Past(chronicle, ofCentre.recovery(), ofCentre.stories()));
     this.desk = new DeskAgent(time);
     this.supervisor = new SupervisorAgent(time, link, new Supervision());
-    this.rescue = new Rescue(new Ways());
+    this.rescue = new Rescue(new Ways(), clock);
   }
 
   /**

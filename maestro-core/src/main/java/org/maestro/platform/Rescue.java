@@ -1,5 +1,6 @@
 package org.maestro.platform;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
@@ -10,8 +11,10 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import org.maestro.platform.hosts.Backoff;
 import org.maestro.platform.hosts.Placing;
 import org.maestro.platform.hosts.Provision;
+import org.maestro.rats.time.Clock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -26,6 +29,8 @@ final class Rescue {
   private static final String OWN = "";
 
   private final Ways ways;
+  private final Clock clock;
+  private final Backoff backoff = new Backoff(Duration.ofSeconds(1), Duration.ofMinutes(1));
   private final Map<String, Provision> provisionByHost = new TreeMap<>();
   private final Map<String, String> hostByMember = new TreeMap<>();
   private final Map<String, String> controllerByMember = new TreeMap<>();
@@ -51,8 +56,9 @@ final class Rescue {
     void nobody(String member, String reason);
   }
 
-  Rescue(Ways ways) {
+  Rescue(Ways ways, Clock clock) {
     this.ways = ways;
+    this.clock = clock;
     provisionByHost.put(OWN, Provision.of(List.of()));
   }
 
@@ -77,16 +83,30 @@ final class Rescue {
   }
 
   /**
-   * The member's agent is no more.
+   * The member's agent is no more; the more often that happens, the later it gets another.
    *
    * @param controller under whose name it has called
    */
   void lost(String member, String controller) {
+    Duration delay;
     synchronized (this) {
       controllerByMember.putIfAbsent(member, controller);
       hostByMember.remove(member);
+      delay = backoff.died(member, wallTime());
     }
-    settle(member);
+    if (delay.isZero()) {
+      settle(member);
+    } else {
+      LOG.warn("The agent of {} was lost again; it is started in {} s", member, delay.toSeconds());
+      clock.schedule(
+          Duration.ofMillis(Math.round(delay.toMillis() * clock.speed())),
+          member,
+          () -> settle(member));
+    }
+  }
+
+  private Duration wallTime() {
+    return Duration.ofMillis(Math.round(clock.now().toMillis() / clock.speed()));
   }
 
   /** The member has an agent by other means. */
