@@ -59,9 +59,7 @@ class MainDeathTest {
     try (PostOffice office = new PostOffice(List.of(1, 1))) {
       Path home = Files.writeString(directory.resolve("post.ttl"), office.homeText());
       try (JavaProcess main = run(office, home, port);
-          JavaProcess second = run(office, home, port, "--standby")) {
-        until(() -> main.output().contains("runs: "), main);
-        until(() -> second.output().contains("Standing by"), second);
+          JavaProcess second = standingBy(main, office, home, port)) {
         double seconds;
         try (JavaProcess goal = maestro("goal", GOAL, "--main", "127.0.0.1:" + port)) {
           until(() -> office.atTheGate().size() == 1, goal);
@@ -77,6 +75,15 @@ class MainDeathTest {
         return seconds;
       }
     }
+  }
+
+  /** Once the first one has the duty: whoever comes first gets it. */
+  private JavaProcess standingBy(JavaProcess main, PostOffice office, Path home, int port)
+      throws IOException {
+    until(() -> main.output().contains("runs: "), main);
+    JavaProcess second = run(office, home, port, "--standby");
+    until(() -> second.output().contains("Standing by"), second);
+    return second;
   }
 
   private double secondsUntilItAnswers(int port) {
