@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** What the command line says and does when it cannot do what it was asked: whole processes. */
 class BadInputTest {
 
-  private static final Duration LIMIT = Duration.ofSeconds(30);
+  private static final Duration LIMIT = Duration.ofSeconds(90);
 
   @TempDir private Path directory;
 
