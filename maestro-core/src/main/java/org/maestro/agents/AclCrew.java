@@ -72,7 +72,10 @@ final class AclCrew implements Crew {
             receiver ->
                 agent.send(
                     agent.message(
-                        ACLMessage.CANCEL, receiver, Orders.callOff(call, agent.getLocalName()))));
+                        ACLMessage.CANCEL,
+                        receiver,
+                        Orders.callOff(
+                            call, agent.getLocalName(), member, receiver.getLocalName()))));
   }
 
   int underwayCount() {

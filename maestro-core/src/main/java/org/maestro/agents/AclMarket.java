@@ -71,7 +71,8 @@ final class AclMarket implements Market {
       answer.accept(unanswered(sets.size(), "has no agent"));
       return;
     }
-    List<Content.Argument> arguments = new ArrayList<>();
+    List<Content.Argument> arguments =
+        new ArrayList<>(Orders.member(member, receiver.get().getLocalName()));
     arguments.add(Words.named("feature", Words.name(feature)));
     sets.forEach(set -> arguments.add(Orders.parameters("set", set)));
     ACLMessage question =

@@ -72,7 +72,7 @@ final class ContractNetRound extends ContractNetInitiator {
     Vector<ACLMessage> cfps = new Vector<>();
     agents.forEach(
         (member, receiver) -> {
-          ACLMessage cfp = agent.message(ACLMessage.CFP, receiver, question(member));
+          ACLMessage cfp = agent.message(ACLMessage.CFP, receiver, question(member, receiver));
           cfp.setProtocol(FIPANames.InteractionProtocol.FIPA_CONTRACT_NET);
           cfp.setReplyByDate(agent.replyBy(patience().bid()));
           cfps.add(cfp);
@@ -81,11 +81,13 @@ final class ContractNetRound extends ContractNetInitiator {
     return cfps;
   }
 
-  private Content question(String member) {
-    return Words.content(
-        "cost",
-        Words.named("goal", Words.name(call.goalId()), Words.formula(call.goal())),
+  private Content question(String member, AID receiver) {
+    List<Content.Argument> arguments =
+        new ArrayList<>(Orders.member(member, receiver.getLocalName()));
+    arguments.add(Words.named("goal", Words.name(call.goalId()), Words.formula(call.goal())));
+    arguments.add(
         Words.named("features", call.features().get(member).stream().map(Words::name).toList()));
+    return new Content("cost", arguments);
   }
 
   /** Sends the calls, and later the decisions; then waits for the clock instead of JADE's. */

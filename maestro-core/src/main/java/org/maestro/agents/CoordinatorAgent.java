@@ -45,6 +45,7 @@ public final class CoordinatorAgent extends MaestroAgent {
   private final transient boolean returns;
   private final transient ToldStories stories;
   private final transient GoalRequests requests;
+  private final transient DeploymentRequests deployment = new DeploymentRequests(this);
   private final transient Set<String> present = new ConcurrentSkipListSet<>();
 
   /** A coordinator that remembers nothing, and is remembered by nobody. */
@@ -93,17 +94,17 @@ public final class CoordinatorAgent extends MaestroAgent {
   }
 
   /**
-   * The member's agent ended here and is to begin elsewhere, where it announces itself. Any thread
-   * may call.
+   * The agent ended here and is to begin elsewhere, where it announces itself. Any thread may call.
    */
-  public void agentMoves(String member) {
-    tell(
-        () -> {
-          if (deliberation.agentMoves(member, member + " is getting another agent")) {
-            present.remove(member);
-            clock().schedule(patience(MOVE), getLocalName(), () -> tell(() -> hasNotCome(member)));
-          }
-        });
+  public void agentMoves(String name) {
+    tell(() -> deliberation.membersOf(name).forEach(this::agentOfMemberMoves));
+  }
+
+  private void agentOfMemberMoves(String member) {
+    if (deliberation.agentMoves(member, member + " is getting another agent")) {
+      present.remove(member);
+      clock().schedule(patience(MOVE), getLocalName(), () -> tell(() -> hasNotCome(member)));
+    }
   }
 
   private void hasNotCome(String member) {
@@ -123,23 +124,27 @@ public final class CoordinatorAgent extends MaestroAgent {
   }
 
   /**
-   * The member's agent gives no sign of life; nothing is asked of it until it is trusted again, or
-   * ended. Any thread may call.
+   * The agent gives no sign of life; nothing is asked of it until it is trusted again, or ended.
+   * Any thread may call.
    *
    * @param reason what is said of it, a clause
    */
-  public void agentDoubted(String member, String reason) {
-    tell(() -> deliberation.agentDoubted(member, reason));
+  public void agentDoubted(String name, String reason) {
+    tell(
+        () ->
+            deliberation
+                .membersOf(name)
+                .forEach(member -> deliberation.agentDoubted(member, reason)));
   }
 
-  /** The member's agent gives signs of life again. Any thread may call. */
-  public void agentTrusted(String member) {
-    tell(() -> deliberation.agentTrusted(member));
+  /** The agent gives signs of life again. Any thread may call. */
+  public void agentTrusted(String name) {
+    tell(() -> deliberation.membersOf(name).forEach(deliberation::agentTrusted));
   }
 
-  /** The member's agent is no more, killed or with its container. Any thread may call. */
-  public void agentEnded(String member) {
-    tell(() -> agentGone(member, "its agent has ended"));
+  /** The agent is no more, killed or with its container. Any thread may call. */
+  public void agentEnded(String name) {
+    tell(() -> agentGone(name, "its agent has ended"));
   }
 
   /** Orders that no report has come for yet. */
@@ -152,10 +157,8 @@ public final class CoordinatorAgent extends MaestroAgent {
     return deliberation.contractsOpen();
   }
 
-  private void agentGone(String member, String reason) {
-    if (deliberation.agentGone(member, reason)) {
-      present.remove(member);
-    }
+  private void agentGone(String name, String reason) {
+    present.removeAll(deliberation.agentGone(name, reason));
   }
 
   @Override
@@ -173,6 +176,15 @@ public final class CoordinatorAgent extends MaestroAgent {
   private void callRoll() {
     Set<String> names = new TreeSet<>(knowledge.home().devices().keySet());
     names.addAll(knowledge.home().groups().keySet());
+    callRoll(names);
+  }
+
+  /** These agents, too, are asked which members are there. Any thread may call. */
+  public void ask(Collection<String> agents) {
+    tell(() -> callRoll(agents));
+  }
+
+  private void callRoll(Collection<String> names) {
     for (String name : names) {
       send(
           message(
@@ -205,13 +217,14 @@ public final class CoordinatorAgent extends MaestroAgent {
         case "subscribe" -> stories.subscribe(message, words);
         case "query-ref" -> requests.list(message, words);
         case "await" -> requests.await(message, words);
+        case "perform" -> deployment.forward(message, content);
         default ->
             refuse(
                 message,
                 ACLMessage.NOT_UNDERSTOOD,
                 "The CCA does not know the operator "
                     + Replies.shortened(content.operator())
-                    + "; it knows initCNP, await, cancel, explain, subscribe and query-ref.");
+                    + "; it knows initCNP, await, cancel, explain, subscribe, query-ref and perform.");
       }
     }
   }

@@ -5,6 +5,8 @@ import java.time.Duration;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.Consumer;
@@ -195,14 +197,27 @@ final class Deliberation {
     return coordinator.isDoubted(member);
   }
 
-  /** Returns whether the member had an agent. */
-  boolean agentGone(String member, String reason) {
-    if (agentByMember.remove(member) == null) {
-      return false;
+  /** The agent is no more; returns the members that it stood for. */
+  Set<String> agentGone(String agentName, String reason) {
+    Set<String> members = membersOf(agentName);
+    for (String member : members) {
+      agentByMember.remove(member);
+      coordinator.memberLost(member, reason);
+      crew.agentEnded(member);
     }
-    coordinator.memberLost(member, reason);
-    crew.agentEnded(member);
-    return true;
+    return members;
+  }
+
+  /** The members that the agent stands for. */
+  Set<String> membersOf(String agentName) {
+    Set<String> members = new TreeSet<>();
+    agentByMember.forEach(
+        (member, its) -> {
+          if (its.getLocalName().equals(agentName)) {
+            members.add(member);
+          }
+        });
+    return members;
   }
 
   private Optional<AID> agentOf(String member) {

@@ -1,228 +1,236 @@
 package org.maestro.agents;
 
 import jade.core.AID;
+import jade.core.ServiceException;
 import jade.core.behaviours.Behaviour;
-import jade.domain.DFService;
-import jade.domain.FIPAAgentManagement.DFAgentDescription;
-import jade.domain.FIPAAgentManagement.ServiceDescription;
-import jade.domain.FIPANames;
 import jade.lang.acl.ACLMessage;
+import java.io.IOException;
+import java.io.ObjectInputStream;
+import java.nio.file.Path;
 import java.time.Duration;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.BiConsumer;
-import java.util.function.BiFunction;
-import org.maestro.coordination.Story;
-import org.maestro.members.MemberNews;
-import org.maestro.members.MemberView;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+import org.maestro.deployment.AgentStart;
+import org.maestro.deployment.Charge;
 import org.maestro.ontology.home.Device;
-import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.home.DeviceFile;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.sl.Content;
-import org.maestro.sl.Substitution;
-import org.maestro.sl.Term;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The abstraction of a RATS member in the control layer (M24, M69): one class for all kinds of
- * devices, configured by what the member describes. It answers calls for prices, prices parameter
- * sets, performs features over the bus and says what the member says of itself. Its name is the
- * member's id.
+ * The abstraction of RATS members in the control layer (M24, M68, M69, M71): one class for all
+ * kinds of devices, made what it is by its configuration and by what its members describe. It
+ * answers calls for prices, prices parameter sets, performs features over the bus and says what its
+ * members say of themselves.
+ *
+ * <p>JADE can make it by its class name, in any container of MAESTRO, also from its GUI: with the
+ * path of a device file as argument, or with none for a member of the agent's name. It can move; it
+ * then goes as soon as nothing is under way.
  */
 public final class GenericAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
   private static final Logger LOG = LoggerFactory.getLogger(GenericAgent.class);
-  private static final Duration ANSWER_WITHIN = Duration.ofSeconds(30);
+  static final Duration ANSWER_WITHIN = Duration.ofSeconds(30);
+  private static final Duration TRY_AGAIN = Duration.ofMillis(500);
+  private static final int MOST_ATTEMPTS = 10;
 
-  private final String member;
-  private final transient RatsLink link;
-  private final transient MemberView view = new MemberView();
-  private final transient MemberNews news;
-  private final transient Performances performances;
-  private final transient PriceResponder prices;
-  private final transient Optional<OwnGoals> goals;
-  private boolean announced;
-  private transient Rights rights = Rights.UNKNOWN;
-  private final transient Set<AID> listeners = new LinkedHashSet<>();
-  private final transient Once objections = new Once();
+  private final LinkedHashSet<AID> listeners = new LinkedHashSet<>();
+  private final FormerCalls formerCalls = new FormerCalls();
 
-  /**
-   * @param describedBy reads a description (first argument) that a member (second) sent; throws a
-   *     RuntimeException with one sentence when it is faulty
-   */
-  public GenericAgent(
-      AgentTime time,
-      RatsLink link,
-      String member,
-      BiFunction<String, String, Device> describedBy) {
-    this(time, link, member, describedBy, Optional.empty(), entry -> {}, Past.none());
+  /** How it was started, in words: this is what travels. */
+  private String configuration = "";
+
+  private boolean registered;
+  private Movement movement;
+
+  private transient Optional<Surroundings> here = Optional.empty();
+  private transient Map<String, Voice> voices = Map.of();
+  private transient PriceResponder prices;
+  private transient Once objections = new Once();
+
+  /** Made by JADE, which has its arguments. */
+  public GenericAgent() {
+    // What it is to be stands in its arguments, what it works with comes from its container.
   }
 
   /**
-   * @param mind with which it pursues the goals that its member's description states; empty where
-   *     the collective knowledge is out of reach
-   * @param story where it tells of them
-   * @param past of the platform, with which they go on
+   * @param here what its container gives to it
+   * @param start what it is to be
    */
-  public GenericAgent(
-      AgentTime time,
-      RatsLink link,
-      String member,
-      BiFunction<String, String, Device> describedBy,
-      Optional<Mind> mind,
-      Story story,
-      Past past) {
-    super(time);
-    this.member = member;
-    this.link = link;
-    this.prices = new PriceResponder(this, view, this::objection);
-    this.news = new MemberNews(member, view, describedBy, new Teller());
-    this.performances = new Performances(this, member, link, view, news, this::say);
-    OwnMember own = new OwnMember(member, view, performances);
-    this.goals =
-        mind.map(
-            m ->
-                new OwnGoals(
-                    this, member, time.clock(), m, story, past, member::equals, Optional.of(own)));
+  public GenericAgent(Surroundings here, AgentStart start) {
+    super(here.time());
+    this.here = Optional.of(here);
+    this.configuration = Words.print(StartWords.content(start));
+  }
+
+  /** Arrived from another container. */
+  private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
+    in.defaultReadObject();
+    here = Optional.empty();
+    voices = Map.of();
+    objections = new Once();
+  }
+
+  @Override
+  protected AgentTime timeHere() {
+    try {
+      Surroundings given = ((HostService.Access) getHelper(HostService.NAME)).host().surroundings();
+      here = Optional.of(movement == null ? given : given.afterMove());
+      return given.time();
+    } catch (ServiceException e) {
+      throw new IllegalStateException(
+          "This container is none of MAESTRO's: choose another, or join one with ./maestro container.",
+          e);
+    }
   }
 
   @Override
   protected void setup() {
     super.setup();
-    goals.ifPresent(OwnGoals::begin);
-    link.watch(
-        changed -> {
-          if (changed.id().equals(member)) {
-            tell(() -> news.changed(changed));
-          }
-        });
-  }
-
-  /** What the member tells, told on. */
-  private final class Teller implements MemberNews.Listener {
-    @Override
-    public void described(String description) {
-      register();
-      introduce(description);
-    }
-
-    @Override
-    public void said(List<String> facts) {
-      say(facts);
-    }
-
-    @Override
-    public void lost(String reason) {
-      announced = false;
-      goals.ifPresent(own -> own.memberLost(member, reason));
-      announce("lost", reason);
+    try {
+      begin(configured());
+    } catch (RuntimeException e) {
+      LOG.error("The agent {} ends: {}", getLocalName(), e.getMessage());
+      doDelete();
     }
   }
 
-  /** Tells the knowledge agent, and tells it again while it is too busy to answer in time. */
-  private void introduce(String description) {
-    ask(
-        message(
-            ACLMessage.REQUEST,
-            knowledgeAgent(),
-            Words.content(
-                "inform",
-                Words.named("member", Words.name(member)),
-                Words.named("description", Words.text(description)))),
-        ANSWER_WITHIN,
-        reply -> {
-          if (reply.getPerformative() == ACLMessage.INFORM && view.isReady()) {
-            rights = Rights.read(Words.of(Words.parse(reply.getContent()).get(0)));
-            announced = true;
-            announce("ready", "described");
-            pursue();
-          } else if (Conversations.isOverdue(reply)) {
-            if (view.isReady() && news.isCurrent(description)) {
-              introduce(description);
-            }
-          } else if (reply.getPerformative() != ACLMessage.AGREE) {
-            LOG.warn("{} is not used: {}", member, reply.getContent());
-          }
-        });
+  private void begin(AgentStart start) {
+    Surroundings surroundings = here.orElseThrow();
+    Map<String, Voice> all = new LinkedHashMap<>();
+    for (Charge charge : start.charges()) {
+      all.put(charge.member(), new Voice(this, charge, surroundings, formerCalls));
+    }
+    voices = all;
+    Optional<String> mark = all.size() > 1 ? Optional.of(getLocalName()) : Optional.empty();
+    prices =
+        new PriceResponder(this, words -> voice(words).map(Voice::view), this::objection, mark);
+    all.values().forEach(Voice::begin);
+    surroundings.link().watch(this::memberChanged);
   }
 
-  /** The goals of its own that the member's description states. */
-  private void pursue() {
-    goals.ifPresent(
-        own -> {
-          own.memberPresent(member, getAID(), Optional.of(performances.life()));
-          Substitution self = new Substitution(Map.of("self", new Term.Name(member)));
-          own.pursueOnly(view.device().orElseThrow().pursues().stream().map(self::apply).toList());
-        });
+  private void memberChanged(RatsLink.Member changed) {
+    Voice voice = voices.get(changed.id());
+    if (voice != null) {
+      tell(() -> voice.changed(changed));
+    }
   }
 
-  private void announce(String phase, String reason) {
-    Content news = presence(phase, reason);
-    send(message(ACLMessage.INFORM, agent(CoordinatorAgent.NAME), news));
+  /** How it is to begin: as it was told, as it was before it moved, or as its arguments say. */
+  private AgentStart configured() {
+    Object[] arguments = getArguments();
+    if (configuration.isEmpty() && arguments != null && arguments.length > 0) {
+      String first = String.valueOf(arguments[0]).strip();
+      configuration = first.startsWith("(" + StartWords.OPERATOR) ? first : "";
+      if (configuration.isEmpty()) {
+        startedByHand(started(Path.of(first)));
+      }
+    } else if (configuration.isEmpty()) {
+      startedByHand(AgentStart.of(getLocalName(), here().getName()));
+    }
+    return StartWords.read(Words.of(Words.parse(configuration).get(0)));
+  }
+
+  private AgentStart started(Path file) {
+    List<DeviceFile.Described> devices =
+        new DeviceFile(here.orElseThrow().describedBy()).read(file);
+    List<Charge> charges =
+        devices.stream().map(d -> new Charge(d.id(), Optional.of(d.text()))).toList();
+    String container = here().getName();
+    return new AgentStart(getLocalName(), charges, container, Set.of(), container);
+  }
+
+  /** The supervisor has to hear of an agent that it did not start. */
+  private void startedByHand(AgentStart start) {
+    Content words = StartWords.content(start);
+    configuration = Words.print(words);
+    send(message(ACLMessage.INFORM, getAID(SupervisorAgent.NAME), words));
+  }
+
+  /** The member of which a message speaks, or the only one. */
+  private Optional<Voice> voice(Words words) {
+    Optional<String> named = words.string("member");
+    if (named.isPresent()) {
+      return named.map(voices::get);
+    }
+    return voices.size() == 1
+        ? voices.values().stream().findFirst()
+        : Optional.ofNullable(voices.get(getLocalName()));
+  }
+
+  void announce(Content news) {
+    send(message(ACLMessage.INFORM, getAID(CoordinatorAgent.NAME), news));
     listeners.forEach(listener -> send(message(ACLMessage.INFORM, listener, news)));
   }
 
-  private Content presence(String phase, String reason) {
-    return Words.content(
-        "inform",
-        Words.named("member", Words.name(member)),
-        Words.named("phase", Words.name(phase)),
-        Words.named("life", Words.text(performances.life())),
-        Words.named("reason", Words.text(reason)));
-  }
-
-  /** Who subscribes hears at once, and then each time, whether the member can be used. */
+  /** Who subscribes hears at once, and then each time, whether the members can be used. */
   private void subscribe(ACLMessage message) {
-    boolean isCentre = message.getSender().getLocalName().equals(CoordinatorAgent.NAME);
-    if (isCentre) {
-      goals.ifPresent(OwnGoals::centreReturned);
+    if (message.getSender().getLocalName().equals(CoordinatorAgent.NAME)) {
+      voices.values().forEach(voice -> voice.goals().ifPresent(OwnGoals::centreReturned));
     } else {
       listeners.add(message.getSender());
     }
-    if (announced) {
-      send(message(ACLMessage.INFORM, message.getSender(), presence("ready", "described")));
+    voices
+        .values()
+        .forEach(
+            voice ->
+                voice
+                    .presence()
+                    .ifPresent(
+                        news -> send(message(ACLMessage.INFORM, message.getSender(), news))));
+  }
+
+  /** Makes the agent's entry in the yellow pages what it has to be now. */
+  void registerServices() {
+    registerServices(1);
+  }
+
+  private void registerServices(int attempt) {
+    Map<String, Device> offering = new LinkedHashMap<>();
+    voices.forEach(
+        (member, voice) ->
+            voice
+                .view()
+                .device()
+                .filter(device -> voice.view().isReady())
+                .ifPresent(device -> offering.put(member, device)));
+    Optional<ACLMessage> request = YellowPages.request(this, offering, registered);
+    registered = !offering.isEmpty();
+    if (clock().isStepped()) {
+      request.ifPresent(this::send);
+    } else {
+      request.ifPresent(
+          message -> ask(message, ANSWER_WITHIN, receipt -> registeredOrNot(receipt, attempt)));
     }
   }
 
-  private void say(List<String> facts) {
-    if (!facts.isEmpty()) {
-      send(
-          message(
-              ACLMessage.INFORM,
-              knowledgeAgent(),
-              Words.content(
-                  "inform",
-                  Words.named("source", Words.name(member)),
-                  Words.named("facts", facts.stream().map(Words::text).toList()))));
+  /**
+   * An entry of an agent of this name that has just died may be there still, or has been removed
+   * meanwhile: once more, the other way.
+   */
+  private void registeredOrNot(ACLMessage receipt, int attempt) {
+    boolean failed =
+        receipt.getPerformative() == ACLMessage.FAILURE
+            || receipt.getPerformative() == ACLMessage.REFUSE;
+    if (failed && attempt < MOST_ATTEMPTS) {
+      registered = !registered;
+      clock()
+          .schedule(
+              patience(TRY_AGAIN), getLocalName(), () -> tell(() -> registerServices(attempt + 1)));
     }
   }
 
-  private AID knowledgeAgent() {
-    return agent(KnowledgeAgent.NAME);
-  }
-
-  private AID agent(String localName) {
-    return getAID(localName);
-  }
-
-  /** Yellow pages: a service for each feature. The receipt is not waited for. */
-  private void register() {
-    DFAgentDescription entry = new DFAgentDescription();
-    entry.setName(getAID());
-    for (FeatureType feature : view.device().orElseThrow().features()) {
-      ServiceDescription service = new ServiceDescription();
-      service.setType(feature.name());
-      service.setName(member + "/" + feature.name());
-      service.addLanguages(LANGUAGE);
-      service.addOntologies(ONTOLOGY);
-      service.addProtocols(FIPANames.InteractionProtocol.FIPA_REQUEST);
-      entry.addServices(service);
-    }
-    send(DFService.createRequestMessage(this, getDefaultDF(), "register", entry, null));
+  @Override
+  protected boolean opensSession(ACLMessage message) {
+    return voices.size() > 1 && message.getPerformative() == ACLMessage.CFP;
   }
 
   @Override
@@ -235,18 +243,24 @@ public final class GenericAgent extends MaestroAgent {
     for (Content content : Words.parse(message.getContent())) {
       Words words = Words.of(content);
       switch (content.operator()) {
-        case "perform" ->
-            when(message, ACLMessage.REQUEST, () -> allowed(message, words, performances::perform));
+        case "perform" -> when(message, ACLMessage.REQUEST, () -> perform(message, words));
         case "cost" ->
-            when(message, ACLMessage.REQUEST, () -> allowed(message, words, performances::cost));
+            when(
+                message,
+                ACLMessage.REQUEST,
+                () -> allowed(message, words, voice -> voice.performances().cost(message, words)));
         case "cancel" -> cancel(message, words);
         case "subscribe" -> when(message, ACLMessage.SUBSCRIBE, () -> subscribe(message));
-        case "query-ref" -> goals.ifPresent(own -> GoalWords.list(this, message, own));
+        case "query-ref" ->
+            voices.values().stream()
+                .flatMap(voice -> voice.goals().stream())
+                .findFirst()
+                .ifPresent(own -> GoalWords.list(this, message, own));
         default ->
             refuse(
                 message,
                 ACLMessage.NOT_UNDERSTOOD,
-                member
+                getLocalName()
                     + " does not know the operator "
                     + Replies.shortened(content.operator())
                     + "; it knows perform, cost, cancel, subscribe and query-ref.");
@@ -254,35 +268,150 @@ public final class GenericAgent extends MaestroAgent {
     }
   }
 
+  private void asked(ACLMessage message, Words words, Consumer<Voice> deed) {
+    voice(words)
+        .ifPresentOrElse(
+            deed,
+            () ->
+                refuse(
+                    message,
+                    ACLMessage.REFUSE,
+                    "%s stands for %s; say which one is meant, such as (:member %s)."
+                        .formatted(
+                            getLocalName(),
+                            String.join(", ", voices.keySet()),
+                            voices.keySet().stream().findFirst().orElse(""))));
+  }
+
+  /** Only who may ask for the feature is answered (A28). */
+  private void allowed(ACLMessage message, Words words, Consumer<Voice> deed) {
+    objection(message, words, words.string("feature").orElse(""))
+        .ifPresentOrElse(
+            reason -> refuse(message, ACLMessage.REFUSE, reason),
+            () -> asked(message, words, deed));
+  }
+
+  private Optional<String> objection(ACLMessage message, Words words, String feature) {
+    Optional<String> objection =
+        voice(words).flatMap(voice -> voice.objection(message, words, feature));
+    objection
+        .filter(objections::isNew)
+        .ifPresent(reason -> LOG.warn("{} refuses: {}", getLocalName(), reason));
+    return objection;
+  }
+
+  private void perform(ACLMessage message, Words words) {
+    Optional<String> action = words.string("action");
+    if (action.isEmpty()) {
+      allowed(message, words, voice -> voice.performances().perform(message, words));
+    } else if (!message.getSender().equals(getAID(SupervisorAgent.NAME))) {
+      refuse(
+          message,
+          ACLMessage.REFUSE,
+          "Only the supervisor has an agent move or configures it; ask the CCA.");
+    } else if (action.get().equals("move")) {
+      move(message, words.string("container").orElse(""));
+    } else {
+      configure(message, words);
+    }
+  }
+
+  private void move(ACLMessage message, String container) {
+    Optional<Voice> tied = voices.values().stream().filter(Voice::pursues).findFirst();
+    if (clock().isStepped()) {
+      refuse(message, ACLMessage.REFUSE, "On a stepped clock agents stay where they are.");
+    } else if (tied.isPresent()) {
+      refuse(
+          message,
+          ACLMessage.REFUSE,
+          "%s stays where the collective knowledge is, as it has goals of its own (maestro:pursues)."
+              .formatted(tied.get().member()));
+    } else {
+      reply(
+          message,
+          ACLMessage.AGREE,
+          Words.content("perform", Words.named("action", Words.name("move"))));
+      movement = new Movement(message, container);
+      movement.goWhen(this, this::isIdle, () -> stay("is still at what it was ordered to do"));
+    }
+  }
+
+  private boolean isIdle() {
+    return prices.isIdle()
+        && conversations().openCount() == 0
+        && voices.values().stream().allMatch(voice -> voice.performances().isIdle());
+  }
+
+  private void stay(String why) {
+    refuse(movement.request(), ACLMessage.FAILURE, getLocalName() + " " + why + ".");
+    movement = null;
+  }
+
+  private void configure(ACLMessage message, Words words) {
+    List<Charge> charges = StartWords.charges(words);
+    try {
+      charges.forEach(
+          charge ->
+              Optional.ofNullable(voices.get(charge.member()))
+                  .ifPresent(voice -> voice.configure(charge.description())));
+      AgentStart start = StartWords.read(Words.of(Words.parse(configuration).get(0)));
+      configuration = Words.print(StartWords.content(start.with(charges)));
+      reply(
+          message,
+          ACLMessage.INFORM,
+          Words.content("inform", Words.named("done", Words.name("configure"))));
+    } catch (RuntimeException e) {
+      refuse(message, ACLMessage.REFUSE, String.valueOf(e.getMessage()));
+    }
+  }
+
   /** A goal of its own is cancelled like any goal, what it does for others by who ordered it. */
   private void cancel(ACLMessage message, Words words) {
-    if (goals.isPresent() && words.string("goal").isPresent()) {
-      GoalWords.cancel(this, message, words, goals.get());
+    Optional<OwnGoals> own =
+        voices.values().stream().flatMap(voice -> voice.goals().stream()).findFirst();
+    if (own.isPresent() && words.string("goal").isPresent()) {
+      GoalWords.cancel(this, message, words, own.get());
     } else {
-      when(message, ACLMessage.CANCEL, () -> performances.cancel(words));
+      when(
+          message,
+          ACLMessage.CANCEL,
+          () -> voices.values().forEach(voice -> voice.performances().cancel(words)));
+    }
+  }
+
+  /** What runs is ended if JADE's own tools have it move at once; who waits is told. */
+  @Override
+  protected void beforeMove() {
+    Set<String> lives = new TreeSet<>();
+    for (Voice voice : voices.values()) {
+      lives.add(voice.performances().life());
+      voice.performances().abandon();
+      voice.end();
+    }
+    formerCalls.moves(lives);
+    if (movement == null) {
+      movement = new Movement(new ACLMessage(ACLMessage.REQUEST), "");
+    }
+    super.beforeMove();
+  }
+
+  @Override
+  protected void afterMove() {
+    super.afterMove();
+    ACLMessage asked = movement.request();
+    movement = null;
+    if (asked.getSender() != null) {
+      reply(
+          asked,
+          ACLMessage.INFORM,
+          Words.content("inform", Words.named("container", Words.name(here().getName()))));
     }
   }
 
   @Override
   protected void takeDown() {
-    goals.ifPresent(OwnGoals::end);
+    voices.values().forEach(Voice::end);
     super.takeDown();
-  }
-
-  /** Only who may ask for the feature is answered (A28). */
-  private void allowed(ACLMessage message, Words words, BiConsumer<ACLMessage, Words> deed) {
-    objection(message, words, words.string("feature").orElse(""))
-        .ifPresentOrElse(
-            reason -> refuse(message, ACLMessage.REFUSE, reason),
-            () -> deed.accept(message, words));
-  }
-
-  private Optional<String> objection(ACLMessage message, Words words, String feature) {
-    Optional<String> objection = rights.objection(message, words, member, feature);
-    objection
-        .filter(objections::isNew)
-        .ifPresent(reason -> LOG.warn("{} refuses: {}", member, reason));
-    return objection;
   }
 
   /** A device must not move because of a message that does not order it to. */

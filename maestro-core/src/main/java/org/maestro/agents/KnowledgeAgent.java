@@ -19,6 +19,8 @@ import org.maestro.knowledge.Snapshot;
 import org.maestro.knowledge.Source;
 import org.maestro.ontology.home.AccessList;
 import org.maestro.ontology.home.Device;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
@@ -35,6 +37,8 @@ import org.maestro.sl.Term;
  * (query-ref)                                  all that is believed
  * (query-ref (:history "(in Cup zone-b)"))     who said what of it, when and how surely
  * (query-ref (:last "(in Cup zone-b)"))        what was known of it last, however long ago
+ * (query-ref (:call (:member cam-1) (:feature observeObject) (:parameters (:object Cup))))
+ *                                              what the member needs to know of what a call names
  * (query-ref (:disputes))                      on what sources disagree, and how that was settled
  * (subscribe (in Cup ?where))                  AGREE, what is so now, and again when that changes;
  *                                              until CANCEL in the same conversation
@@ -139,12 +143,18 @@ public final class KnowledgeAgent extends MaestroAgent {
     Optional.ofNullable(knowledge.home().devices().get(member)).stream()
         .flatMap(device -> device.features().stream())
         .filter(feature -> feature.name().equals(name))
+        .filter(feature -> isBound(feature, bindings))
         .findFirst()
         .ifPresent(
             feature ->
                 knowledge.learn(
                     new FeatureRun(
                         member, feature, bindings, true, words.termsOf("outputs"), List.of())));
+  }
+
+  /** Who orders by hand may leave out what a plan would have bound; then nothing can be learnt. */
+  private static boolean isBound(FeatureType feature, Map<String, Term> bindings) {
+    return feature.binds().stream().map(Parameter::name).allMatch(bindings::containsKey);
   }
 
   private void queryIf(ACLMessage message, Words words) {
@@ -163,7 +173,9 @@ public final class KnowledgeAgent extends MaestroAgent {
     Snapshot snapshot = read(words);
     Optional<String> history = words.string("history");
     Optional<String> last = words.string("last");
-    if (history.isPresent()) {
+    if (words.find("call").isPresent()) {
+      call(message, words.find("call").get());
+    } else if (history.isPresent()) {
       Instant limit = within(words).map(snapshot.at()::minus).orElse(Instant.MIN);
       beliefs(
           message,
@@ -180,6 +192,14 @@ public final class KnowledgeAgent extends MaestroAgent {
       inform(message, new Question(snapshot).answerRef(words.formula().get()));
     } else {
       beliefs(message, snapshot.beliefs().stream(), snapshot.at());
+    }
+  }
+
+  private void call(ACLMessage message, Words call) {
+    try {
+      reply(message, ACLMessage.INFORM, Pointers.answer(knowledge, call));
+    } catch (Pointers.UnknownThing e) {
+      refuse(message, ACLMessage.REFUSE, e.getMessage());
     }
   }
 

@@ -10,18 +10,14 @@ import jade.lang.acl.ACLMessage;
 import jade.lang.acl.MessageTemplate;
 import java.time.Duration;
 import java.util.Date;
-import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.maestro.agents.pulse.Pulse;
 import org.maestro.agents.pulse.PulseService;
-import org.maestro.agents.stepping.IdleDetector;
 import org.maestro.agents.stepping.SteppedMail;
 import org.maestro.agents.stepping.SteppedMailService;
 import org.maestro.agents.stepping.TicketedQueue;
-import org.maestro.agents.stepping.WorkTickets;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 import org.maestro.sl.SlSyntaxException;
@@ -43,75 +39,69 @@ public abstract class MaestroAgent extends Agent {
   /** The ontology slot of all messages, as in the paper's example. */
   public static final String ONTOLOGY = "WorldModel";
 
-  private final transient AgentTime time;
-  private final transient WorkTickets tickets;
-  private final transient IdleDetector idleDetector;
-  private final transient Conversations conversations;
-  private final transient Protest protest;
-  private final transient Inbox inbox;
-  private final transient Reception reception;
+  private transient volatile Equipment equipment;
   private transient volatile Optional<Pulse> pulse = Optional.empty();
-  private final transient CountDownLatch started = new CountDownLatch(1);
 
   protected MaestroAgent(AgentTime time) {
-    this.time = time;
-    this.tickets = new WorkTickets(time.clock(), getClass().getSimpleName());
-    this.idleDetector = new IdleDetector(tickets, started::countDown);
-    this.conversations = new Conversations(this, time.clock());
-    this.protest = new Protest(this);
-    this.inbox = new Inbox(this, time.clock(), tickets, idleDetector);
-    this.reception =
-        new Reception(
-            this,
-            List.of(inbox::step, conversations::step, new Mail()::step),
-            inbox::hasWork,
-            this::settled);
+    equip(time);
   }
 
-  /** Where time is paced nobody waits until the agent is idle, but for its start. */
-  private void settled() {
-    if (!clock().isStepped()) {
-      tickets.idle();
-      started.countDown();
-    }
+  /** Made by JADE: it is equipped by the container in which it begins. */
+  protected MaestroAgent() {
+    // What it works with is got when JADE has told it where it is.
+  }
+
+  private void equip(AgentTime time) {
+    pulse = Optional.empty();
+    equipment = new Equipment(this, time, new Mail()::step);
+  }
+
+  /** The time of the container it is in, for one that JADE has made or brought there. */
+  protected AgentTime timeHere() {
+    throw new IllegalStateException(
+        getClass().getSimpleName() + " is not made by its class name, and does not move.");
   }
 
   /** Has the agent look for work. Any thread may call. */
   final void wake() {
-    reception.restart();
+    equipment.reception.restart();
   }
 
+  /** The first thing that JADE has an agent do in a container. */
   @Override
   protected MessageQueue createMessageQueue() {
-    return new TicketedQueue(tickets);
+    if (equipment == null) {
+      equip(timeHere());
+    }
+    return new TicketedQueue(equipment.tickets);
   }
 
   @Override
   public void addBehaviour(Behaviour behaviour) {
     if (clock().isStepped()) {
-      idleDetector.added(behaviour);
+      equipment.idleDetector.added(behaviour);
     }
     super.addBehaviour(behaviour);
   }
 
   @Override
   public void removeBehaviour(Behaviour behaviour) {
-    idleDetector.removed(behaviour);
+    equipment.idleDetector.removed(behaviour);
     super.removeBehaviour(behaviour);
   }
 
   /** Waits until the agent has set itself up. Not to be called by an agent. */
   public final boolean awaitStart(Duration limit) throws InterruptedException {
-    return started.await(limit.toMillis(), TimeUnit.MILLISECONDS);
+    return equipment.started.await(limit.toMillis(), TimeUnit.MILLISECONDS);
   }
 
   protected final Clock clock() {
-    return time.clock();
+    return equipment.time.clock();
   }
 
   /** How long this agent waits for others. */
   final Patience patience() {
-    return time.patience();
+    return equipment.time.patience();
   }
 
   /** So much wall time, as simulated time; on a stepped clock they are the same. */
@@ -132,17 +122,17 @@ public abstract class MaestroAgent extends Agent {
   }
 
   final Conversations conversations() {
-    return conversations;
+    return equipment.conversations;
   }
 
   @Override
   protected void setup() {
-    tickets.taken(time.clock().hold("the start of " + getLocalName()));
-    time.mail().ifPresent(this::joinMail);
+    equipment.tickets.taken(clock().hold("the start of " + getLocalName()));
+    equipment.time.mail().ifPresent(this::joinMail);
     if (clock().isStepped()) {
-      super.addBehaviour(idleDetector);
+      super.addBehaviour(equipment.idleDetector);
     }
-    addBehaviour(reception);
+    addBehaviour(equipment.reception);
     if (!clock().isStepped()) {
       pulse = joinPulse();
     }
@@ -181,6 +171,18 @@ public abstract class MaestroAgent extends Agent {
     return pulse.filter(Pulse::isCutOff).isPresent();
   }
 
+  /** What is under way here is not taken along. */
+  @Override
+  protected void beforeMove() {
+    removeBehaviour(equipment.reception);
+    leave();
+  }
+
+  @Override
+  protected void afterMove() {
+    setup();
+  }
+
   private void joinMail(SteppedMail mail) {
     try {
       ((SteppedMailService.Registration) getHelper(SteppedMailService.NAME)).register(this, mail);
@@ -188,20 +190,24 @@ public abstract class MaestroAgent extends Agent {
       throw new IllegalStateException(
           "A stepped agent needs the service " + SteppedMailService.NAME + " in its container", e);
     }
-    mail.open(this, tickets);
+    mail.open(this, equipment.tickets);
   }
 
   @Override
   protected void takeDown() {
-    time.mail().ifPresent(mail -> mail.close(this));
+    leave();
+  }
+
+  private void leave() {
+    equipment.time.mail().ifPresent(mail -> mail.close(this));
     pulse.ifPresent(its -> its.leave(getLocalName()));
-    inbox.end();
-    tickets.end();
+    equipment.inbox.end();
+    equipment.tickets.end();
   }
 
   /** Has the agent do this on its own thread, soon. Any thread may call. */
   public final void tell(Runnable action) {
-    inbox.add(action);
+    equipment.inbox.add(action);
   }
 
   /** What goes wrong in it goes to the log: JADE ends an agent whose behaviour throws. */
@@ -220,12 +226,12 @@ public abstract class MaestroAgent extends Agent {
    * @param timeout of wall time on a fast clock: messages do not travel faster on it
    */
   protected final void ask(ACLMessage request, Duration timeout, Consumer<ACLMessage> reply) {
-    conversations.ask(request, patience(timeout), reply);
+    equipment.conversations.ask(request, patience(timeout), reply);
   }
 
   /** How many behaviours this agent has now, counted on a stepped clock only. */
   final int behaviourCount() {
-    return idleDetector.behaviourCount();
+    return equipment.idleDetector.behaviourCount();
   }
 
   protected final ACLMessage message(int performative, AID receiver, Content... contents) {
@@ -249,7 +255,7 @@ public abstract class MaestroAgent extends Agent {
   /** Says no, with a sentence; a message that is not understood is told so once only. */
   protected final void refuse(ACLMessage to, int performative, String sentence) {
     if (performative == ACLMessage.NOT_UNDERSTOOD) {
-      protest.against(to, sentence);
+      equipment.protest.against(to, sentence);
       return;
     }
     reply(to, performative, Words.content("inform", Words.named("reason", Words.text(sentence))));
@@ -262,6 +268,11 @@ public abstract class MaestroAgent extends Agent {
     return false;
   }
 
+  /** Whether the message begins a session of its own in a conversation that another has begun. */
+  protected boolean opensSession(ACLMessage message) {
+    return false;
+  }
+
   /** The behaviour that leads the conversation which the message begins, if one of its own does. */
   protected Optional<Behaviour> session(ACLMessage message) {
     return Optional.empty();
@@ -270,7 +281,8 @@ public abstract class MaestroAgent extends Agent {
   /** Messages that are neither replies to our requests nor part of a contract net under way. */
   private final class Mail {
     private final MessageTemplate template =
-        new MessageTemplate(m -> !conversations.isOurs(m) && !expects(m));
+        new MessageTemplate(
+            m -> (opensSession(m) || !equipment.conversations.isOurs(m)) && !expects(m));
 
     boolean step() {
       ACLMessage message = receive(template);
@@ -282,13 +294,14 @@ public abstract class MaestroAgent extends Agent {
 
     private void sort(ACLMessage message) {
       if (message.getSender() == null || message.getSender().getName() == null) {
-        protest.drop(message, "it has no sender who could be answered");
+        equipment.protest.drop(message, "it has no sender who could be answered");
       } else if (Replies.isFromPlatform(message) || isFromYellowPages(message)) {
-        protest.drop(message, "a receipt that nobody waits for");
+        equipment.protest.drop(message, "a receipt that nobody waits for");
       } else if (message.getPerformative() == ACLMessage.NOT_UNDERSTOOD) {
-        protest.drop(message, Replies.reason(message).orElse("it did not understand something"));
+        equipment.protest.drop(
+            message, Replies.reason(message).orElse("it did not understand something"));
       } else if (isContractNet(message) && message.getPerformative() != ACLMessage.CFP) {
-        protest.drop(message, "its contract net is over");
+        equipment.protest.drop(message, "its contract net is over");
       } else {
         session(message).ifPresentOrElse(MaestroAgent.this::addBehaviour, () -> admit(message));
       }
@@ -297,7 +310,7 @@ public abstract class MaestroAgent extends Agent {
     private void admit(ACLMessage message) {
       Optional<String> objection = Admission.objection(message);
       if (objection.isPresent()) {
-        protest.against(message, objection.get());
+        equipment.protest.against(message, objection.get());
       } else {
         handle(message);
       }
@@ -316,7 +329,7 @@ public abstract class MaestroAgent extends Agent {
       try {
         received(message);
       } catch (SlSyntaxException e) {
-        protest.against(message, e.getMessage());
+        equipment.protest.against(message, e.getMessage());
       } catch (RuntimeException e) {
         LOG.error(
             "{} could not handle {}",

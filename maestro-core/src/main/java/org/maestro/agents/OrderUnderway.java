@@ -81,7 +81,9 @@ final class OrderUnderway implements Crew.Performance {
     }
     ACLMessage request =
         agent.message(
-            ACLMessage.REQUEST, now.get(), Orders.order(order, agent.getLocalName(), client));
+            ACLMessage.REQUEST,
+            now.get(),
+            Orders.order(order, agent.getLocalName(), now.get().getLocalName(), client));
     addressee = now;
     agreed = false;
     conversation =

@@ -31,10 +31,12 @@ final class Orders {
   /**
    * @param caller the agent that orders: each names calls by itself, and members take all of them
    *     for calls of one controller
+   * @param receiver the agent that is ordered
    * @param client for whom it orders, where that matters
    */
-  static Content order(Crew.Order order, String caller, Optional<String> client) {
+  static Content order(Crew.Order order, String caller, String receiver, Optional<String> client) {
     List<Content.Argument> arguments = new ArrayList<>();
+    arguments.addAll(member(order.step().member(), receiver));
     arguments.add(Words.named("goal", Words.name(order.goalId())));
     order.call().ifPresent(call -> arguments.addAll(call(call, caller)));
     client.ifPresent(name -> arguments.add(Words.named("for", Words.text(name))));
@@ -45,8 +47,15 @@ final class Orders {
   }
 
   /** Of a call that was ordered by a coordinator before this one. */
-  static Content callOff(Crew.Call call, String caller) {
-    return new Content("cancel", List.copyOf(call(call, caller)));
+  static Content callOff(Crew.Call call, String caller, String member, String receiver) {
+    List<Content.Argument> arguments = new ArrayList<>(member(member, receiver));
+    arguments.addAll(call(call, caller));
+    return new Content("cancel", arguments);
+  }
+
+  /** Which member is meant, where that does not follow from the agent that is spoken to. */
+  static List<Content.Argument> member(String member, String receiver) {
+    return member.equals(receiver) ? List.of() : List.of(Words.named("member", Words.name(member)));
   }
 
   private static List<Content.Argument> call(Crew.Call call, String caller) {

@@ -34,10 +34,13 @@ final class Performances {
   private final RatsLink link;
   private final MemberView view;
   private final MemberNews news;
+  private final FormerCalls formerCalls;
   private final Consumer<List<String>> say;
   private final Map<String, RatsLink.CallHandle> handles = new TreeMap<>();
+  private final Map<String, Runnable> abandoned = new TreeMap<>();
 
   /**
+   * @param formerCalls what is known of calls before the agent came here
    * @param say tells the collective knowledge what the member says of itself
    */
   Performances(
@@ -46,12 +49,14 @@ final class Performances {
       RatsLink link,
       MemberView view,
       MemberNews news,
+      FormerCalls formerCalls,
       Consumer<List<String>> say) {
     this.agent = agent;
     this.member = member;
     this.link = link;
     this.view = view;
     this.news = news;
+    this.formerCalls = formerCalls;
     this.say = say;
   }
 
@@ -81,27 +86,72 @@ final class Performances {
     Optional<FeatureType> feature = view.feature(name);
     if (!view.isReady() || feature.isEmpty()) {
       agent.refuse(
-          message,
-          ACLMessage.REFUSE,
-          view.isReady() ? member + " has no feature " + name : member + " is not there");
+          message, ACLMessage.REFUSE, view.isReady() ? unknown(name) : member + " is not there");
       return;
     }
-    if (!words.string("life").orElse(life()).equals(life())) {
+    if (!isOfThisLife(words)) {
       agent.refuse(message, ACLMessage.REFUSE, member + " was started again since it was asked");
       return;
     }
+    Map<String, Argument> arguments =
+        words.find("parameters").map(Orders::arguments).orElse(Map.of());
+    if (words.string("goal").isEmpty() && Pointers.areMissing(feature.get(), arguments)) {
+      new Pointers(agent, member)
+          .complete(
+              feature.get(),
+              arguments,
+              complete -> agreed(message, words, feature.get(), complete),
+              problem -> agent.refuse(message, ACLMessage.REFUSE, problem));
+    } else {
+      agreed(message, words, feature.get(), arguments);
+    }
+  }
+
+  private boolean isOfThisLife(Words words) {
+    String life = words.string("life").orElse(life());
+    return life.equals(life())
+        || words.string("call").filter(c -> formerCalls.mayBegin(life, news.boot(), c)).isPresent();
+  }
+
+  private void agreed(
+      ACLMessage message, Words words, FeatureType feature, Map<String, Argument> arguments) {
     agent.reply(
         message,
         ACLMessage.AGREE,
-        Words.content("perform", Words.named("feature", Words.name(name))));
+        Words.content("perform", Words.named("feature", Words.name(feature.name()))));
     Deed deed =
         new Deed(
-            feature.get(),
-            words.find("parameters").map(Orders::arguments).orElse(Map.of()),
+            feature,
+            arguments,
             Duration.ofMillis((long) words.number("timeout", 30_000)),
             words.string("call"),
             words.string("goal"));
-    begin(conversation(message), deed, (outcome, report) -> answer(message, outcome, report));
+    String conversation = conversation(message);
+    abandoned.put(
+        conversation,
+        () ->
+            answer(
+                message,
+                Outcome.FAILED,
+                OrderUnderway.failed(
+                    "the agent of " + member + " was moved while it was at it", List.of())));
+    begin(conversation, deed, (outcome, report) -> answer(message, outcome, report));
+  }
+
+  /**
+   * The agent leaves without waiting: what runs is called off, and reported as failed to who
+   * ordered it.
+   */
+  void abandon() {
+    Map.copyOf(handles).values().forEach(RatsLink.CallHandle::cancel);
+    List.copyOf(abandoned.values()).forEach(Runnable::run);
+    abandoned.clear();
+    handles.clear();
+  }
+
+  /** Whether the member does anything that this agent is to report. */
+  boolean isIdle() {
+    return handles.isEmpty();
   }
 
   /** What is to be done. */
@@ -129,6 +179,7 @@ final class Performances {
               bindings.put(key, argument.value());
             });
     view.begun(conversation, bindings);
+    deed.call().ifPresent(formerCalls::begun);
     RatsLink.CallHandle handle =
         link.call(
             new RatsLink.Order(
@@ -142,6 +193,17 @@ final class Performances {
             new CallReporter(agent::tell, new Reporter(conversation, deed, reported)));
     handles.put(conversation, handle);
     return handle;
+  }
+
+  private String unknown(String name) {
+    return name.isEmpty()
+        ? "An order names a feature, such as (perform (:feature "
+            + view.device()
+                .flatMap(device -> device.features().stream().findFirst())
+                .map(FeatureType::name)
+                .orElse("...")
+            + "))."
+        : member + " has no feature " + Replies.shortened(name);
   }
 
   void callOff(String call) {
@@ -299,6 +361,7 @@ final class Performances {
     @Override
     public void over() {
       handles.remove(conversation);
+      abandoned.remove(conversation);
       view.forget(conversation);
     }
   }

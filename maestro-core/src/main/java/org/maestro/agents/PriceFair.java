@@ -38,7 +38,8 @@ public final class PriceFair {
     private static final long serialVersionUID = 1L;
     private final transient MemberView view = new MemberView();
     private final transient PriceResponder prices =
-        new PriceResponder(this, view, PriceResponder.Access.OPEN);
+        new PriceResponder(
+            this, words -> Optional.of(view), PriceResponder.Access.OPEN, Optional.empty());
 
     Seller(AgentTime time, Device device) {
       super(time);

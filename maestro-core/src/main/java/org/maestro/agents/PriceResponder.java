@@ -3,12 +3,16 @@ package org.maestro.agents;
 import jade.core.behaviours.Behaviour;
 import jade.domain.FIPANames;
 import jade.lang.acl.ACLMessage;
+import jade.lang.acl.MessageTemplate;
 import jade.proto.SSContractNetResponder;
 import jade.proto.states.MsgReceiver;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Price;
@@ -28,9 +32,12 @@ final class PriceResponder {
   private static final Logger LOG = LoggerFactory.getLogger(PriceResponder.class);
 
   private final MaestroAgent agent;
-  private final MemberView view;
+  private final Function<Words, Optional<MemberView>> viewOf;
   private final Access access;
+  private final Optional<String> mark;
+  private final Map<String, Integer> sessionsByConversation = new HashMap<>();
   private int unnamed;
+  private int offers;
 
   /** Who may ask for what. */
   interface Access {
@@ -41,10 +48,25 @@ final class PriceResponder {
     Optional<String> objection(ACLMessage message, Words words, String feature);
   }
 
-  PriceResponder(MaestroAgent agent, MemberView view, Access access) {
+  /**
+   * @param viewOf the member of which a call speaks
+   * @param mark put into each offer, so that several of one conversation are told apart; empty
+   *     where there is one at most
+   */
+  PriceResponder(
+      MaestroAgent agent,
+      Function<Words, Optional<MemberView>> viewOf,
+      Access access,
+      Optional<String> mark) {
     this.agent = agent;
-    this.view = view;
+    this.viewOf = viewOf;
     this.access = access;
+    this.mark = mark;
+  }
+
+  /** Whether an offer is open that may be taken up. */
+  boolean isIdle() {
+    return sessionsByConversation.isEmpty();
   }
 
   /** The session that the message begins; empty when it is no call for prices. */
@@ -74,10 +96,11 @@ final class PriceResponder {
       List<Content> prices = prices(cfp, objections::add);
       if (prices.isEmpty()) {
         answer.setPerformative(ACLMessage.REFUSE);
-        answer.setContent(reason(objections.isEmpty() ? nothingToOffer() : objections.get(0)));
+        answer.setContent(reason(objections.isEmpty() ? nothingToOffer(cfp) : objections.get(0)));
       } else {
         answer.setPerformative(ACLMessage.PROPOSE);
         answer.setReplyByDate(agent.replyBy(agent.patience().offer()));
+        mark.ifPresent(name -> answer.setReplyWith(name + "-offer-" + ++offers));
         answer.setContent(Words.print(prices));
       }
     } catch (SlSyntaxException e) {
@@ -87,22 +110,27 @@ final class PriceResponder {
     return answer;
   }
 
-  private String nothingToOffer() {
-    return agent.getLocalName()
-        + (view.isReady() ? " has none of these features" : " is not there");
+  private String nothingToOffer(ACLMessage cfp) {
+    return agent.getLocalName() + (isReady(cfp) ? " has none of these features" : " is not there");
   }
 
   private static String reason(String sentence) {
     return Words.print(Words.content("inform", Words.named("reason", Words.text(sentence))));
   }
 
+  private boolean isReady(ACLMessage cfp) {
+    return Words.parse(cfp.getContent()).stream()
+        .flatMap(content -> viewOf.apply(Words.of(content)).stream())
+        .anyMatch(MemberView::isReady);
+  }
+
   private List<Content> prices(ACLMessage cfp, Consumer<String> objections) {
     List<Content> prices = new ArrayList<>();
     for (Content content : Words.parse(cfp.getContent())) {
       Words words = Words.of(content);
+      Optional<MemberView> view = viewOf.apply(words).filter(MemberView::isReady);
       for (Term name : words.find("features").map(Words::terms).orElse(List.of())) {
-        Optional<FeatureType> feature =
-            view.isReady() ? view.feature(Words.plain(name)) : Optional.empty();
+        Optional<FeatureType> feature = view.flatMap(v -> v.feature(Words.plain(name)));
         feature.ifPresent(
             f ->
                 access
@@ -136,6 +164,7 @@ final class PriceResponder {
       super(agent, cfp);
       conversation = cfp.getConversationId();
       registerTransition(RECEIVE_NEXT, HANDLE_REJECT_PROPOSAL, MsgReceiver.INTERRUPTED);
+      sessionsByConversation.merge(conversation, 1, Integer::sum);
       agent.conversations().adopt(conversation);
     }
 
@@ -149,6 +178,12 @@ final class PriceResponder {
       super.afterReply(reply);
       MsgReceiver next = (MsgReceiver) getState(RECEIVE_NEXT);
       next.setDeadline(MsgReceiver.INFINITE);
+      if (reply != null && reply.getReplyWith() != null) {
+        next.setTemplate(
+            MessageTemplate.and(
+                MessageTemplate.MatchConversationId(conversation),
+                MessageTemplate.MatchInReplyTo(reply.getReplyWith())));
+      }
       if (reply != null && reply.getPerformative() == ACLMessage.PROPOSE) {
         timer =
             agent
@@ -166,7 +201,7 @@ final class PriceResponder {
       ACLMessage word = accept.createReply();
       word.setLanguage(MaestroAgent.LANGUAGE);
       word.setOntology(MaestroAgent.ONTOLOGY);
-      Optional<String> obstacle = obstacle(accept);
+      Optional<String> obstacle = obstacle(cfp, accept);
       word.setPerformative(obstacle.isPresent() ? ACLMessage.FAILURE : ACLMessage.INFORM);
       word.setContent(
           obstacle
@@ -191,20 +226,29 @@ final class PriceResponder {
     @Override
     public int onEnd() {
       timer.cancel();
-      agent.conversations().leave(conversation);
+      sessionsByConversation.computeIfPresent(
+          conversation, (id, open) -> open > 1 ? open - 1 : null);
+      if (!sessionsByConversation.containsKey(conversation)) {
+        agent.conversations().leave(conversation);
+      }
       return super.onEnd();
     }
   }
 
   /** Why the agent cannot hold the part it is awarded, though it has proposed to. */
-  private Optional<String> obstacle(ACLMessage accept) {
-    if (!view.isReady()) {
-      return Optional.of(agent.getLocalName() + " is not there any more");
-    }
+  private Optional<String> obstacle(ACLMessage cfp, ACLMessage accept) {
     try {
+      Optional<MemberView> view =
+          Words.parse(cfp.getContent()).stream()
+              .flatMap(content -> viewOf.apply(Words.of(content)).stream())
+              .findFirst()
+              .filter(MemberView::isReady);
+      if (view.isEmpty()) {
+        return Optional.of(agent.getLocalName() + " is not there any more");
+      }
       return Words.parse(accept.getContent()).stream()
           .map(content -> Words.of(content).string("feature").orElse("without a name"))
-          .filter(name -> view.feature(name).isEmpty())
+          .filter(name -> view.get().feature(name).isEmpty())
           .map(name -> agent.getLocalName() + " has no feature " + name)
           .findFirst();
     } catch (SlSyntaxException e) {

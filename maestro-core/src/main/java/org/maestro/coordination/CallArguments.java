@@ -17,16 +17,17 @@ import org.maestro.sl.Term;
  * Makes the parameters of a call: a member has no knowledge base, so a pointer brings what the
  * feature's input needs.
  */
-final class CallArguments {
+public final class CallArguments {
   private final Home home;
   private final Snapshot snapshot;
 
-  CallArguments(Home home, Snapshot snapshot) {
+  public CallArguments(Home home, Snapshot snapshot) {
     this.home = home;
     this.snapshot = snapshot;
   }
 
-  Map<String, Argument> of(FeatureType feature, Map<String, Term> bindings) {
+  /** The arguments that are bound, each with what its input needs of it. */
+  public Map<String, Argument> of(FeatureType feature, Map<String, Term> bindings) {
     Map<String, Argument> arguments = new LinkedHashMap<>();
     feature.inputs().forEach(input -> add(arguments, input, bindings));
     feature.binds().forEach(bound -> add(arguments, bound, bindings));

@@ -63,6 +63,13 @@ public final class MemberNews {
     }
   }
 
+  /** How descriptions are read has changed: the one that was heard last is read again. */
+  public void readAgain() {
+    if (view.isReady()) {
+      lastDescription.ifPresent(text -> describedAs(text, boot));
+    }
+  }
+
   /** Whether this is how the member describes itself now. */
   public boolean isCurrent(String description) {
     return lastDescription.equals(Optional.of(description));

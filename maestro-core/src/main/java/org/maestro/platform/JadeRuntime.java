@@ -18,6 +18,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.concurrent.locks.LockSupport;
+import org.maestro.agents.Host;
+import org.maestro.agents.HostService;
 import org.maestro.agents.MaestroAgent;
 import org.maestro.agents.pulse.PulseService;
 import org.maestro.agents.stepping.SteppedMailService;
@@ -43,7 +45,8 @@ final class JadeRuntime {
           "jade.core.mobility.AgentMobilityService",
           "jade.core.event.NotificationService",
           SteppedMailService.class.getName(),
-          PulseService.class.getName());
+          PulseService.class.getName(),
+          HostService.class.getName());
 
   private static final int LOWEST_PORT = 20_000;
   private static final int HIGHEST_PORT = 32_000;
@@ -55,21 +58,28 @@ final class JadeRuntime {
     return main(platformName, port, fileDirectory, Optional.empty());
   }
 
+  /** A main container that takes no generic agents. */
   static AgentContainer main(
       String platformName, int port, Path fileDirectory, Optional<Guard> guard) {
-    return main(platformName, port, fileDirectory, guard, new Wires());
+    return main(platformName, port, fileDirectory, new Host(), guard, new Wires());
   }
 
   /**
+   * @param host what the container gives to its agents
    * @param guard of a secured site; empty: whoever reaches the port may join
    * @param wires shared by the platform's containers of this process
    */
   static AgentContainer main(
-      String platformName, int port, Path fileDirectory, Optional<Guard> guard, Wires wires) {
+      String platformName,
+      int port,
+      Path fileDirectory,
+      Host host,
+      Optional<Guard> guard,
+      Wires wires) {
     // JADE reads it when its first class loads; without it a process has room for one platform
     // only.
     System.setProperty("jade.enable.multiple.platforms", "true");
-    Properties properties = common(fileDirectory);
+    Properties properties = common(fileDirectory, host);
     properties.setProperty(Profile.MAIN, "true");
     properties.setProperty(Profile.PLATFORM_ID, platformName);
     properties.setProperty(Profile.LOCAL_PORT, String.valueOf(port));
@@ -88,13 +98,7 @@ final class JadeRuntime {
     return container;
   }
 
-  /**
-   * Joins a platform.
-   *
-   * @param platformName needed where several platforms live in this process; elsewhere the main
-   *     container tells it
-   * @param entry how it is let in
-   */
+  /** Joins with a container that takes no generic agents. */
   static AgentContainer join(
       Optional<String> platformName,
       String host,
@@ -102,10 +106,17 @@ final class JadeRuntime {
       String containerName,
       Path fileDirectory,
       Entry entry) {
-    return join(platformName, host, mainPort, containerName, fileDirectory, entry, new Wires());
+    return join(
+        platformName, host, mainPort, containerName, fileDirectory, entry, new Host(), new Wires());
   }
 
   /**
+   * Joins a platform.
+   *
+   * @param platformName needed where several platforms live in this process; elsewhere the main
+   *     container tells it
+   * @param entry how it is let in
+   * @param jadeHost what the container gives to its agents
    * @param wires shared by the platform's containers of this process
    */
   static AgentContainer join(
@@ -115,8 +126,9 @@ final class JadeRuntime {
       String containerName,
       Path fileDirectory,
       Entry entry,
+      Host jadeHost,
       Wires wires) {
-    Properties properties = common(fileDirectory);
+    Properties properties = common(fileDirectory, jadeHost);
     properties.setProperty(Profile.MAIN, "false");
     platformName.ifPresent(name -> properties.setProperty(Profile.PLATFORM_ID, name));
     properties.setProperty(Profile.MAIN_HOST, host);
@@ -289,8 +301,9 @@ final class JadeRuntime {
     }
   }
 
-  private static Properties common(Path fileDirectory) {
+  private static Properties common(Path fileDirectory, Host host) {
     Properties properties = new Properties();
+    properties.put(HostService.KEY, host);
     properties.setProperty(Profile.LOCAL_HOST, LOOPBACK);
     properties.setProperty(Profile.DETECT_MAIN, "false");
     properties.setProperty(Profile.NO_MTP, "true");

@@ -19,11 +19,17 @@ import java.util.function.Function;
 import org.maestro.agents.AgentTime;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.GenericAgent;
+import org.maestro.agents.Host;
 import org.maestro.agents.HostAgent;
+import org.maestro.agents.StartWords;
 import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.Surroundings;
 import org.maestro.agents.Words;
+import org.maestro.deployment.AgentStart;
+import org.maestro.deployment.ContainerStart;
 import org.maestro.ontology.home.Device;
 import org.maestro.platform.guard.Guard;
+import org.maestro.platform.wires.Wires;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
@@ -37,14 +43,14 @@ public final class JoinedContainer implements AutoCloseable {
   private static final Duration BETWEEN_TRIES = Duration.ofMillis(500);
   private static final int MOST_TRIES = 10;
 
-  private final Function<String, AgentContainer> newContainer;
+  private final BiFunction<String, Host, AgentContainer> newContainer;
   private final AgentContainer container;
   private final DeskAgent desk;
   private final AgentTime time;
-  private Optional<AgentContainer> ofTopic = Optional.empty();
+  private Optional<AgentContainer> forAgents = Optional.empty();
 
   private JoinedContainer(
-      Function<String, AgentContainer> newContainer,
+      BiFunction<String, Host, AgentContainer> newContainer,
       AgentContainer container,
       DeskAgent desk,
       AgentTime time) {
@@ -52,6 +58,14 @@ public final class JoinedContainer implements AutoCloseable {
     this.container = container;
     this.desk = desk;
     this.time = time;
+  }
+
+  /** Starts a container of that name, which gives this to its agents. */
+  private interface Joining {
+    /**
+     * @param first whether no other container of the platform is in this process
+     */
+    AgentContainer join(String name, Host its, boolean first);
   }
 
   /** Joins, with a desk agent named after the container. */
@@ -83,21 +97,29 @@ public final class JoinedContainer implements AutoCloseable {
       Clock clock,
       Optional<Guard> guard) {
     JadeRuntime.requirePlatform(host, port, guard);
-    BiFunction<String, Boolean, AgentContainer> joining =
-        (called, first) ->
+    Joining joining =
+        (called, its, first) ->
             JadeRuntime.join(
                 platform,
                 host,
                 port,
                 called,
                 temporaryDirectory(),
-                new JadeRuntime.Entry(guard, first));
-    Function<String, AgentContainer> newContainer = called -> joining.apply(called, false);
-    AgentContainer container = joining.apply(name, true);
+                new JadeRuntime.Entry(guard, first),
+                its,
+                new Wires());
+    BiFunction<String, Host, AgentContainer> newContainer =
+        (called, its) -> joining.join(called, its, false);
+    AgentContainer container = joining.join(name, new Host(), true);
     AgentTime time = AgentTime.of(clock);
     DeskAgent desk = new DeskAgent(time);
     JadeRuntime.start(container, name + "-desk", desk);
     return new JoinedContainer(newContainer, container, desk, time);
+  }
+
+  /** The container's name in the platform. */
+  public String name() {
+    return name(container);
   }
 
   public DeskAgent desk() {
@@ -128,46 +150,64 @@ public final class JoinedContainer implements AutoCloseable {
   }
 
   /**
-   * Takes a topic's members over.
+   * Asks to be let in with a container for agents.
    *
-   * @throws PlatformStartException when the platform has no such topic to give
+   * @throws PlatformStartException when the platform does not let it in
    */
-  public SupervisorAgent.Handover take(String topic) {
+  public SupervisorAgent.Handover ask(ContainerStart start) {
+    Words words = Words.of(answer(start, "join").get(0));
+    return new SupervisorAgent.Handover(
+        words.string("broker").orElseThrow(), words.string("site").orElseThrow());
+  }
+
+  /**
+   * Starts the container for agents; the platform has them begin or come there. To be called once.
+   *
+   * @param start as it was asked for
+   * @return the agents that live there, or are on their way
+   */
+  public List<String> host(
+      ContainerStart start, RatsLink link, BiFunction<String, String, Device> describedBy) {
+    AgentContainer home = named(start.name(), new Host(new Surroundings(time, link, describedBy)));
+    synchronized (this) {
+      forAgents = Optional.of(home);
+    }
+    if (!name(home).equals(start.name())) {
+      throw new PlatformStartException(
+          "The platform has a container %s already; choose another --name."
+              .formatted(start.name()));
+    }
+    List<Content> answer = answer(start, "joined");
+    for (Content content : answer) {
+      if (content.operator().equals(StartWords.OPERATOR)) {
+        AgentStart its = StartWords.read(Words.of(content));
+        Surroundings here = new Surroundings(time, link, describedBy);
+        JadeRuntime.start(home, its.agent(), new GenericAgent(here, its));
+      }
+    }
+    return Words.of(answer.get(0)).find("agents").map(Words::terms).orElse(List.of()).stream()
+        .map(Words::plain)
+        .toList();
+  }
+
+  private List<Content> answer(ContainerStart start, String action) {
     ACLMessage reply =
         ask(
             ACLMessage.REQUEST,
             SupervisorAgent.NAME,
             Words.content(
                 "perform",
-                Words.named("action", Words.name("take")),
-                Words.named("topic", Words.text(topic))));
-    Words words = Words.of(Words.parse(reply.getContent()).get(0));
+                Words.named("action", Words.name(action)),
+                Words.named("container", Words.text(start.name())),
+                Words.named("topics", start.topics().stream().map(Words::text).toList()),
+                Words.named("provides", start.provides().stream().map(Words::text).toList())));
+    List<Content> contents = Words.parse(reply.getContent());
+    Words words = Words.of(contents.get(0));
     if (reply.getPerformative() != ACLMessage.INFORM) {
       throw new PlatformStartException(
           words.string("reason").or(() -> words.string("problem")).orElse("Refused."));
     }
-    List<String> members =
-        words.find("members").orElseThrow().terms().stream().map(Words::plain).toList();
-    return new SupervisorAgent.Handover(
-        words.string("broker").orElseThrow(), words.string("site").orElseThrow(), members);
-  }
-
-  /**
-   * Starts the generic agents of a topic's members here, in a container of the topic's name. To be
-   * called once.
-   */
-  public void host(
-      String topic,
-      List<String> members,
-      RatsLink link,
-      BiFunction<String, String, Device> describedBy) {
-    AgentContainer home = named(topic);
-    synchronized (this) {
-      ofTopic = Optional.of(home);
-    }
-    for (String member : members) {
-      JadeRuntime.start(home, member, new GenericAgent(time, link, member, describedBy));
-    }
+    return contents;
   }
 
   /**
@@ -185,8 +225,8 @@ public final class JoinedContainer implements AutoCloseable {
       BiFunction<String, String, Device> describedBy) {
     AgentContainer home;
     synchronized (this) {
-      home = ofTopic.orElseGet(() -> named(name));
-      ofTopic = Optional.of(home);
+      home = forAgents.orElseGet(() -> named(name, new Host()));
+      forAgents = Optional.of(home);
     }
     CompletableFuture<Function<String, RatsLink>> bus = new CompletableFuture<>();
     HostAgent host =
@@ -196,7 +236,9 @@ public final class JoinedContainer implements AutoCloseable {
                 JadeRuntime.start(
                     home,
                     member,
-                    new GenericAgent(time, bus.join().apply(controller), member, describedBy)));
+                    new GenericAgent(
+                        new Surroundings(time, bus.join().apply(controller), describedBy),
+                        AgentStart.of(member, name))));
     JadeRuntime.start(home, HostAgent.name(name), host);
     CompletableFuture<ACLMessage> answered = new CompletableFuture<>();
     host.offer(name, provides, answered::complete);
@@ -211,7 +253,7 @@ public final class JoinedContainer implements AutoCloseable {
         throw new PlatformStartException(words.string("reason").orElse("Refused."));
       }
       return new SupervisorAgent.Handover(
-          words.string("broker").orElseThrow(), words.string("site").orElseThrow(), List.of());
+          words.string("broker").orElseThrow(), words.string("site").orElseThrow());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new PlatformStartException("Interrupted while the platform was asked.", e);
@@ -222,15 +264,14 @@ public final class JoinedContainer implements AutoCloseable {
 
   /**
    * JADE lets go of the name of a container that ended a moment late, and gives one that comes too
-   * early another name. That one is ended, and the next one may have the name; after some tries any
-   * name will do.
+   * early another name. That one is ended, and the next one may have the name.
    */
-  private AgentContainer named(String topic) {
-    AgentContainer joined = newContainer.apply(topic);
-    for (int attempt = 0; attempt < MOST_TRIES && !name(joined).equals(topic); attempt++) {
+  private AgentContainer named(String wanted, Host host) {
+    AgentContainer joined = newContainer.apply(wanted, host);
+    for (int attempt = 0; attempt < MOST_TRIES && !name(joined).equals(wanted); attempt++) {
       JadeRuntime.end(joined);
       LockSupport.parkNanos(BETWEEN_TRIES.toNanos());
-      joined = newContainer.apply(topic);
+      joined = newContainer.apply(wanted, host);
     }
     return joined;
   }
@@ -254,7 +295,7 @@ public final class JoinedContainer implements AutoCloseable {
   /** Ends what is of no use any more, beside the caller, and waits for nobody. */
   public void abandon() {
     synchronized (this) {
-      ofTopic.ifPresent(JadeRuntime::abandon);
+      forAgents.ifPresent(JadeRuntime::abandon);
     }
     JadeRuntime.abandon(container);
   }
@@ -262,7 +303,7 @@ public final class JoinedContainer implements AutoCloseable {
   @Override
   public void close() {
     synchronized (this) {
-      ofTopic.ifPresent(JadeRuntime::end);
+      forAgents.ifPresent(JadeRuntime::end);
     }
     JadeRuntime.end(container);
   }

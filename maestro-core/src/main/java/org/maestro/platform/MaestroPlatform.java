@@ -12,7 +12,6 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
@@ -24,18 +23,22 @@ import java.util.function.Function;
 import org.maestro.agents.AgentTime;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
-import org.maestro.agents.GenericAgent;
 import org.maestro.agents.GroupAgent;
+import org.maestro.agents.Host;
 import org.maestro.agents.HostAgent;
 import org.maestro.agents.KnowledgeAgent;
 import org.maestro.agents.MaestroAgent;
 import org.maestro.agents.Mind;
 import org.maestro.agents.Past;
 import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.Surroundings;
 import org.maestro.agents.pulse.Condition;
 import org.maestro.agents.pulse.Pulse;
 import org.maestro.coordination.Story;
 import org.maestro.coordination.StoryEntry;
+import org.maestro.deployment.AgentStart;
+import org.maestro.deployment.Deployment;
+import org.maestro.deployment.Directory;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.ontology.home.Device;
 import org.maestro.planning.Planner;
@@ -55,7 +58,6 @@ import org.slf4j.LoggerFactory;
  */
 public final class MaestroPlatform implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(MaestroPlatform.class);
-  private static final String DEFAULT_TOPIC = "devices";
   private static final String GROUPS = "groups";
   private static final String DESK = "desk";
 
@@ -71,7 +73,10 @@ public final class MaestroPlatform implements AutoCloseable {
   private final int port;
   private final Wires wires;
   private final AgentContainer main;
-  private final TopicContainers topics;
+  private final Host host;
+  private final Deployer deployer;
+  private final Directory directory = new Directory();
+  private final PlatformTables tables;
   private final Mind mind;
   private final Past past;
   private final Chronicle chronicle;
@@ -95,6 +100,7 @@ public final class MaestroPlatform implements AutoCloseable {
       PlatformMemory memory,
       Path fileDirectory,
       int port,
+      Host host,
       Wires wires,
       AgentContainer main) {
     this.settings = settings;
@@ -108,24 +114,35 @@ public final class MaestroPlatform implements AutoCloseable {
     this.wires = wires;
     this.main = main;
     this.knowledge = knowledge;
-    this.topics =
-        new TopicContainers(
-            topic ->
+    this.host = host;
+    this.mind = new Mind(knowledge, planner, settings.decisionTime());
+    this.past = memory.past();
+    Surroundings here =
+        new Surroundings(time, link, describedBy, Optional.of(mind), this::told, past);
+    host.give(here);
+    this.deployer =
+        new Deployer(
+            settings.name(),
+            host,
+            here,
+            (name, its) ->
                 JadeRuntime.join(
                     Optional.of(settings.name()),
                     "127.0.0.1",
                     port,
-                    topic,
+                    name,
                     fileDirectory,
                     new JadeRuntime.Entry(settings.guard(), false),
-                    wires));
-    this.mind = new Mind(knowledge, planner, settings.decisionTime());
-    this.past = memory.past();
+                    its,
+                    wires),
+            heirs,
+            agent -> directory.find(agent).isPresent());
+    this.tables = new PlatformTables(deployer.deployment(), directory, clock::instant);
     Past ofCentre = past.ofCentre();
     this.chronicle = new Chronicle(ofCentre.journal(), clock, ofCentre.recovery());
     this.coordinator = coordinator(new Past(chronicle, ofCentre.recovery(), ofCentre.stories()));
     this.desk = new DeskAgent(time);
-    this.supervisor = new SupervisorAgent(time, link, new Supervision());
+    this.supervisor = new SupervisorAgent(time, link, supervision());
     this.rescue = new Rescue(new Ways(), clock);
   }
 
@@ -152,8 +169,10 @@ public final class MaestroPlatform implements AutoCloseable {
     int port = JadeRuntime.claim(settings.port());
     PlatformMemory memory = PlatformMemory.open(settings, knowledge, clock);
     Path files = temporaryDirectory();
+    Host host = new Host();
     Wires wires = new Wires();
-    AgentContainer main = JadeRuntime.main(settings.name(), port, files, settings.guard(), wires);
+    AgentContainer main =
+        JadeRuntime.main(settings.name(), port, files, host, settings.guard(), wires);
     MaestroPlatform platform =
         new MaestroPlatform(
             settings,
@@ -166,6 +185,7 @@ public final class MaestroPlatform implements AutoCloseable {
             memory,
             files,
             port,
+            host,
             wires,
             main);
     platform.boot();
@@ -173,6 +193,8 @@ public final class MaestroPlatform implements AutoCloseable {
   }
 
   private void boot() {
+    PlatformEvents.watch(
+        host.manager().orElseThrow(), directory, time.clock()::instant, new Events());
     memory.stories().ifPresent(listeners::add);
     accept(KnowledgeAgent.NAME, new KnowledgeAgent(time, knowledge, describedBy));
     accept(CoordinatorAgent.NAME, coordinator);
@@ -187,12 +209,11 @@ public final class MaestroPlatform implements AutoCloseable {
         .values()
         .forEach(
             group ->
-                topics.place(
+                deployer.placeGroup(
                     group.id(),
                     group.container().orElse(GROUPS),
-                    name -> new GroupAgent(time, mind, group, this::told, past)));
+                    new GroupAgent(time, mind, group, this::told, past)));
     link.watch(this::memberChanged);
-    AgentDeaths.watch(main, this::agentDied);
     if (settings.gui()) {
       try {
         main.createNewAgent("rma", "jade.tools.rma.rma", new Object[0]).start();
@@ -221,6 +242,7 @@ public final class MaestroPlatform implements AutoCloseable {
     coordinator = revived;
     hasCoordinator = true;
     accept(CoordinatorAgent.NAME, revived);
+    revived.ask(deployer.deployment().agents().stream().map(AgentStart::agent).toList());
     return true;
   }
 
@@ -238,14 +260,16 @@ public final class MaestroPlatform implements AutoCloseable {
   }
 
   private static String topic(Device device) {
-    return device.container().orElse(DEFAULT_TOPIC);
+    return device.container().orElse(Supervision.DEFAULT_TOPIC);
   }
 
   /** A member that no agent stands for yet: it gets one (M3, M7). */
   private void memberChanged(RatsLink.Member member) {
+    tables.memberChanged(member);
     if (member.phase() == MemberStatus.Phase.READY
         && member.description().isPresent()
-        && !topics.places().containsKey(member.id())
+        && deployer.deployment().agentOf(member.id()).isEmpty()
+        && !deployer.deployment().isDismissed(member.id())
         && !knowledge.home().devices().containsKey(member.id())) {
       Clock.Ticket untilItHasStarted = time.clock().hold("the start of " + member.id());
       Thread starter =
@@ -272,43 +296,59 @@ public final class MaestroPlatform implements AutoCloseable {
 
   private void place(String member, String topic) {
     if (rescue.fitsHere(member)) {
-      topics.place(member, topic, this::agentFor);
+      deployer.place(AgentStart.of(member, topic));
     } else {
+      deployer.deployment().placed(AgentStart.of(member, topic));
       rescue.settle(member);
     }
   }
 
-  private GenericAgent agentFor(String member) {
-    return agentFor(member, link);
-  }
+  /** What JADE tells of agents and containers. */
+  private final class Events implements PlatformEvents.Listener {
+    @Override
+    public void died(String agent) {
+      agentDied(agent);
+    }
 
-  private GenericAgent agentFor(String member, RatsLink its) {
-    return new GenericAgent(time, its, member, describedBy, Optional.of(mind), this::told, past);
+    @Override
+    public void moved(String agent, String container) {
+      deployer.moved(agent, container);
+    }
+
+    @Override
+    public void containerGone(String container) {
+      if (!closing && deployer.isElsewhere(container)) {
+        deployer.deployment().containerGone(container);
+      }
+    }
   }
 
   /**
-   * A process that had taken a topic ended or was killed: its members get agents here again. One
-   * that ended here is not counted on any more.
+   * A process that had taken a topic ended or was killed: its agents begin here again. One that
+   * ended here is not counted on any more.
    */
-  private void agentDied(String member) {
+  private void agentDied(String agent) {
     if (closing) {
       return;
     }
-    desk.agentEnded(member);
-    if (member.equals(CoordinatorAgent.NAME)) {
+    desk.agentEnded(agent);
+    if (agent.equals(CoordinatorAgent.NAME)) {
       hasCoordinator = false;
       return;
     }
-    if (member.startsWith(HostAgent.name(""))) {
-      rescue.gone(member.substring(HostAgent.name("").length()));
+    if (deployer.wasHandedOver(agent)) {
       return;
     }
-    if (topics.endedElsewhere(member)) {
-      String container = topics.places().get(member);
-      coordinator.agentMoves(member);
-      rescue.lost(member, HeirLinks.controller(container));
+    if (agent.startsWith(HostAgent.name(""))) {
+      rescue.gone(agent.substring(HostAgent.name("").length()));
+      return;
+    }
+    Optional<AgentStart> lost = deployer.ended(agent);
+    if (lost.isPresent()) {
+      coordinator.agentMoves(agent);
+      rescue.lost(agent, HeirLinks.controller(lost.get().container()));
     } else {
-      coordinator.agentEnded(member);
+      coordinator.agentEnded(agent);
     }
   }
 
@@ -388,7 +428,7 @@ public final class MaestroPlatform implements AutoCloseable {
 
   /** Topics whose containers are of this process. */
   public List<String> topics() {
-    return topics.topics();
+    return deployer.topics();
   }
 
   /** Whether the containers of the platform give signs of life; empty on a stepped clock. */
@@ -396,26 +436,19 @@ public final class MaestroPlatform implements AutoCloseable {
     return heartbeats.map(Pulse::containers).orElseGet(TreeMap::new);
   }
 
+  /** Agents that stand for members or groups. */
   public List<AgentRow> agents() {
-    Map<String, RatsLink.Member> members = new TreeMap<>();
-    link.members().forEach(member -> members.put(member.id(), member));
-    List<AgentRow> rows = new ArrayList<>();
-    topics
-        .places()
-        .forEach(
-            (agent, container) -> {
-              Optional<RatsLink.Member> member = Optional.ofNullable(members.get(agent));
-              rows.add(
-                  new AgentRow(
-                      agent,
-                      container,
-                      member
-                          .map(m -> m.phase().name().toLowerCase())
-                          .orElse(
-                              knowledge.home().groups().containsKey(agent) ? "group" : "absent"),
-                      member.flatMap(RatsLink.Member::state).map(s -> s.state()).orElse("-")));
-            });
-    return rows;
+    return tables.agents(deployer.containers());
+  }
+
+  /** Which agents stand for which members, how they were started, and where. */
+  public Deployment deployment() {
+    return deployer.deployment();
+  }
+
+  /** The platform's tables: agents and containers as JADE has them. */
+  public Directory directory() {
+    return directory;
   }
 
   @Override
@@ -424,7 +457,7 @@ public final class MaestroPlatform implements AutoCloseable {
     // First, so that what only ends here is not taken for ended for good.
     memory.close();
     heirs.close();
-    List<AgentContainer> containers = new ArrayList<>(topics.close());
+    List<AgentContainer> containers = new ArrayList<>(deployer.close());
     containers.add(main);
     JadeRuntime.end(containers, sinceNanos);
     knowledge.close();
@@ -443,6 +476,44 @@ public final class MaestroPlatform implements AutoCloseable {
     }
   }
 
+  private Supervision supervision() {
+    return new Supervision(
+        settings,
+        deployer,
+        tables,
+        describedBy,
+        new Supervision.Centre() {
+          @Override
+          public void agentMoves(String agent) {
+            coordinator.agentMoves(agent);
+          }
+
+          @Override
+          public boolean revive() {
+            return reviveCoordinator();
+          }
+
+          @Override
+          public void offered(String offering, List<String> provides) {
+            rescue.offered(offering, provides);
+          }
+
+          @Override
+          public void settled(String agent) {
+            rescue.settled(agent);
+          }
+
+          @Override
+          public void watchOver(Pulse pulse) {
+            heartbeats = Optional.of(pulse);
+            pulse.watch(
+                time.clock(),
+                settings.heartbeats(),
+                new Vigil(pulse, wires, deployer, () -> coordinator));
+          }
+        });
+  }
+
   /** How agents without a host get one. */
   private final class Ways implements Rescue.Ways {
     @Override
@@ -455,18 +526,14 @@ public final class MaestroPlatform implements AutoCloseable {
 
     @Override
     public void beginHere(String member, String controller) {
-      String topic =
-          Optional.ofNullable(knowledge.home().devices().get(member))
-              .map(MaestroPlatform::topic)
-              .orElse(DEFAULT_TOPIC);
-      topics.reclaim(member, topic, m -> agentFor(m, heirs.of(controller)));
+      deployer.reclaim(member, controller);
     }
 
     @Override
     public void beginThere(
-        String host, String member, String controller, Consumer<Optional<String>> problem) {
-      topics.movedTo(member, host);
-      supervisor.beginOn(host, member, controller, problem);
+        String hosting, String member, String controller, Consumer<Optional<String>> problem) {
+      deployer.moved(member, hosting);
+      supervisor.beginOn(hosting, member, controller, problem);
     }
 
     @Override
@@ -477,71 +544,6 @@ public final class MaestroPlatform implements AutoCloseable {
           reason);
       coordinator.agentStaysAway(member, reason);
       supervisor.tellLost(member, reason, knowledge.home().groups().keySet());
-    }
-  }
-
-  /** What the supervisor may do here. */
-  private final class Supervision implements SupervisorAgent.Containers {
-    @Override
-    public Optional<SupervisorAgent.Handover> release(String topic) {
-      return settings.brokerUri().flatMap(broker -> release(topic, broker));
-    }
-
-    @Override
-    public Optional<String> tie(String topic) {
-      List<String> groups =
-          topics.places().entrySet().stream()
-              .filter(place -> place.getValue().equals(topic))
-              .map(Map.Entry::getKey)
-              .filter(knowledge.home().groups()::containsKey)
-              .toList();
-      return groups.isEmpty()
-          ? Optional.empty()
-          : Optional.of(
-              "The container %s stays where the collective knowledge is, which its agents that stand for groups pursue goals with: %s; take another, or give them a container of their own in the home file (maestro:container)."
-                  .formatted(topic, String.join(", ", groups)));
-    }
-
-    private Optional<SupervisorAgent.Handover> release(String topic, String broker) {
-      Optional<List<String>> members = topics.release(topic);
-      heirs.letGo(HeirLinks.controller(topic));
-      members.ifPresent(gone -> gone.forEach(rescue::settled));
-      members.ifPresent(gone -> gone.forEach(coordinator::agentMoves));
-      return members.map(gone -> new SupervisorAgent.Handover(broker, settings.site(), gone));
-    }
-
-    @Override
-    public List<String> topics() {
-      return topics.topics();
-    }
-
-    @Override
-    public Optional<SupervisorAgent.Handover> offered(String host, List<String> provides) {
-      Optional<SupervisorAgent.Handover> bus =
-          settings
-              .brokerUri()
-              .map(broker -> new SupervisorAgent.Handover(broker, settings.site(), List.of()));
-      bus.ifPresent(there -> rescue.offered(host, provides));
-      return bus;
-    }
-
-    @Override
-    public void watchOver(Pulse pulse) {
-      heartbeats = Optional.of(pulse);
-      pulse.watch(
-          time.clock(), settings.heartbeats(), new Vigil(pulse, wires, topics, () -> coordinator));
-    }
-
-    @Override
-    public boolean reviveCoordinator() {
-      return MaestroPlatform.this.reviveCoordinator();
-    }
-
-    @Override
-    public List<SupervisorAgent.Line> agents() {
-      return MaestroPlatform.this.agents().stream()
-          .map(r -> new SupervisorAgent.Line(r.agent(), r.container(), r.phase(), r.state()))
-          .toList();
     }
   }
 }

@@ -22,13 +22,13 @@ final class Vigil implements Watcher {
 
   private final Pulse pulse;
   private final Wires wires;
-  private final TopicContainers topics;
+  private final Deployer deployer;
   private final Supplier<CoordinatorAgent> coordinator;
 
-  Vigil(Pulse pulse, Wires wires, TopicContainers topics, Supplier<CoordinatorAgent> coordinator) {
+  Vigil(Pulse pulse, Wires wires, Deployer deployer, Supplier<CoordinatorAgent> coordinator) {
     this.pulse = pulse;
     this.wires = wires;
-    this.topics = topics;
+    this.deployer = deployer;
     this.coordinator = coordinator;
   }
 
@@ -69,7 +69,7 @@ final class Vigil implements Watcher {
   }
 
   private List<String> agentsIn(String container) {
-    return topics.places().entrySet().stream()
+    return deployer.containers().entrySet().stream()
         .filter(place -> place.getValue().equals(container))
         .map(Map.Entry::getKey)
         .toList();

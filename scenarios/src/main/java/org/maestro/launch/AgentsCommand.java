@@ -2,6 +2,7 @@ package org.maestro.launch;
 
 import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.maestro.agents.SupervisorAgent;
@@ -13,13 +14,25 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Lists a platform's agents. */
-@Command(name = "agents", description = "List the agents of a running platform, and their members.")
+/** Shows what a platform's tables hold: its agents, or its containers. */
+@Command(
+    name = "agents",
+    description = "List the agents of a running platform, and their members; or its containers.")
 final class AgentsCommand implements Callable<Integer> {
-  private static final List<String> COLUMNS = List.of("agent", "container", "phase", "state");
+  private static final List<String> AGENTS =
+      List.of("agent", "container", "members", "phase", "state", "life", "since", "services");
+  private static final List<String> CONTAINERS =
+      List.of("container", "process", "topics", "provides", "since", "address", "agents");
+  private static final int MINUTE = 60;
+  private static final int HOUR = 3600;
 
   @Spec private CommandSpec spec;
   @Mixin private PlatformOptions platform;
+
+  @Option(
+      names = "--containers",
+      description = "The container table, with the agents of each container.")
+  private boolean containers;
 
   @Option(names = "--json", description = "Print one JSON document.")
   private boolean json;
@@ -27,22 +40,73 @@ final class AgentsCommand implements Callable<Integer> {
   @Override
   public Integer call() {
     try (JoinedContainer container = platform.join()) {
-      Table table =
-          new Table(
-              COLUMNS,
-              Reply.lines(
-                      container.ask(
-                          ACLMessage.QUERY_REF, SupervisorAgent.NAME, Words.content("query-ref")))
-                  .stream()
-                  .map(words -> COLUMNS.stream().map(c -> words.string(c).orElse("-")).toList())
-                  .toList());
+      List<Words> lines =
+          Reply.lines(
+              container.ask(
+                  ACLMessage.QUERY_REF, SupervisorAgent.NAME, Words.content("query-ref")));
+      String own = container.name();
+      List<List<String>> rows = new ArrayList<>();
+      for (Words line : lines) {
+        boolean isPlace = line.string("place").isPresent();
+        if (isPlace == containers && !at(line).equals(own)) {
+          rows.add(isPlace ? place(line) : agent(line));
+        }
+      }
+      Table table = new Table(containers ? CONTAINERS : AGENTS, rows);
       PrintWriter out = spec.commandLine().getOut();
       if (json) {
-        out.println(table.json("agents"));
+        out.println(table.json(containers ? "containers" : "agents"));
       } else {
         table.print(out);
       }
       return ExitCode.DONE;
     }
+  }
+
+  private static String at(Words line) {
+    return line.string("place").or(() -> line.string("container")).orElse("");
+  }
+
+  private List<String> agent(Words line) {
+    return List.of(
+        line.string("agent").orElse("-"),
+        line.string("container").orElse("-"),
+        all(line, "members"),
+        line.string("phase").orElse("-"),
+        line.string("state").orElse("-"),
+        line.string("life").orElse("-"),
+        since(line),
+        all(line, "services"));
+  }
+
+  private List<String> place(Words line) {
+    return List.of(
+        line.string("place").orElse("-"),
+        line.string("process").orElse("-"),
+        all(line, "topics"),
+        all(line, "provides"),
+        since(line),
+        line.string("address").orElse("-"),
+        all(line, "holds"));
+  }
+
+  private static String all(Words line, String name) {
+    List<String> words =
+        line.find(name).map(Words::terms).orElse(List.of()).stream().map(Words::plain).toList();
+    return words.isEmpty() ? "-" : String.join(" ", words);
+  }
+
+  /** For programs the moment on the platform's clock, for people how long ago that is. */
+  private String since(Words line) {
+    if (json) {
+      return line.string("since").orElse("-");
+    }
+    long seconds = Math.round(line.number("age", 0));
+    if (seconds < MINUTE) {
+      return seconds + " s";
+    }
+    return seconds < HOUR
+        ? seconds / MINUTE + " min " + seconds % MINUTE + " s"
+        : seconds / HOUR + " h " + seconds % HOUR / MINUTE + " min";
   }
 }

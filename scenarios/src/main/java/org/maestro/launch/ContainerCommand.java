@@ -3,10 +3,14 @@ package org.maestro.launch;
 import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.List;
-import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
+import org.maestro.deployment.ContainerStart;
+import org.maestro.deployment.Deployment;
 import org.maestro.platform.PlatformStartException;
 import org.maestro.rats.time.PacedClock;
 import org.slf4j.Logger;
@@ -17,10 +21,11 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Takes one of a platform's topical containers into this process. */
+/** Joins a container for agents to a platform, from this process. */
 @Command(
     name = "container",
-    description = "Take one of a platform's topical containers over, until Ctrl-C.")
+    description =
+        "Join a container to a running platform, until Ctrl-C: agents live in it that are its topic's, or that are added or moved there.")
 final class ContainerCommand implements Callable<Integer> {
   private static final Logger LOG = LoggerFactory.getLogger(ContainerCommand.class);
   private static final Duration BETWEEN_TRIES = Duration.ofSeconds(1);
@@ -40,25 +45,27 @@ final class ContainerCommand implements Callable<Integer> {
       names = "--name",
       paramLabel = "NAME",
       required = true,
-      description = "Of the container; the topic, unless --topic or --provides is given.")
+      description =
+          "Of the container. When the platform has one of that name for a topic, such as lights, this one takes its place.")
   private String name;
 
   @Option(
       names = "--topic",
       paramLabel = "TOPIC",
-      description = "The topic whose agents it takes: robots, cameras, lights, sensors.")
-  private Optional<String> topic;
+      split = ",",
+      description = "Whose agents move here, and begin here from now on; any word.")
+  private List<String> topics = List.of();
 
   @Option(
       names = "--provides",
-      paramLabel = "WORD",
+      paramLabel = "WHAT",
       split = ",",
-      description =
-          "What this host has for agents that need it (maestro:hostNeeds), such as microphone or \"memory 512\"; agents of lost hosts are started here too.")
+      description = "What this host has that agents may need, such as microphone,gpu.")
   private List<String> provides = List.of();
 
   private final PacedClock clock = new PacedClock(1);
-  private final AtomicReference<HostedTopic> hosted = new AtomicReference<>();
+  private final AtomicInteger attempts = new AtomicInteger();
+  private final AtomicReference<HostedContainer> hosted = new AtomicReference<>();
 
   @Override
   public Integer call() throws InterruptedException {
@@ -68,13 +75,9 @@ final class ContainerCommand implements Callable<Integer> {
   }
 
   private void begin() {
-    HostedTopic begun =
-        HostedTopic.begin(
-            Endpoint.parse(main),
-            new HostedTopic.Wish(
-                name, provides.isEmpty() ? topic.or(() -> Optional.of(name)) : topic, provides),
-            clock,
-            security.files());
+    HostedContainer begun =
+        HostedContainer.begin(
+            Endpoint.parse(main), start(), attempts.incrementAndGet(), clock, security.files());
     hosted.set(begun);
     begun.whenGivenUp(
         () -> {
@@ -84,19 +87,28 @@ final class ContainerCommand implements Callable<Integer> {
         });
   }
 
+  private ContainerStart start() {
+    Deployment.requireContainerName(name);
+    topics.forEach(Deployment::requireContainerName);
+    return new ContainerStart(name, set(topics), set(provides), false);
+  }
+
+  private static Set<String> set(List<String> words) {
+    return new TreeSet<>(words.stream().map(String::strip).toList());
+  }
+
   private String announcement() {
-    String has =
-        hosted.get().members().isEmpty()
-            ? "and waits for agents"
-            : "with " + String.join(", ", hosted.get().members());
-    return provides.isEmpty()
-        ? "The container %s runs here, %s.".formatted(name, has)
-        : "The container %s runs here, %s. It provides %s."
-            .formatted(name, has, String.join(", ", provides));
+    List<String> agents = hosted.get().agents();
+    String what =
+        agents.isEmpty()
+            ? "The container %s runs here, empty; ./maestro agent move ID --to %s brings an agent."
+                .formatted(name, name)
+            : "The container %s runs here, with %s.".formatted(name, String.join(", ", agents));
+    return provides.isEmpty() ? what : what + " It provides " + String.join(", ", provides) + ".";
   }
 
   /** It was frozen or cut off, and others act in its place now. */
-  private void joinAgain(HostedTopic former) {
+  private void joinAgain(HostedContainer former) {
     PrintWriter out = spec.commandLine().getOut();
     out.println("The platform has given the container " + name + " up; it joins again.");
     former.abandon();

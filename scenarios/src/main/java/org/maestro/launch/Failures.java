@@ -1,6 +1,7 @@
 package org.maestro.launch;
 
 import java.io.PrintWriter;
+import org.maestro.deployment.DeploymentException;
 import org.maestro.device.DeviceSetupException;
 import org.maestro.experiment.setting.SettingException;
 import org.maestro.ontology.home.HomeFaultException;
@@ -75,6 +76,7 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
             || failure instanceof SimulationException
             || failure instanceof DeviceSetupException
             || failure instanceof SettingException
+            || failure instanceof DeploymentException
             || failure instanceof SlSyntaxException;
     return badInput ? ExitCode.BAD_INPUT : ExitCode.OUTSIDE;
   }

@@ -23,6 +23,7 @@ import picocli.CommandLine.Spec;
       ContainerCommand.class,
       DevicesCommand.class,
       GoalCommand.class,
+      AgentCommand.class,
       AgentsCommand.class,
       GoalsCommand.class,
       KnowCommand.class,

@@ -22,6 +22,7 @@ class PackageRulesTest {
     "org.maestro.planning..",
     "org.maestro.coordination..",
     "org.maestro.members..",
+    "org.maestro.deployment..",
     "org.maestro.agents..",
     "org.maestro.platform.."
   };
@@ -125,6 +126,7 @@ class PackageRulesTest {
               "org.maestro.planning..",
               "org.maestro.coordination..",
               "org.maestro.members..",
+              "org.maestro.deployment..",
               "org.maestro.agents..",
               "org.maestro.platform..",
               "org.maestro.rats..",
@@ -150,7 +152,10 @@ class PackageRulesTest {
       noClasses()
           .that()
           .resideInAnyPackage(
-              "org.maestro.knowledge..", "org.maestro.planning..", "org.maestro.coordination..")
+              "org.maestro.knowledge..",
+              "org.maestro.planning..",
+              "org.maestro.coordination..",
+              "org.maestro.deployment..")
           .should()
           .dependOnClassesThat()
           .resideInAnyPackage("org.maestro.agents..", "org.maestro.platform..");

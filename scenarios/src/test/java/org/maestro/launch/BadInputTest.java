@@ -107,7 +107,7 @@ class BadInputTest {
   }
 
   @Test
-  void aSecondPlatformOnThePortAndAnUnknownTopicAreRefused() throws Exception {
+  void aSecondPlatformOnThePortAndUnknownContainersAreRefused() throws Exception {
     String port = String.valueOf(deadPort());
     try (JavaProcess first = start("run", "bob", "--port", port)) {
       awaitOutput(first, "The platform maestro runs");
@@ -120,10 +120,15 @@ class BadInputTest {
       assertThat(sameName.exitCode()).isEqualTo(3);
       assertOneSentence(sameName).contains("maestro runs already");
 
-      JavaProcess.Ended topic =
-          maestro("container", "--main", "127.0.0.1:" + port, "--name", "fridges");
-      assertThat(topic.exitCode()).isEqualTo(3);
-      assertOneSentence(topic).contains("fridges").contains("lights");
+      JavaProcess.Ended container =
+          maestro("container", "--main", "127.0.0.1:" + port, "--name", "My fridges");
+      assertThat(container.exitCode()).isEqualTo(2);
+      assertOneSentence(container).contains("My fridges").contains("hyphens");
+
+      JavaProcess.Ended move =
+          maestro("agent", "move", "lamp-b1", "--to", "fridges", "--main", "127.0.0.1:" + port);
+      assertThat(move.exitCode()).isEqualTo(2);
+      assertOneSentence(move).contains("no container fridges").contains("lights");
 
       assertThat(first.isAlive()).isTrue();
     }

@@ -44,6 +44,9 @@ class CommandLineTest {
         "devices bob --broker tcp://127.0.0.1:1 | 3 | No MQTT broker answers",
         "goal --main nowhere x | 2 | is no address",
         "container --main 127.0.0.1:1 --name lights | 3 | No platform answers at 127.0.0.1:1",
+        "container --main 127.0.0.1:1 --name Lights | 2 | is no name for a container",
+        "agent | 2 | Say what to do: agent add, move, reconfigure or remove",
+        "agent move rose | 2 | Missing required option: '--to=CONTAINER'",
         "check nowhere.ttl | 2 | There is no home file nowhere.ttl"
       })
   void saysWhatIsWrong(String arguments, int exitCode, String sentence) {

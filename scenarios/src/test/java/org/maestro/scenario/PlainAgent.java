@@ -8,6 +8,11 @@ import jade.core.ProfileImpl;
 import jade.core.Runtime;
 import jade.core.behaviours.CyclicBehaviour;
 import jade.core.behaviours.OneShotBehaviour;
+import jade.domain.DFService;
+import jade.domain.FIPAAgentManagement.DFAgentDescription;
+import jade.domain.FIPAAgentManagement.Property;
+import jade.domain.FIPAAgentManagement.SearchConstraints;
+import jade.domain.FIPAAgentManagement.ServiceDescription;
 import jade.domain.FIPANames;
 import jade.domain.JADEAgentManagement.JADEManagementOntology;
 import jade.domain.JADEAgentManagement.WhereIsAgentAction;
@@ -19,6 +24,7 @@ import jade.wrapper.AgentContainer;
 import jade.wrapper.StaleProxyException;
 import java.io.StringReader;
 import java.io.StringWriter;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -118,6 +124,33 @@ public final class PlainAgent extends Agent {
     return answer.getPerformative() == ACLMessage.AGREE
         ? heard().getContent()
         : answer.getContent();
+  }
+
+  /** The entries of the yellow pages with a service of this type. */
+  List<DFAgentDescription> whoOffers(String type) throws Exception {
+    ServiceDescription wanted = new ServiceDescription();
+    wanted.setType(type);
+    DFAgentDescription template = new DFAgentDescription();
+    template.addServices(wanted);
+    SearchConstraints all = new SearchConstraints();
+    all.setMaxResults(-1L);
+    say(DFService.createRequestMessage(this, getDefaultDF(), "search", template, all));
+    return List.of(DFService.decodeResult(heard().getContent()));
+  }
+
+  /** What an entry says of a service. */
+  static String property(DFAgentDescription entry, String type, String name) {
+    for (var services = entry.getAllServices(); services.hasNext(); ) {
+      ServiceDescription service = (ServiceDescription) services.next();
+      for (var properties = service.getAllProperties();
+          service.getType().equals(type) && properties.hasNext(); ) {
+        Property property = (Property) properties.next();
+        if (property.getName().equals(name)) {
+          return String.valueOf(property.getValue());
+        }
+      }
+    }
+    return "";
   }
 
   /** The next message that came, waited for. */

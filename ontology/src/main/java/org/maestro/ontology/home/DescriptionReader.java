@@ -37,13 +37,18 @@ public final class DescriptionReader {
   /**
    * Reads and validates a description.
    *
-   * @param jsonLd the document
+   * @param text as JSON-LD, or as Turtle, as people write it
    * @param member the id of the member that sent it; it may speak of nothing else
    * @throws HomeFaultException with every fault that was found
    */
-  public Device read(String jsonLd, String member) {
+  public Device read(String text, String member) {
     SourceGraph graph = new SourceGraph();
-    new SourceReader(graph, member, BASE + "#").readJsonLd(jsonLd);
+    SourceReader source = new SourceReader(graph, member, BASE + "#");
+    if (isJson(text)) {
+      source.readJsonLd(text);
+    } else {
+      source.readTurtle(text);
+    }
     refuseFaults(graph);
     Node node = memberNode(graph, member);
     background.explain(graph, node);
@@ -65,6 +70,11 @@ public final class DescriptionReader {
     new HomeCheck(graph, vocabulary).checkDescription(node);
     refuseFaults(graph);
     return device;
+  }
+
+  static boolean isJson(String text) {
+    String begin = text.stripLeading();
+    return begin.startsWith("{") || begin.startsWith("[{") || begin.isEmpty();
   }
 
   private static Node memberNode(SourceGraph graph, String member) {

@@ -1,5 +1,6 @@
 package org.maestro.ontology.validation;
 
+import java.io.StringWriter;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -13,6 +14,8 @@ import java.util.function.Predicate;
 import org.apache.jena.graph.Graph;
 import org.apache.jena.graph.Node;
 import org.apache.jena.graph.Triple;
+import org.apache.jena.riot.Lang;
+import org.apache.jena.riot.RDFDataMgr;
 import org.apache.jena.sparql.graph.GraphFactory;
 import org.apache.jena.vocabulary.RDF;
 
@@ -86,6 +89,21 @@ public final class SourceGraph {
 
   void forEach(BiConsumer<Triple, Origin> action) {
     origins.forEach(action);
+  }
+
+  /** The statements as Turtle. */
+  public String turtle() {
+    Graph graph = toGraph();
+    prefixes.forEach(
+        (namespace, prefix) -> graph.getPrefixMapping().setNsPrefix(prefix, namespace));
+    StringWriter text = new StringWriter();
+    RDFDataMgr.write(text, graph, Lang.TURTLE);
+    return text.toString();
+  }
+
+  /** Has names shortened as the other graph's texts do. */
+  public void copyPrefixes(SourceGraph other) {
+    other.prefixes.forEach(prefixes::putIfAbsent);
   }
 
   void prefix(String prefix, String namespace) {

@@ -8,6 +8,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
 import org.maestro.agents.SupervisorAgent;
 import org.maestro.assembly.SiteBus;
+import org.maestro.deployment.ContainerStart;
 import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.platform.JoinedContainer;
@@ -18,53 +19,50 @@ import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.security.SiteSecurity;
 import org.maestro.rats.time.Clock;
 
-/** A topic's agents in this process, from joining the platform to leaving it. */
-final class HostedTopic implements AutoCloseable {
+/** A container for agents in this process, from joining the platform to leaving it. */
+final class HostedContainer implements AutoCloseable {
   private final JoinedContainer container;
   private final Links links;
-  private final List<String> members;
+  private final List<String> agents;
 
-  /**
-   * @param topic whose agents it takes; empty: none
-   * @param provides what it offers to agents that need it; empty: it takes no others
-   */
-  record Wish(String name, Optional<String> topic, List<String> provides) {}
-
-  private HostedTopic(JoinedContainer container, Links links, List<String> members) {
+  private HostedContainer(JoinedContainer container, Links links, List<String> agents) {
     this.container = container;
     this.links = links;
-    this.members = members;
+    this.agents = agents;
   }
 
   /**
-   * Joins, takes the topic over if one is wished for, and offers itself as a host.
+   * Joins.
    *
-   * @throws PlatformStartException when the platform is not there, or refuses
+   * @param attempt from 1, each another: an agent that asks on its behalf must not have the name of
+   *     one that is still ending
+   * @throws PlatformStartException when the platform is not there, or does not let it in
    */
-  static HostedTopic begin(Endpoint at, Wish wish, Clock clock, Optional<SiteSecurity> security) {
-    String controller = "container-" + wish.topic().orElse(wish.name());
+  static HostedContainer begin(
+      Endpoint at,
+      ContainerStart start,
+      int attempt,
+      Clock clock,
+      Optional<SiteSecurity> security) {
+    String controller = "container-" + start.name();
     JoinedContainer container =
         JoinedContainer.join(
             Optional.empty(),
             at.host(),
             at.port(),
-            wish.name() + "-hand-over",
+            start.name() + "-hand-over" + (attempt == 1 ? "" : "-" + attempt),
             clock,
             security.map(site -> Guard.open(site, controller)));
     Links links = new Links(clock, security);
     try {
       DescriptionReader reader = new DescriptionReader(new HomeLoader().vocabulary());
-      List<String> members = List.of();
-      if (wish.topic().isPresent()) {
-        SupervisorAgent.Handover handover = container.take(wish.topic().get());
-        members = handover.members();
-        container.host(
-            wish.topic().get(), members, links.of(handover).apply(controller), reader::read);
+      SupervisorAgent.Handover handover = container.ask(start);
+      List<String> agents =
+          container.host(start, links.of(handover).apply(controller), reader::read);
+      if (!start.provides().isEmpty()) {
+        container.offer(start.name(), List.copyOf(start.provides()), links::of, reader::read);
       }
-      if (!wish.provides().isEmpty()) {
-        container.offer(wish.topic().orElse(wish.name()), wish.provides(), links::of, reader::read);
-      }
-      return new HostedTopic(container, links, members);
+      return new HostedContainer(container, links, agents);
     } catch (RuntimeException e) {
       links.close();
       container.abandon();
@@ -100,8 +98,8 @@ final class HostedTopic implements AutoCloseable {
     }
   }
 
-  List<String> members() {
-    return members;
+  List<String> agents() {
+    return agents;
   }
 
   /** See {@link JoinedContainer#whenGivenUp}. */

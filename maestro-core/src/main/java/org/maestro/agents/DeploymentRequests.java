@@ -1,0 +1,48 @@
+package org.maestro.agents;
+
+import jade.lang.acl.ACLMessage;
+import java.time.Duration;
+import org.maestro.sl.Content;
+import org.maestro.sl.SlSyntaxException;
+
+/**
+ * What others want of the central agent about agents and containers: it hands that to the
+ * supervisor, and the answer back. Agent thread only.
+ */
+final class DeploymentRequests {
+  private static final Duration LONGEST = Duration.ofSeconds(120);
+
+  private final MaestroAgent agent;
+
+  DeploymentRequests(MaestroAgent agent) {
+    this.agent = agent;
+  }
+
+  void forward(ACLMessage message, Content content) {
+    if (message.getPerformative() != ACLMessage.REQUEST) {
+      agent.refuse(
+          message,
+          ACLMessage.NOT_UNDERSTOOD,
+          "perform is understood in a request only, and this message is another: "
+              + ACLMessage.getPerformative(message.getPerformative())
+              + ".");
+      return;
+    }
+    agent.ask(
+        agent.message(ACLMessage.REQUEST, agent.getAID(SupervisorAgent.NAME), content),
+        LONGEST,
+        answer -> answer(message, answer));
+  }
+
+  private void answer(ACLMessage message, ACLMessage answer) {
+    try {
+      agent.reply(
+          message,
+          answer.getPerformative(),
+          Words.parse(answer.getContent()).toArray(Content[]::new));
+    } catch (SlSyntaxException e) {
+      agent.refuse(
+          message, ACLMessage.FAILURE, "There is no supervisor on this platform to do that.");
+    }
+  }
+}

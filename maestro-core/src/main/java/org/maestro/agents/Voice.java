@@ -1,0 +1,196 @@
+package org.maestro.agents;
+
+import jade.lang.acl.ACLMessage;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.maestro.deployment.Charge;
+import org.maestro.members.MemberNews;
+import org.maestro.members.MemberView;
+import org.maestro.ontology.home.Device;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.sl.Content;
+import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * What a generic agent is for one of its members: it hears what the member tells, makes it known,
+ * and has it do what is ordered. Agent thread only.
+ */
+final class Voice implements MemberNews.Listener {
+  private static final Logger LOG = LoggerFactory.getLogger(Voice.class);
+
+  private final GenericAgent agent;
+  private final String member;
+  private final Surroundings here;
+  private final MemberView view = new MemberView();
+  private final MemberNews news;
+  private final Performances performances;
+  private final Optional<OwnGoals> goals;
+  private Optional<String> configured;
+  private Rights rights = Rights.UNKNOWN;
+  private boolean announced;
+
+  Voice(GenericAgent agent, Charge charge, Surroundings here, FormerCalls formerCalls) {
+    this.agent = agent;
+    this.member = charge.member();
+    this.configured = charge.description();
+    this.here = here;
+    this.news = new MemberNews(member, view, this::read, this);
+    this.performances =
+        new Performances(agent, member, here.link(), view, news, formerCalls, this::say);
+    OwnMember own = new OwnMember(member, view, performances);
+    this.goals =
+        here.mind()
+            .map(
+                mind ->
+                    new OwnGoals(
+                        agent,
+                        member,
+                        here.time().clock(),
+                        mind,
+                        here.story(),
+                        here.past(),
+                        member::equals,
+                        Optional.of(own)));
+  }
+
+  /** What the agent is configured with goes before what the member says of itself. */
+  private Device read(String description, String speaker) {
+    return here.describedBy().apply(configured.orElse(description), speaker);
+  }
+
+  void begin() {
+    goals.ifPresent(OwnGoals::begin);
+  }
+
+  void end() {
+    goals.ifPresent(OwnGoals::end);
+  }
+
+  /**
+   * Is configured otherwise from now on.
+   *
+   * @throws RuntimeException with one sentence when the description is faulty
+   */
+  void configure(Optional<String> description) {
+    description.ifPresent(text -> here.describedBy().apply(text, member));
+    configured = description;
+    news.readAgain();
+  }
+
+  String member() {
+    return member;
+  }
+
+  MemberView view() {
+    return view;
+  }
+
+  Performances performances() {
+    return performances;
+  }
+
+  Optional<OwnGoals> goals() {
+    return goals;
+  }
+
+  /** Whether it has goals of its own, which only an agent that reaches the knowledge can have. */
+  boolean pursues() {
+    return view.device().filter(device -> !device.pursues().isEmpty()).isPresent();
+  }
+
+  /** Why who asks may not ask for the feature. */
+  Optional<String> objection(ACLMessage message, Words words, String feature) {
+    return rights.objection(message, words, member, feature);
+  }
+
+  void changed(RatsLink.Member now) {
+    news.changed(now);
+  }
+
+  @Override
+  public void described(String description) {
+    agent.registerServices();
+    introduce(description);
+  }
+
+  @Override
+  public void said(List<String> facts) {
+    say(facts);
+  }
+
+  @Override
+  public void lost(String reason) {
+    announced = false;
+    goals.ifPresent(own -> own.memberLost(member, reason));
+    agent.announce(presence("lost", reason));
+    agent.registerServices();
+  }
+
+  /** Tells the knowledge agent, and tells it again while it is too busy to answer in time. */
+  private void introduce(String description) {
+    agent.ask(
+        agent.message(
+            ACLMessage.REQUEST,
+            agent.getAID(KnowledgeAgent.NAME),
+            Words.content(
+                "inform",
+                Words.named("member", Words.name(member)),
+                Words.named("description", Words.text(configured.orElse(description))))),
+        GenericAgent.ANSWER_WITHIN,
+        reply -> {
+          if (reply.getPerformative() == ACLMessage.INFORM && view.isReady()) {
+            rights = Rights.read(Words.of(Words.parse(reply.getContent()).get(0)));
+            announced = true;
+            agent.announce(presence("ready", "described"));
+            pursue();
+          } else if (Conversations.isOverdue(reply)) {
+            if (view.isReady() && news.isCurrent(description)) {
+              introduce(description);
+            }
+          } else if (reply.getPerformative() != ACLMessage.AGREE) {
+            LOG.warn("{} is not used: {}", member, reply.getContent());
+          }
+        });
+  }
+
+  /** The goals of its own that the member's description states. */
+  private void pursue() {
+    goals.ifPresent(
+        own -> {
+          own.memberPresent(member, agent.getAID(), Optional.of(performances.life()));
+          Substitution self = new Substitution(Map.of("self", new Term.Name(member)));
+          own.pursueOnly(view.device().orElseThrow().pursues().stream().map(self::apply).toList());
+        });
+  }
+
+  /** That the member can be used, if it can. */
+  Optional<Content> presence() {
+    return announced ? Optional.of(presence("ready", "described")) : Optional.empty();
+  }
+
+  private Content presence(String phase, String reason) {
+    return Words.content(
+        "inform",
+        Words.named("member", Words.name(member)),
+        Words.named("phase", Words.name(phase)),
+        Words.named("life", Words.text(performances.life())),
+        Words.named("reason", Words.text(reason)));
+  }
+
+  private void say(List<String> facts) {
+    if (!facts.isEmpty()) {
+      agent.send(
+          agent.message(
+              ACLMessage.INFORM,
+              agent.getAID(KnowledgeAgent.NAME),
+              Words.content(
+                  "inform",
+                  Words.named("source", Words.name(member)),
+                  Words.named("facts", facts.stream().map(Words::text).toList()))));
+    }
+  }
+}

@@ -1,0 +1,376 @@
+package org.maestro.platform;
+
+import jade.core.AID;
+import jade.core.AgentManager;
+import jade.core.ContainerID;
+import jade.core.NameClashException;
+import jade.core.NotFoundException;
+import jade.core.UnreachableException;
+import jade.security.JADESecurityException;
+import jade.wrapper.AgentContainer;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.concurrent.ConcurrentSkipListSet;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BiFunction;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
+import org.maestro.agents.GenericAgent;
+import org.maestro.agents.Host;
+import org.maestro.agents.MaestroAgent;
+import org.maestro.agents.StartWords;
+import org.maestro.agents.SupervisorAgent.Welcome;
+import org.maestro.agents.Surroundings;
+import org.maestro.agents.Words;
+import org.maestro.deployment.AgentStart;
+import org.maestro.deployment.ContainerStart;
+import org.maestro.deployment.Deployment;
+import org.maestro.deployment.DeploymentException;
+
+/**
+ * Starts and ends the agents of a platform where the deployment has them: in containers of this
+ * process, one for each topic (M70), or, by their configuration alone, in containers that other
+ * processes have joined. Any thread may call, one at a time.
+ */
+final class Deployer {
+
+  private final Deployment deployment = new Deployment();
+  private static final Duration ENDS_WITHIN = Duration.ofSeconds(5);
+  private static final Duration BETWEEN_LOOKS = Duration.ofMillis(5);
+
+  private final String platform;
+  private final Host main;
+  private final Surroundings here;
+  private final BiFunction<String, Host, AgentContainer> newContainer;
+  private final HeirLinks heirs;
+  private final Predicate<String> lives;
+  private final Map<String, AgentContainer> own = new LinkedHashMap<>();
+  private final Map<String, String> containerByGroup = new TreeMap<>();
+
+  /**
+   * Agents that took over from one that was lost with a container, and the name under which they
+   * call.
+   */
+  private final Map<String, String> heirOf = new ConcurrentSkipListMap<>();
+
+  /** Agents of a container that another process is about to have. */
+  private final Map<String, List<AgentStart>> handedOver = new TreeMap<>();
+
+  /** Agents that live in other processes. */
+  private final Set<String> elsewhere = new ConcurrentSkipListSet<>();
+
+  /** Agents that were ended here, until JADE says so: it may say it late. */
+  private final Set<String> ending = new ConcurrentSkipListSet<>();
+
+  /**
+   * @param platform its name
+   * @param main of the platform's main container
+   * @param here what this process's containers give to their agents
+   * @param newContainer joins a container of that name to the platform
+   * @param heirs of containers that are lost
+   * @param lives whether JADE has an agent of that name
+   */
+  Deployer(
+      String platform,
+      Host main,
+      Surroundings here,
+      BiFunction<String, Host, AgentContainer> newContainer,
+      HeirLinks heirs,
+      Predicate<String> lives) {
+    this.platform = platform;
+    this.main = main;
+    this.here = here;
+    this.newContainer = newContainer;
+    this.heirs = heirs;
+    this.lives = lives;
+  }
+
+  Deployment deployment() {
+    return deployment;
+  }
+
+  /** Starts the agent unless its members have one, or were dismissed. */
+  synchronized boolean place(AgentStart start) {
+    if (deployment.find(start.agent()).isPresent()
+        || start.members().stream()
+            .anyMatch(m -> deployment.agentOf(m).isPresent() || deployment.isDismissed(m))) {
+      return false;
+    }
+    begin(start.in(deployment.containerFor(Optional.empty(), start.topic(), start.needs())));
+    return true;
+  }
+
+  /**
+   * Starts all of them, or none.
+   *
+   * @throws DeploymentException when one cannot be started
+   */
+  synchronized void add(List<AgentStart> starts) {
+    starts.forEach(deployment::requireNew);
+    starts.forEach(this::begin);
+  }
+
+  synchronized void placeGroup(String group, String topic, MaestroAgent agent) {
+    JadeRuntime.start(ownContainer(topic), group, agent);
+    containerByGroup.put(group, topic);
+  }
+
+  private void begin(AgentStart start) {
+    if (isElsewhere(start.container())) {
+      elsewhere.add(start.agent());
+      heirOf.remove(start.agent());
+      create(start);
+    } else {
+      elsewhere.remove(start.agent());
+      JadeRuntime.start(
+          ownContainer(start.container()),
+          start.agent(),
+          new GenericAgent(surroundings(start.agent()), start));
+    }
+    deployment.placed(start);
+  }
+
+  private Surroundings surroundings(String agent) {
+    return Optional.ofNullable(heirOf.get(agent))
+        .map(controller -> here.with(heirs.of(controller)))
+        .orElse(here);
+  }
+
+  /** Its configuration goes to the other process; the class is there already. */
+  private void create(AgentStart start) {
+    try {
+      manager()
+          .create(
+              start.agent(),
+              GenericAgent.class.getName(),
+              new Object[] {Words.print(StartWords.content(start))},
+              new ContainerID(start.container(), null),
+              null,
+              null,
+              null,
+              null);
+    } catch (UnreachableException
+        | NotFoundException
+        | NameClashException
+        | JADESecurityException e) {
+      throw new DeploymentException(
+          "The agent %s could not begin in the container %s: %s"
+              .formatted(start.agent(), start.container(), e.getMessage()));
+    }
+  }
+
+  private AgentManager manager() {
+    return main.manager()
+        .orElseThrow(() -> new DeploymentException("The platform has no main container any more."));
+  }
+
+  private AgentContainer ownContainer(String name) {
+    return own.computeIfAbsent(
+        name,
+        missing -> {
+          AgentContainer container = newContainer.apply(missing, new Host(here));
+          deployment.containerThere(new ContainerStart(missing, Set.of(missing), Set.of(), true));
+          return container;
+        });
+  }
+
+  boolean isElsewhere(String container) {
+    return deployment.container(container).filter(known -> !known.own()).isPresent();
+  }
+
+  /**
+   * Makes room for a container that joins: one of this process that has its name ends, and its
+   * agents begin again there. JADE may take some seconds for that.
+   *
+   * @param leaving is told of each agent that ends here
+   */
+  void admit(ContainerStart joining, Consumer<String> leaving) {
+    Optional<AgentContainer> ended = release(joining.name(), leaving);
+    ended.ifPresent(JadeRuntime::endNow);
+    awaitEnds(joining.name());
+  }
+
+  /** JADE ends agents beside who asks for it, and gives their names away only then. */
+  private void awaitEnds(String container) {
+    List<AgentStart> starts;
+    synchronized (this) {
+      starts = handedOver.getOrDefault(container, List.of());
+    }
+    long end = System.nanoTime() + ENDS_WITHIN.toNanos();
+    while (starts.stream().anyMatch(start -> lives.test(start.agent()))
+        && System.nanoTime() < end) {
+      LockSupport.parkNanos(BETWEEN_LOOKS.toNanos());
+    }
+  }
+
+  private synchronized Optional<AgentContainer> release(String name, Consumer<String> leaving) {
+    Deployment.requireContainerName(name);
+    if (isElsewhere(name)) {
+      throw new DeploymentException(
+          "Another process has joined a container %s already; choose another name."
+              .formatted(name));
+    }
+    List<String> groups =
+        containerByGroup.entrySet().stream()
+            .filter(group -> group.getValue().equals(name))
+            .map(Map.Entry::getKey)
+            .toList();
+    if (!groups.isEmpty()) {
+      throw new DeploymentException(
+          "The container %s stays where the collective knowledge is, which its agents that stand for groups pursue goals with: %s; take another, or give them a container of their own in the home file (maestro:container)."
+              .formatted(name, String.join(", ", groups)));
+    }
+    List<AgentStart> starts =
+        deployment.agents().stream()
+            .filter(
+                start ->
+                    start.container().equals(name)
+                        || HeirLinks.controller(name).equals(heirOf.get(start.agent())))
+            .toList();
+    handedOver.put(name, starts);
+    for (AgentStart start : starts) {
+      ending.add(start.agent());
+      kill(start.agent());
+      leaving.accept(start.agent());
+    }
+    heirs.letGo(HeirLinks.controller(name));
+    deployment.containerGone(name);
+    return Optional.ofNullable(own.remove(name));
+  }
+
+  /** A container has joined; returns the agents that it is to begin and those that are to move. */
+  synchronized Welcome welcome(ContainerStart joined) {
+    List<AgentStart> starts =
+        Optional.ofNullable(handedOver.remove(joined.name())).orElse(List.of());
+    Set<String> topics = new TreeSet<>(joined.topics());
+    if (starts.stream().anyMatch(start -> start.topic().equals(joined.name()))) {
+      topics.add(joined.name());
+    }
+    deployment.containerThere(new ContainerStart(joined.name(), topics, joined.provides(), false));
+    List<AgentStart> begun = starts.stream().map(start -> start.in(joined.name())).toList();
+    for (AgentStart start : begun) {
+      elsewhere.add(start.agent());
+      heirOf.remove(start.agent());
+      deployment.placed(start);
+    }
+    List<String> toMove = new ArrayList<>();
+    for (AgentStart start : deployment.agents()) {
+      if (topics.contains(start.topic()) && !start.container().equals(joined.name())) {
+        toMove.add(start.agent());
+      }
+    }
+    return new Welcome(begun, toMove);
+  }
+
+  /** Ends the agent for good. */
+  synchronized AgentStart remove(String agent) {
+    AgentStart start = deployment.require(agent);
+    elsewhere.remove(agent);
+    deployment.dismissed(agent);
+    kill(agent);
+    return start;
+  }
+
+  private void kill(String agent) {
+    try {
+      manager().kill(new AID(agent + "@" + platform, AID.ISGUID), null, null);
+    } catch (NotFoundException e) {
+      ending.remove(agent);
+    } catch (UnreachableException | JADESecurityException e) {
+      throw new DeploymentException(
+          "The agent %s could not be ended: %s".formatted(agent, e.getMessage()));
+    }
+  }
+
+  /** Whether the agent that ended, as JADE tells once for each, was to begin again elsewhere. */
+  boolean wasHandedOver(String agent) {
+    return ending.remove(agent);
+  }
+
+  /**
+   * An agent has ended that was not handed over. One of this process stays noted down: JADE tells
+   * the same when another process, which was frozen and given up, ends its agent of that name.
+   *
+   * @return how it was started, if it was lost with another process and is to begin again here
+   */
+  Optional<AgentStart> ended(String agent) {
+    return elsewhere.remove(agent) ? deployment.find(agent) : Optional.empty();
+  }
+
+  /** The agent lives in another container now. */
+  void moved(String agent, String container) {
+    if (isElsewhere(container)) {
+      elsewhere.add(agent);
+    } else {
+      elsewhere.remove(agent);
+    }
+    heirOf.remove(agent);
+    deployment.moved(agent, container);
+  }
+
+  /**
+   * The process that had the agent has lost it: it comes back to a container of its topic.
+   *
+   * @param controller under whose name it goes on
+   */
+  synchronized void reclaim(String agent, String controller) {
+    Optional<AgentStart> lost = deployment.find(agent);
+    if (lost.isEmpty()) {
+      return;
+    }
+    if (isElsewhere(lost.get().container())) {
+      deployment.containerGone(lost.get().container());
+    }
+    deployment.ended(agent);
+    heirOf.put(agent, controller);
+    begin(lost.get().in(deployment.containerFor(Optional.empty(), lost.get().topic(), Set.of())));
+  }
+
+  /** An agent that was started by other means. */
+  synchronized void startedByHand(AgentStart start) {
+    deployment.requireNew(start);
+    deployment.placed(start);
+    moved(start.agent(), start.container());
+  }
+
+  AgentStart requireMovable(String agent, String container) {
+    Optional<String> group = Optional.ofNullable(containers().get(agent));
+    if (group.isPresent() && deployment.find(agent).isEmpty()) {
+      throw new DeploymentException(
+          "The agent %s stands for a group and stays where the collective knowledge is."
+              .formatted(agent));
+    }
+    deployment.requireWay(agent, container);
+    return deployment.require(agent);
+  }
+
+  /** Topics whose containers are of this process. */
+  synchronized List<String> topics() {
+    return List.copyOf(own.keySet());
+  }
+
+  /** Container by agent, in the order in which they were started; groups last. */
+  synchronized Map<String, String> containers() {
+    Map<String, String> containers = new LinkedHashMap<>();
+    deployment.agents().forEach(start -> containers.put(start.agent(), start.container()));
+    containers.putAll(containerByGroup);
+    return containers;
+  }
+
+  /**
+   * No agent is started any more; returns the containers of this process, which are to be ended.
+   */
+  synchronized List<AgentContainer> close() {
+    List<AgentContainer> containers = List.copyOf(own.values());
+    own.clear();
+    return containers;
+  }
+}

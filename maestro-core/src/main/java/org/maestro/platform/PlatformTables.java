@@ -1,0 +1,174 @@
+package org.maestro.platform;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import org.maestro.agents.Words;
+import org.maestro.deployment.AgentStart;
+import org.maestro.deployment.ContainerStart;
+import org.maestro.deployment.Deployment;
+import org.maestro.deployment.Directory;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.sl.Content;
+
+/**
+ * What the platform's tables hold, put together (M65, M66, M70, M78): agents and containers as JADE
+ * has them, the members behind the agents as the bus has them, and since when. Any thread may use
+ * it.
+ */
+final class PlatformTables {
+  private final Deployment deployment;
+  private final Directory directory;
+  private final Supplier<Instant> now;
+  private final Map<String, Seen> seen = new ConcurrentHashMap<>();
+
+  /** What was last heard of a member, and when that began. */
+  private record Seen(String phase, String state, Instant since) {}
+
+  PlatformTables(Deployment deployment, Directory directory, Supplier<Instant> now) {
+    this.deployment = deployment;
+    this.directory = directory;
+    this.now = now;
+  }
+
+  void memberChanged(RatsLink.Member member) {
+    String phase = member.phase().name().toLowerCase(Locale.ROOT);
+    String state = member.state().map(s -> s.state()).orElse("-");
+    seen.compute(
+        member.id(),
+        (id, before) ->
+            before != null && before.phase().equals(phase) && before.state().equals(state)
+                ? before
+                : new Seen(phase, state, now.get()));
+  }
+
+  /**
+   * Agents that stand for members, and groups.
+   *
+   * @param containers of these agents, by name
+   */
+  List<AgentRow> agents(Map<String, String> containers) {
+    List<AgentRow> rows = new ArrayList<>();
+    containers.forEach((agent, container) -> rows.add(row(agent, container)));
+    return rows;
+  }
+
+  private AgentRow row(String agent, String container) {
+    Optional<Directory.Entry> entry = directory.find(agent);
+    Instant lives = entry.map(Directory.Entry::since).orElse(Instant.EPOCH);
+    Optional<AgentStart> start = deployment.find(agent);
+    List<String> members = start.map(AgentStart::members).orElse(List.of());
+    if (start.isEmpty()) {
+      return new AgentRow(agent, container, members, "group", "-", lives);
+    }
+    List<Seen> known =
+        members.stream().map(m -> seen.getOrDefault(m, new Seen("absent", "-", lives))).toList();
+    Instant since = known.stream().map(Seen::since).max(Comparator.naturalOrder()).orElse(lives);
+    return new AgentRow(
+        agent,
+        entry.map(Directory.Entry::container).orElse(container),
+        members,
+        most(known.stream().map(Seen::phase).toList()),
+        most(known.stream().map(Seen::state).toList()),
+        since.isAfter(lives) ? since : lives);
+  }
+
+  private static String most(Collection<String> words) {
+    return words.stream()
+        .collect(Collectors.groupingBy(word -> word, TreeMap::new, Collectors.counting()))
+        .entrySet()
+        .stream()
+        .max(Map.Entry.comparingByValue())
+        .map(Map.Entry::getKey)
+        .orElse("-");
+  }
+
+  /**
+   * The tables in words: a line for each agent that JADE has, and for each container.
+   *
+   * @param rows the agents that stand for members
+   * @param services of each agent in the directory facilitator
+   */
+  List<Content> inWords(List<AgentRow> rows, Map<String, ? extends Set<String>> services) {
+    Map<String, AgentRow> rowByAgent = new TreeMap<>();
+    rows.forEach(row -> rowByAgent.put(row.agent(), row));
+    List<Content> lines = new ArrayList<>();
+    rows.forEach(row -> lines.add(line(row, services.get(row.agent()))));
+    directory.agents().stream()
+        .filter(entry -> !rowByAgent.containsKey(entry.agent()))
+        .map(
+            entry ->
+                new AgentRow(entry.agent(), entry.container(), List.of(), "-", "-", entry.since()))
+        .forEach(row -> lines.add(line(row, services.get(row.agent()))));
+    directory.containers().forEach(place -> lines.add(line(place)));
+    return lines;
+  }
+
+  private Content line(AgentRow row, Set<String> services) {
+    return Words.content(
+        "inform",
+        Words.named("agent", Words.text(row.agent())),
+        Words.named("container", Words.text(row.container())),
+        Words.named("members", row.members().stream().map(Words::text).toList()),
+        Words.named("phase", Words.text(row.phase())),
+        Words.named("state", Words.text(row.state())),
+        Words.named(
+            "life",
+            Words.text(directory.find(row.agent()).map(Directory.Entry::state).orElse("gone"))),
+        Words.named("since", Words.text(row.since().toString())),
+        age(row.since()),
+        Words.named(
+            "services",
+            Optional.ofNullable(services).map(Set::copyOf).orElse(Set.of()).stream()
+                .sorted()
+                .map(Words::text)
+                .toList()));
+  }
+
+  private Content line(Directory.Place place) {
+    Optional<ContainerStart> start = deployment.container(place.name());
+    return Words.content(
+        "inform",
+        Words.named("place", Words.text(place.name())),
+        Words.named("address", Words.text(place.address())),
+        Words.named(
+            "topics",
+            start.map(ContainerStart::topics).orElse(Set.of()).stream().map(Words::text).toList()),
+        Words.named(
+            "provides",
+            start.map(ContainerStart::provides).orElse(Set.of()).stream()
+                .map(Words::text)
+                .toList()),
+        Words.named(
+            "process",
+            Words.text(
+                start.map(c -> c.own() ? "own" : "joined").orElse(mainOrGuest(place.name())))),
+        Words.named(
+            "holds",
+            directory.agentsIn(place.name()).stream()
+                .map(Directory.Entry::agent)
+                .map(Words::text)
+                .toList()),
+        Words.named("since", Words.text(place.since().toString())),
+        age(place.since()));
+  }
+
+  private Content.Argument age(Instant since) {
+    return Words.named("age", Words.number(Duration.between(since, now.get()).toMillis() / 1000.0));
+  }
+
+  private static String mainOrGuest(String container) {
+    return container.equals("Main-Container") ? "own" : "guest";
+  }
+}

@@ -1,0 +1,177 @@
+package org.maestro.platform;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.BiFunction;
+import org.maestro.agents.SupervisorAgent.Addition;
+import org.maestro.agents.SupervisorAgent.Containers;
+import org.maestro.agents.SupervisorAgent.Handover;
+import org.maestro.agents.SupervisorAgent.Welcome;
+import org.maestro.agents.pulse.Pulse;
+import org.maestro.deployment.AgentStart;
+import org.maestro.deployment.Charge;
+import org.maestro.deployment.ContainerStart;
+import org.maestro.deployment.DeploymentException;
+import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.DeviceFile;
+import org.maestro.sl.Content;
+
+/** What the supervisor can do on this platform. */
+final class Supervision implements Containers {
+  static final String DEFAULT_TOPIC = "devices";
+
+  private final PlatformSettings settings;
+  private final Deployer deployer;
+  private final PlatformTables tables;
+  private final DeviceFile devices;
+  private final Centre centre;
+
+  /** The central agent, which may be another one each time. */
+  interface Centre {
+    void agentMoves(String agent);
+
+    boolean revive();
+
+    void watchOver(Pulse pulse);
+
+    void offered(String host, List<String> provides);
+
+    void settled(String agent);
+  }
+
+  Supervision(
+      PlatformSettings settings,
+      Deployer deployer,
+      PlatformTables tables,
+      BiFunction<String, String, Device> describedBy,
+      Centre centre) {
+    this.settings = settings;
+    this.deployer = deployer;
+    this.tables = tables;
+    this.devices = new DeviceFile(describedBy);
+    this.centre = centre;
+  }
+
+  @Override
+  public Handover admit(ContainerStart container) {
+    String broker =
+        settings
+            .brokerUri()
+            .orElseThrow(
+                () ->
+                    new DeploymentException(
+                        "The bus of this platform lives within its process, where no other gets at it."));
+    deployer.admit(
+        container,
+        agent -> {
+          centre.settled(agent);
+          centre.agentMoves(agent);
+        });
+    return new Handover(broker, settings.site());
+  }
+
+  @Override
+  public Welcome welcome(ContainerStart container) {
+    return deployer.welcome(container);
+  }
+
+  @Override
+  public List<AgentStart> add(Addition addition) {
+    List<DeviceFile.Described> described = devices.read(addition.description(), addition.source());
+    List<AgentStart> starts = new ArrayList<>();
+    if (addition.as().isPresent()) {
+      starts.add(start(addition.as().get(), described, addition));
+    } else {
+      described.forEach(one -> starts.add(start(one.id(), List.of(one), addition)));
+    }
+    deployer.add(starts);
+    return starts;
+  }
+
+  private AgentStart start(String agent, List<DeviceFile.Described> described, Addition addition) {
+    List<Charge> charges =
+        described.stream().map(one -> new Charge(one.id(), Optional.of(one.text()))).toList();
+    String topic =
+        described.stream()
+            .flatMap(one -> one.device().container().stream())
+            .findFirst()
+            .or(addition::container)
+            .orElse(DEFAULT_TOPIC);
+    String container =
+        deployer.deployment().containerFor(addition.container(), topic, addition.needs());
+    return new AgentStart(agent, charges, topic, addition.needs(), container);
+  }
+
+  @Override
+  public void startedByHand(AgentStart start) {
+    deployer.startedByHand(start);
+  }
+
+  @Override
+  public AgentStart requireMovable(String agent, String container) {
+    return deployer.requireMovable(agent, container);
+  }
+
+  @Override
+  public void moved(String agent, String container) {
+    deployer.moved(agent, container);
+  }
+
+  @Override
+  public AgentStart reconfigured(String agent, String description, String source) {
+    AgentStart before = deployer.deployment().require(agent);
+    List<Charge> charges = new ArrayList<>(before.charges());
+    for (DeviceFile.Described one : devices.read(description, source)) {
+      if (!before.standsFor(one.id())) {
+        throw new DeploymentException(
+            "The agent %s stands for %s, not for %s; describe that, or add another agent."
+                .formatted(agent, String.join(", ", before.members()), one.id()));
+      }
+      charges.replaceAll(
+          charge ->
+              charge.member().equals(one.id())
+                  ? new Charge(one.id(), Optional.of(one.text()))
+                  : charge);
+    }
+    return before.with(charges);
+  }
+
+  @Override
+  public void configured(AgentStart start) {
+    deployer
+        .deployment()
+        .find(start.agent())
+        .ifPresent(now -> deployer.deployment().placed(now.with(start.charges())));
+  }
+
+  @Override
+  public AgentStart remove(String agent) {
+    return deployer.remove(agent);
+  }
+
+  @Override
+  public boolean reviveCoordinator() {
+    return centre.revive();
+  }
+
+  @Override
+  public Optional<Handover> offered(String host, List<String> provides) {
+    Optional<Handover> bus =
+        settings.brokerUri().map(broker -> new Handover(broker, settings.site()));
+    bus.ifPresent(there -> centre.offered(host, provides));
+    return bus;
+  }
+
+  @Override
+  public void watchOver(Pulse pulse) {
+    centre.watchOver(pulse);
+  }
+
+  @Override
+  public List<Content> tables(Map<String, ? extends Set<String>> services) {
+    return tables.inWords(tables.agents(deployer.containers()), services);
+  }
+}
