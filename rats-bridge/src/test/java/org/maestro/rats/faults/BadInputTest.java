@@ -16,6 +16,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.rats.link.BusLink;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.member.RatsMember;
@@ -35,6 +36,7 @@ import org.maestro.rats.transport.Transport;
 import org.slf4j.LoggerFactory;
 
 /** Broken messages on every topic, and valid calls between them. */
+@Isolated("other tests start threads and write to the log")
 class BadInputTest {
 
   private static final int BETWEEN = 20;

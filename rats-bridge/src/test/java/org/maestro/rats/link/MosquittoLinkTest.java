@@ -2,10 +2,12 @@ package org.maestro.rats.link;
 
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.rats.broker.RunsProgram;
 import org.maestro.rats.broker.TestBroker;
 
 @RunsProgram("mosquitto")
+@Isolated("other tests start threads and write to the log")
 class MosquittoLinkTest extends PahoLinkContract {
 
   private static final TestBroker BROKER = TestBroker.mosquitto();

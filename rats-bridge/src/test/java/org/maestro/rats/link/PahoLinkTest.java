@@ -2,8 +2,10 @@ package org.maestro.rats.link;
 
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.rats.broker.TestBroker;
 
+@Isolated("other tests start threads and write to the log")
 class PahoLinkTest extends PahoLinkContract {
 
   private static final TestBroker BROKER = TestBroker.embedded();
