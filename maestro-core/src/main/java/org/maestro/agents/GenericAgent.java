@@ -36,6 +36,8 @@ import org.slf4j.LoggerFactory;
  * then goes as soon as nothing is under way.
  */
 public final class GenericAgent extends MaestroAgent {
+  private static final Duration SETTLING = Duration.ofSeconds(3);
+  private static final Duration LOOK_AGAIN = Duration.ofMillis(50);
   private static final long serialVersionUID = 1L;
   private static final Logger LOG = LoggerFactory.getLogger(GenericAgent.class);
   static final Duration ANSWER_WITHIN = Duration.ofSeconds(30);
@@ -50,6 +52,7 @@ public final class GenericAgent extends MaestroAgent {
 
   private boolean registered;
   private Movement movement;
+  private Duration settlesUntil = Duration.ZERO;
 
   private transient Optional<Surroundings> here = Optional.empty();
   private transient Map<String, Voice> voices = Map.of();
@@ -243,7 +246,8 @@ public final class GenericAgent extends MaestroAgent {
     for (Content content : Words.parse(message.getContent())) {
       Words words = Words.of(content);
       switch (content.operator()) {
-        case "perform" -> when(message, ACLMessage.REQUEST, () -> perform(message, words));
+        case "perform" ->
+            onceSettled(() -> when(message, ACLMessage.REQUEST, () -> perform(message, words)));
         case "cost" ->
             when(
                 message,
@@ -265,6 +269,16 @@ public final class GenericAgent extends MaestroAgent {
                     + Replies.shortened(content.operator())
                     + "; it knows perform, cost, cancel, subscribe and query-ref.");
       }
+    }
+  }
+
+  /** Where it has just moved to, its members make themselves known a little later than orders. */
+  private void onceSettled(Runnable deed) {
+    if (clock().now().compareTo(settlesUntil) >= 0
+        || voices.values().stream().allMatch(voice -> voice.view().isReady())) {
+      deed.run();
+    } else {
+      clock().schedule(patience(LOOK_AGAIN), getLocalName(), () -> tell(() -> onceSettled(deed)));
     }
   }
 
@@ -398,6 +412,7 @@ public final class GenericAgent extends MaestroAgent {
   @Override
   protected void afterMove() {
     super.afterMove();
+    settlesUntil = clock().now().plus(patience(SETTLING));
     ACLMessage asked = movement.request();
     movement = null;
     if (asked.getSender() != null) {

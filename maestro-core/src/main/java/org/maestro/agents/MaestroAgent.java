@@ -2,6 +2,7 @@ package org.maestro.agents;
 
 import jade.core.AID;
 import jade.core.Agent;
+import jade.core.ContainerID;
 import jade.core.MessageQueue;
 import jade.core.ServiceException;
 import jade.core.behaviours.Behaviour;
@@ -169,6 +170,12 @@ public abstract class MaestroAgent extends Agent {
    */
   final boolean isCutOff() {
     return pulse.filter(Pulse::isCutOff).isPresent();
+  }
+
+  /** Goes to another container; what comes in meanwhile is done there. Agent thread only. */
+  final void goTo(String container) {
+    equipment.reception.leave();
+    doMove(new ContainerID(container, null));
   }
 
   /** What is under way here is not taken along. */

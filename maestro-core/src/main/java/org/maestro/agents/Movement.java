@@ -1,6 +1,5 @@
 package org.maestro.agents;
 
-import jade.core.ContainerID;
 import jade.lang.acl.ACLMessage;
 import java.io.Serializable;
 import java.time.Duration;
@@ -39,7 +38,7 @@ final class Movement implements Serializable {
    */
   void goWhen(MaestroAgent agent, BooleanSupplier idle, Runnable givenUp) {
     if (idle.getAsBoolean()) {
-      agent.doMove(new ContainerID(container, null));
+      agent.goTo(container);
     } else if (++looks > MOST_LOOKS) {
       givenUp.run();
     } else {

@@ -18,6 +18,7 @@ final class Reception extends CyclicBehaviour {
   private final transient List<BooleanSupplier> sources;
   private final transient BooleanSupplier hasWork;
   private final transient Runnable idle;
+  private boolean leaving;
 
   /**
    * @param sources each does one thing and returns whether there was one; messages among them
@@ -32,20 +33,26 @@ final class Reception extends CyclicBehaviour {
     this.idle = idle;
   }
 
+  /** Nothing more is begun until JADE has had the chance to move the agent. Agent thread only. */
+  void leave() {
+    leaving = true;
+  }
+
   @Override
   public void action() {
+    leaving = false;
     int done = 0;
     boolean any = true;
     while (any && done < MOST_AT_ONCE) {
       any = false;
       for (BooleanSupplier source : sources) {
-        if (source.getAsBoolean()) {
+        if (!leaving && source.getAsBoolean()) {
           any = true;
           done++;
         }
       }
     }
-    if (!any) {
+    if (!any && !leaving) {
       idle.run();
       block();
       if (hasWork.getAsBoolean()) {
