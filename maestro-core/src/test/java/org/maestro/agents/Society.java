@@ -34,6 +34,7 @@ final class Society implements AutoCloseable {
   /** Simulated time that passes before what failed is tried once more and the goal given up. */
   static final Duration BEFORE_THE_LAST_TRY = Duration.ofSeconds(15);
 
+  private static final int MOST_LOOKS = 10;
   private static final Duration LONGEST = Duration.ofMinutes(20);
   private static final Home HOME = home();
 
@@ -141,7 +142,10 @@ final class Society implements AutoCloseable {
 
   /** Lets all that was begun come to its end; says what does not. */
   String leftover() {
-    clock.runUntil(this::isQuiet, LONGEST);
+    // What is just being sent is in no queue yet, so that it may be quiet for a moment.
+    for (int i = 0; i < MOST_LOOKS && !isQuiet(); i++) {
+      clock.runUntil(this::isQuiet, LONGEST);
+    }
     return isQuiet()
         ? ""
         : "conversations %d and %d, behaviours %d, orders %d, contracts %s"
