@@ -24,6 +24,7 @@ import org.maestro.agents.MaestroAgent;
 import org.maestro.agents.pulse.PulseService;
 import org.maestro.agents.stepping.SteppedMailService;
 import org.maestro.platform.guard.Guard;
+import org.maestro.platform.threads.AgentThreads;
 import org.maestro.platform.wires.WiredProfile;
 import org.maestro.platform.wires.Wires;
 
@@ -313,6 +314,7 @@ final class JadeRuntime {
     properties.setProperty("jade_core_messaging_MessageManager_poolsize", "1");
     properties.setProperty("jade_domain_df_autocleanup", "true");
     properties.setProperty("jade_core_FullResourceManager_disablethreadgroupinterrupt", "true");
+    AgentThreads.chosen().of(properties);
     return properties;
   }
 }
