@@ -12,8 +12,8 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.Grounder;
+import org.maestro.planning.ground.GrowingTask;
 import org.maestro.planning.ground.LiftedTask;
 import org.maestro.planning.ground.Patience;
 import org.maestro.planning.pddl.PddlReader;
@@ -78,7 +78,7 @@ public final class PlannerBench {
   }
 
   private static Solution solve(LiftedTask task, Patience patience) {
-    return new AnytimePlanner(Grounder.ground(task, patience), MEMORY, line -> {}).solve(patience);
+    return new AnytimePlanner(Grounder.growing(task, patience), MEMORY, line -> {}).solve(patience);
   }
 
   private PlannerTable.Entry measure(
@@ -89,7 +89,7 @@ public final class PlannerBench {
       first[run] =
           milliseconds(
               () -> {
-                GroundTask ground = Grounder.ground(task, Patience.endless());
+                GrowingTask ground = Grounder.growing(task, Patience.endless());
                 return new AnytimePlanner(ground, MEMORY, line -> {}).first(Patience.endless());
               });
     }

@@ -13,6 +13,7 @@ import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.Grounder;
 import org.maestro.planning.ground.GroundingException;
+import org.maestro.planning.ground.GrowingTask;
 import org.maestro.planning.ground.LiftedTask;
 import org.maestro.planning.ground.Patience;
 import org.maestro.planning.pddl.PddlException;
@@ -92,11 +93,12 @@ final class PlanCommand implements Callable<Integer> {
     try {
       LiftedTask lifted = PddlReader.read(Path.of(domain), Path.of(problem));
       tell("read");
-      GroundTask task = Grounder.ground(lifted, patience);
-      tell("%d operators, %d facts".formatted(task.operators().size(), task.facts()));
+      GrowingTask task = Grounder.growing(lifted, patience);
+      tell("%d operators at first".formatted(task.task().operators().size()));
       long memory = Runtime.getRuntime().maxMemory() / 10 * 6;
       AnytimePlanner planner = new AnytimePlanner(task, memory, this::tell);
-      return print(task, first ? planner.first(patience) : planner.solve(patience));
+      Solution solution = first ? planner.first(patience) : planner.solve(patience);
+      return print(task.task(), solution);
     } catch (PddlException | GroundingException e) {
       throw CommandException.badInput(e.getMessage());
     } catch (CancellationException e) {

@@ -2,18 +2,23 @@ package org.maestro.planning.ground;
 
 import java.math.BigDecimal;
 import java.util.Arrays;
-import java.util.List;
 
 /**
  * Makes a task with parameters ground: only what can be reached, and only what can matter for the
  * goal.
  */
-public final class Grounder {
+public final class Grounder implements GrowingTask {
+  /** Of sums of costs, as a part of them. */
+  private static final double ROUNDING = 1e-9;
+
   private final LiftedTask task;
   private final Relation[] relations;
   private final boolean[] changing;
+  private final Instances instances;
+  private BigDecimal unit = BigDecimal.ONE;
+  private GroundTask ground;
 
-  private Grounder(LiftedTask task) {
+  private Grounder(LiftedTask task, Patience patience) {
     this.task = task;
     int symbols = task.predicates().size();
     changing = new boolean[symbols];
@@ -28,6 +33,11 @@ public final class Grounder {
         relations[atom.symbol()].add(atom.terms());
       }
     }
+    Relation[] statics = new Relation[symbols];
+    Arrays.setAll(statics, symbol -> changing[symbol] ? null : relations[symbol]);
+    instances =
+        new Instances(
+            task, relations, changing, new RelevantAtoms(task, statics, patience), patience);
   }
 
   /**
@@ -37,18 +47,53 @@ public final class Grounder {
    * @throws GroundingException when the task is of a kind that cannot be solved
    */
   public static GroundTask ground(LiftedTask task, Patience patience) {
-    return new Grounder(task).ground(patience);
+    Grounder grounder = new Grounder(task, patience);
+    grounder.number(Double.POSITIVE_INFINITY, patience);
+    return grounder.ground;
   }
 
-  private GroundTask ground(Patience patience) {
-    Relation[] statics = new Relation[relations.length];
-    for (int symbol = 0; symbol < statics.length; symbol++) {
-      statics[symbol] = changing[symbol] ? null : relations[symbol];
+  /**
+   * The task as far as it takes to reach the goal when nothing that once held ceases to; the rest
+   * follows as it grows.
+   *
+   * @throws java.util.concurrent.CancellationException when patience is over before
+   * @throws GroundingException when the task is of a kind that cannot be solved
+   */
+  public static GrowingTask growing(LiftedTask task, Patience patience) {
+    Grounder grounder = new Grounder(task, patience);
+    grounder.number(0, patience);
+    return grounder;
+  }
+
+  @Override
+  public GroundTask task() {
+    return ground;
+  }
+
+  @Override
+  public long beyond() {
+    double cost = instances.beyond();
+    return cost == Double.POSITIVE_INFINITY
+        ? Long.MAX_VALUE
+        : (long) Math.floor(cost * (1 - ROUNDING) * ground.unit().doubleValue());
+  }
+
+  @Override
+  public void grow(long cost, Patience patience) {
+    if (cost > beyond()) {
+      number(cost / ground.unit().doubleValue() * (1 + ROUNDING), patience);
     }
-    RelevantAtoms relevant = new RelevantAtoms(task, statics, patience);
-    List<Instances.Instance> instances =
-        new Instances(task, relations, changing, relevant, patience).find();
-    return new Numbering(task, relations, changing, patience).number(instances);
+  }
+
+  private void number(double cost, Patience patience) {
+    instances.find(cost, patience);
+    Relation[] numbered = new Relation[relations.length];
+    Arrays.setAll(
+        numbered, symbol -> changing[symbol] ? instances.seen()[symbol] : relations[symbol]);
+    boolean isWhole = instances.beyond() == Double.POSITIVE_INFINITY;
+    ground =
+        new Numbering(task, numbered, changing, unit, patience).number(instances.found(), isWhole);
+    unit = ground.unit();
   }
 
   /** How often a unit of the values' last decimal place goes into 1. */

@@ -1,32 +1,50 @@
 package org.maestro.planning.ground;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.Deque;
 import java.util.List;
+import java.util.PriorityQueue;
 import org.maestro.planning.ground.Relation.Matches;
 
 /**
  * The operators that can be reached when nothing that once held ceases to, and that may matter:
- * facts are taken one by one, each joined with those before it, so that every operator is found
- * once.
+ * facts are taken one by one in the order of what they cost at least (the dearest condition of an
+ * operator and the operator), each joined with those before it, so that every operator is found
+ * once, and those that only dear plans can have are found last.
  */
 final class Instances {
   /** A schema and its parameters' objects. */
   record Instance(int schema, int[] binding) {}
 
-  private record Fact(int symbol, int[] objects) {}
+  private static final double TAKEN = -1;
+
+  /** A fact that waits, at the cost that was known when it was added. */
+  private record Fact(double cost, long sequence, int symbol, int number)
+      implements Comparable<Fact> {
+    @Override
+    public int compareTo(Fact other) {
+      int byCost = Double.compare(cost, other.cost);
+      return byCost != 0 ? byCost : Long.compare(sequence, other.sequence);
+    }
+  }
 
   private final LiftedTask task;
+  private final LeastCosts costs;
   private final Relation[] relations;
   private final boolean[] changing;
   private final RelevantAtoms relevant;
-  private final Patience patience;
   private final Relation[] seen;
-  private final Deque<Fact> queue = new ArrayDeque<>();
+
+  /** Of each predicate what its seen tuples cost at least, or that they were taken. */
+  private final double[][] costOf;
+
+  private final PriorityQueue<Fact> queue = new PriorityQueue<>();
   private final List<Instance> instances = new ArrayList<>();
+  private Patience patience;
+  private long sequence;
+  private double now;
+  private boolean goalReached;
   private final List<Schema> schemas;
 
   private Schema schema;
@@ -54,15 +72,17 @@ final class Instances {
     this.patience = patience;
     this.seen = new Relation[relations.length];
     Arrays.setAll(seen, symbol -> new Relation(task.objects().size()));
+    this.costOf = new double[relations.length][4];
+    this.costs = new LeastCosts(task);
     this.schemas = new ArrayList<>(task.schemas());
     schemas.add(task.goal());
+    begin();
   }
 
-  /** All instances; those of the goal have the number after the last schema's. */
-  List<Instance> find() {
+  private void begin() {
     for (Atom atom : task.initial()) {
       if (changing[atom.symbol()]) {
-        reach(atom.symbol(), atom.terms());
+        reach(atom.symbol(), atom.terms(), 0);
       }
     }
     for (int number = 0; number < schemas.size(); number++) {
@@ -71,9 +91,47 @@ final class Instances {
         extend(0);
       }
     }
-    while (!queue.isEmpty()) {
+  }
+
+  /** All that was found; those of the goal have the number after the last schema's. */
+  List<Instance> found() {
+    return instances;
+  }
+
+  /** The tuples of changing predicates that what was found may bring about, or that held. */
+  Relation[] seen() {
+    return seen;
+  }
+
+  /** Whatever was not found is in no plan that costs less; infinite when all was. */
+  double beyond() {
+    while (!queue.isEmpty() && isStale(queue.element())) {
+      queue.remove();
+    }
+    return queue.isEmpty() ? Double.POSITIVE_INFINITY : queue.element().cost();
+  }
+
+  private boolean isStale(Fact fact) {
+    return costOf[fact.symbol()][fact.number()] != fact.cost();
+  }
+
+  /**
+   * Finds the operators that a plan of that cost may have, and at least so many that the goal is
+   * reached.
+   *
+   * @throws java.util.concurrent.CancellationException when patience is over; then this is of no
+   *     more use
+   */
+  void find(double cost, Patience until) {
+    patience = until;
+    double most = cost;
+    while (beyond() < Double.POSITIVE_INFINITY && (!goalReached || beyond() <= most)) {
       Fact fact = queue.remove();
-      int index = relations[fact.symbol()].add(fact.objects());
+      costOf[fact.symbol()][fact.number()] = TAKEN;
+      now = fact.cost();
+      most = goalReached ? most : Math.max(most, now);
+      int[] objects = seen[fact.symbol()].tuple(fact.number());
+      int index = relations[fact.symbol()].add(objects);
       for (int number = 0; number < schemas.size(); number++) {
         List<Literal> conditions = schemas.get(number).conditions();
         int position = 0;
@@ -81,7 +139,7 @@ final class Instances {
           if (literal.positive()) {
             if (literal.atom().symbol() == fact.symbol()) {
               start(number, position, index);
-              int[] trail = match(atoms.get(position), fact.objects());
+              int[] trail = match(atoms.get(position), objects);
               if (trail != null) {
                 joined[position] = true;
                 extend(1);
@@ -92,19 +150,27 @@ final class Instances {
         }
       }
     }
-    return instances;
   }
 
   private boolean isChanging(Literal literal) {
     return literal.positive() && changing[literal.atom().symbol()];
   }
 
-  private void reach(int symbol, int[] objects) {
-    if (seen[symbol].number(objects) < 0
-        && (relevant.mayHaveToHold(symbol, objects) || relevant.mayHaveToLack(symbol, objects))) {
-      seen[symbol].add(objects);
-      queue.add(new Fact(symbol, objects));
+  private void reach(int symbol, int[] objects, double cost) {
+    int number = seen[symbol].number(objects);
+    if (number < 0) {
+      if (!relevant.mayHaveToHold(symbol, objects) && !relevant.mayHaveToLack(symbol, objects)) {
+        return;
+      }
+      number = seen[symbol].add(objects);
+      if (number == costOf[symbol].length) {
+        costOf[symbol] = Arrays.copyOf(costOf[symbol], 2 * number);
+      }
+    } else if (cost >= costOf[symbol][number]) {
+      return;
     }
+    costOf[symbol][number] = cost;
+    queue.add(new Fact(cost, sequence++, symbol, number));
   }
 
   private void start(int number, int position, int fact) {
@@ -242,8 +308,10 @@ final class Instances {
       return;
     }
     instances.add(new Instance(schemaNumber, binding.clone()));
+    goalReached |= schemaNumber == task.schemas().size();
+    double reached = now + costs.of(schemaNumber, binding);
     for (Atom atom : schema.additions()) {
-      reach(atom.symbol(), atom.ground(binding));
+      reach(atom.symbol(), atom.ground(binding), reached);
     }
   }
 

@@ -32,6 +32,7 @@ final class Numbering {
   private final List<BigDecimal> sumsAtFirst = new ArrayList<>();
   private final Map<Atom, List<Integer>> sumsOf = new HashMap<>();
   private final Map<OpenBound, Integer> bounds = new LinkedHashMap<>();
+  private final BigDecimal coarsestUnit;
   private int facts;
 
   /** A bound before numbers are scaled; null where it is open. */
@@ -44,7 +45,17 @@ final class Numbering {
       BigDecimal cost,
       Map<Integer, BigDecimal> changes) {}
 
-  Numbering(LiftedTask task, Relation[] relations, boolean[] changing, Patience patience) {
+  /**
+   * @param relations of changing predicates the tuples that may hold
+   * @param coarsestUnit the unit of cost goes into 1 so often at least
+   */
+  Numbering(
+      LiftedTask task,
+      Relation[] relations,
+      boolean[] changing,
+      BigDecimal coarsestUnit,
+      Patience patience) {
+    this.coarsestUnit = coarsestUnit;
     this.task = task;
     this.relations = relations;
     this.changing = changing;
@@ -61,7 +72,13 @@ final class Numbering {
     }
   }
 
-  GroundTask number(List<Instances.Instance> instances) {
+  /**
+   * The task.
+   *
+   * @param isWhole whether there are no more instances, so that without one of the goal there is no
+   *     plan
+   */
+  GroundTask number(List<Instances.Instance> instances, boolean isWhole) {
     boolean plainGoal = task.goal().domains().isEmpty();
     List<Draft> drafts = new ArrayList<>();
     List<int[]> boundsOf = new ArrayList<>();
@@ -89,7 +106,7 @@ final class Numbering {
         draft(instance, boundsOf.get(i), ofGoal).ifPresent(drafts::add);
       }
     }
-    return scaled(drafts, goal, goalBounds, !reachable);
+    return scaled(drafts, goal, goalBounds, isWhole && !reachable);
   }
 
   private Schema schema(Instances.Instance instance) {
@@ -249,7 +266,7 @@ final class Numbering {
     }
     drafts.forEach(draft -> amounts.addAll(draft.changes().values()));
     BigDecimal grain = Grounder.unit(amounts);
-    BigDecimal unit = Grounder.unit(drafts.stream().map(Draft::cost).toList());
+    BigDecimal unit = Grounder.unit(drafts.stream().map(Draft::cost).toList()).max(coarsestUnit);
     List<Bound> scaledBounds = bounds.keySet().stream().map(bound -> scaled(bound, grain)).toList();
     List<GroundOperator> operators = new ArrayList<>(drafts.size());
     for (Draft draft : drafts) {

@@ -8,12 +8,15 @@ import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
+import org.maestro.planning.ground.GrowingTask;
 import org.maestro.planning.ground.Patience;
 import org.maestro.planning.search.Solution.Verdict;
 
 /**
  * Solves one ground task: the first plan by lazy greedy search, then cheaper ones and a lower bound
- * until both meet, patience is over or memory is used up. Not thread-safe.
+ * until both meet, patience is over or memory is used up. It begins with what is cheaply reached,
+ * and takes in the rest of the task as far as the plans known and the proof need it. Not
+ * thread-safe.
  */
 public final class AnytimePlanner {
   private static final int WEIGHT = 5;
@@ -24,7 +27,21 @@ public final class AnytimePlanner {
   /** And no more than this. */
   private static final double MOST_SECONDS = 20;
 
-  private final GroundTask origin;
+  /** For the first searches: they suffice for most tasks, and are in vain for the hardest. */
+  private static final double SHORT_SECONDS = 0.2;
+
+  private static final double SHORT_PROOF_SECONDS = 3;
+
+  /** As long as there is more of the task, a search for a first plan ends with so many states. */
+  private static final int MOST_STATES_OF_A_PART = 3000;
+
+  /** What is cheaply reached, from one part to the next. */
+  private static final int GROWTH = 2;
+
+  /** A part of the operators is searched first if it is smaller than this part of all. */
+  private static final double MOST_OF_ALL = 0.5;
+
+  private final GrowingTask growing;
   private final long memory;
   private final Consumer<String> progress;
   private Optional<SettledTask> settled = Optional.empty();
@@ -35,8 +52,17 @@ public final class AnytimePlanner {
    * @param progress is told, for people, how far planning came
    */
   public AnytimePlanner(GroundTask task, long memory, Consumer<String> progress) {
+    this(GrowingTask.whole(task), memory, progress);
+  }
+
+  /**
+   * @param task grows when more of it is needed; costs of solutions are in its units at the end
+   * @param memory how many bytes searches may use, about
+   * @param progress is told, for people, how far planning came
+   */
+  public AnytimePlanner(GrowingTask task, long memory, Consumer<String> progress) {
     this.progress = progress;
-    this.origin = task;
+    this.growing = task;
     this.memory = memory;
   }
 
@@ -49,10 +75,16 @@ public final class AnytimePlanner {
       return first;
     }
     try {
-      for (int weight : new int[] {WEIGHT, 2, 1}) {
-        star(weight, weight == 1 ? patience : patience.part(SHARE).atMost(MOST_SECONDS));
-        patience.refuseIfOver();
+      if (!star(WEIGHT, patience.atMost(SHORT_SECONDS))) {
+        grow(Math.min(best.cost(), further()), patience);
+        star(2, patience.atMost(SHORT_SECONDS));
       }
+      grow(best.cost(), patience);
+      star(1, patience.atMost(SHORT_PROOF_SECONDS));
+      for (int weight : new int[] {WEIGHT, 2}) {
+        star(weight, patience.part(SHARE).atMost(MOST_SECONDS));
+      }
+      star(1, patience);
     } catch (CancellationException e) {
       return best;
     } catch (OutOfMemoryError e) {
@@ -64,13 +96,20 @@ public final class AnytimePlanner {
 
   /** Solves the task until a plan is found, or none can exist, or patience is over. */
   public Solution first(Patience patience) {
-    if (origin.unreachable()) {
-      return best = Solution.without(Verdict.UNSOLVABLE, 0);
-    }
     try {
+      while (!isWhole() && best.verdict() == Verdict.OUT_OF_TIME) {
+        greedy(MOST_STATES_OF_A_PART, patience);
+        if (!best.hasPlan()) {
+          best = Solution.without(Verdict.OUT_OF_TIME, 0);
+          grow(further(), patience);
+        }
+      }
+      if (growing.task().unreachable()) {
+        return best = Solution.without(Verdict.UNSOLVABLE, 0);
+      }
       double seconds = 0.5;
       while (best.verdict() == Verdict.OUT_OF_TIME) {
-        greedy(patience.atMost(seconds));
+        greedy(Integer.MAX_VALUE, patience.atMost(seconds));
         if (best.verdict() == Verdict.OUT_OF_TIME || best.verdict() == Verdict.OUT_OF_MEMORY) {
           star(WEIGHT, patience.atMost(seconds));
         }
@@ -85,45 +124,81 @@ public final class AnytimePlanner {
     return best;
   }
 
+  private boolean isWhole() {
+    return growing.beyond() == Long.MAX_VALUE;
+  }
+
+  private long further() {
+    return growing.beyond() < Long.MAX_VALUE / GROWTH
+        ? GROWTH * Math.max(one(), growing.beyond())
+        : Long.MAX_VALUE;
+  }
+
+  private void grow(long cost, Patience patience) {
+    if (cost <= growing.beyond()) {
+      return;
+    }
+    long unit = one();
+    growing.grow(cost, patience);
+    best = best.times(one() / unit);
+    settled = Optional.empty();
+    progress.accept("%d operators".formatted(growing.task().operators().size()));
+  }
+
   private SettledTask settled(Patience patience) {
     if (settled.isEmpty()) {
-      settled = Optional.of(new SettledTask(origin, patience));
+      settled = Optional.of(new SettledTask(growing.task(), patience));
     }
     return settled.get();
   }
 
-  private void greedy(Patience patience) {
+  private void greedy(int mostStates, Patience patience) {
     try {
-      GroundTask task = settled(patience).task();
-      SearchTask reduced =
-          new SearchTask(task, Reduction.reduced(task, patience).operators(), patience);
-      long[] costs = Arrays.stream(reduced.cost).map(cost -> cost + one()).toArray();
-      RelaxedPlan heuristic = new RelaxedPlan(reduced, costs, patience);
-      LazyGreedySearch search = new LazyGreedySearch(reduced, heuristic, patience, memory);
-      Optional<List<Integer>> plan = search.run(0, Long.MAX_VALUE);
-      if (plan.isPresent()) {
-        keep(reduced, plan.get());
-      } else {
-        best =
-            Solution.without(
-                search.isOutOfMemory() ? Verdict.OUT_OF_MEMORY : Verdict.UNSOLVABLE, 0);
+      GroundTask task = Reduction.reduced(settled(patience).task(), patience);
+      SearchTask reduced = new SearchTask(task, task.operators(), patience);
+      RelaxedPlan heuristic = relaxedPlan(reduced, patience);
+      List<GroundOperator> among = AmongThose.of(heuristic, reduced);
+      if (among.size() < MOST_OF_ALL * reduced.operators.size()) {
+        SearchTask small = new SearchTask(task, among, patience);
+        greedy(small, relaxedPlan(small, patience), MOST_STATES_OF_A_PART, patience);
+      }
+      if (!best.hasPlan()) {
+        greedy(reduced, heuristic, mostStates, patience);
       }
     } catch (CancellationException e) {
       progress.accept("greedy search was stopped");
     }
   }
 
-  private void star(int weight, Patience patience) {
-    if (best.verdict() == Verdict.OPTIMAL) {
-      return;
+  private RelaxedPlan relaxedPlan(SearchTask task, Patience patience) {
+    long[] costs = Arrays.stream(task.cost).map(cost -> cost + one()).toArray();
+    return new RelaxedPlan(task, costs, patience);
+  }
+
+  private void greedy(SearchTask task, RelaxedPlan heuristic, int mostStates, Patience patience) {
+    LazyGreedySearch search = new LazyGreedySearch(task, heuristic, patience, memory, mostStates);
+    Optional<List<Integer>> plan = search.run(0, Long.MAX_VALUE);
+    if (plan.isPresent()) {
+      keep(task, plan.get());
+    } else {
+      best =
+          Solution.without(search.isOutOfMemory() ? Verdict.OUT_OF_MEMORY : Verdict.UNSOLVABLE, 0);
     }
+  }
+
+  /** Whether what is there of the task was searched to its end. */
+  private boolean star(int weight, Patience patience) {
+    if (best.verdict() == Verdict.OPTIMAL) {
+      return true;
+    }
+    patience.refuseIfOver();
     long below = best.hasPlan() ? best.cost() : Leaf.INFINITE;
     try {
       GroundTask task = settled(patience).task();
       BoundedRemoval.Result removed = BoundedRemoval.remove(task, below, patience);
       raise(removed.lowerBound());
       if (best.verdict() == Verdict.OPTIMAL) {
-        return;
+        return true;
       }
       SearchTask reduced = new SearchTask(removed.task(), removed.task().operators(), patience);
       List<Leaf> leaves = Factoring.leaves(reduced, below, patience);
@@ -136,22 +211,24 @@ public final class AnytimePlanner {
                   task.operators().size(),
                   reduced.facts,
                   leaves.stream().map(leaf -> leaf.space.size()).toList()));
-      star(
+      return star(
           new StarSearch(
               reduced, leaves, below, weight, memory, patience, plan -> keep(reduced, plan)));
     } catch (CancellationException e) {
       progress.accept("weight %d: stopped".formatted(weight));
+      return false;
     }
   }
 
-  private void star(StarSearch search) {
+  private boolean star(StarSearch search) {
     try {
       StarSearch.End end = search.run();
       if (end == StarSearch.End.OUT_OF_MEMORY) {
         best = best.afterMemoryWasUsedUp();
-      } else if (!best.hasPlan()) {
+      } else if (!best.hasPlan() && isWhole()) {
         best = Solution.without(Verdict.UNSOLVABLE, 0);
       }
+      return end == StarSearch.End.EXHAUSTED;
     } finally {
       progress.accept(
           "%d states, bound %d, plan of cost %d"
@@ -164,7 +241,8 @@ public final class AnytimePlanner {
     if (!best.hasPlan()) {
       return;
     }
-    long bound = Math.max(best.lowerBound(), Math.min(lowerBound, best.cost()));
+    long proven = Math.min(lowerBound, growing.beyond());
+    long bound = Math.max(best.lowerBound(), Math.min(proven, best.cost()));
     best =
         new Solution(
             bound >= best.cost() ? Verdict.OPTIMAL : Verdict.PLAN,
@@ -175,7 +253,7 @@ public final class AnytimePlanner {
   }
 
   private long one() {
-    return origin.unit().longValueExact();
+    return growing.task().unit().longValueExact();
   }
 
   private void keep(SearchTask reduced, List<Integer> plan) {

@@ -32,7 +32,10 @@ final class LandmarkCuts {
   private final boolean[] inGoalZone;
   private final boolean[] inFrontZone;
   private final int[] stack;
-  private int[] cut = new int[64];
+  private int[] edge = new int[64];
+  private int edgeSize;
+  private boolean[] taken;
+  private final int[] reachedBy;
   private final IntHeap queue = new IntHeap();
   private final int[] initial;
   private int initialCount;
@@ -64,12 +67,14 @@ final class LandmarkCuts {
     inGoalZone = new boolean[facts];
     inFrontZone = new boolean[facts];
     stack = new int[facts];
+    reachedBy = new int[facts];
     initial = new int[facts];
     resize(operators);
   }
 
   private void resize(int size) {
     rest = new long[size];
+    taken = new boolean[size];
     open = new int[size];
     supporter = new int[size];
     supporterValue = new long[size];
@@ -123,8 +128,6 @@ final class LandmarkCuts {
       if (value[goal] == 0) {
         return total;
       }
-      Arrays.fill(inGoalZone, false);
-      Arrays.fill(inFrontZone, false);
       markGoalZone();
       total += pay();
     }
@@ -181,70 +184,146 @@ final class LandmarkCuts {
     for (int fact : added[o]) {
       if (reached < value[fact]) {
         value[fact] = reached;
+        reachedBy[fact] = o;
         queue.add(reached, fact);
       }
     }
   }
 
   private void markGoalZone() {
+    Arrays.fill(inGoalZone, false);
     int size = 0;
+    edgeSize = 0;
     inGoalZone[goal] = true;
     stack[size++] = goal;
     while (size > 0) {
       for (int o : achievers[stack[--size]]) {
-        if (open[o] == 0 && rest[o] == 0 && !inGoalZone[supporter[o]]) {
+        if (open[o] != 0 || inGoalZone[supporter[o]]) {
+          continue;
+        }
+        if (rest[o] == 0) {
           inGoalZone[supporter[o]] = true;
           stack[size++] = supporter[o];
+        } else {
+          edge(o);
         }
+      }
+    }
+    for (int o = operators; o < count; o++) {
+      if (entersGoalZone(o)) {
+        edge(o);
       }
     }
   }
 
+  /** An operator that costs something and leads into the goal zone, perhaps from within it. */
+  private void edge(int o) {
+    if (edgeSize == edge.length) {
+      edge = Arrays.copyOf(edge, 2 * edgeSize);
+    }
+    edge[edgeSize++] = o;
+  }
+
+  private boolean entersGoalZone(int o) {
+    for (int fact : added[o]) {
+      if (inGoalZone[fact]) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Finds the cut before the goal zone, pays for it, and tells its cost. */
   private long pay() {
-    int size = 0;
+    Arrays.fill(inFrontZone, false);
     for (int i = 0; i < initialCount; i++) {
       inFrontZone[initial[i]] = true;
-      stack[size++] = initial[i];
     }
+    boolean isFrontWhole = false;
     int cutSize = 0;
     long least = Long.MAX_VALUE;
-    while (size > 0) {
-      int fact = stack[--size];
-      int[] users = consumers[fact];
-      int extra = fact == truth ? count - operators : 0;
-      for (int i = 0; i < users.length + extra; i++) {
-        int o = i < users.length ? users[i] : operators + i - users.length;
-        if (open[o] > 0 || supporter[o] != fact) {
-          continue;
-        }
-        boolean enters = false;
-        for (int next : added[o]) {
-          enters |= inGoalZone[next];
-        }
-        if (enters) {
-          if (cutSize == cut.length) {
-            cut = Arrays.copyOf(cut, 2 * cutSize);
-          }
-          cut[cutSize++] = o;
-          least = Math.min(least, rest[o]);
-          continue;
-        }
-        for (int next : added[o]) {
-          if (!inFrontZone[next]) {
-            inFrontZone[next] = true;
-            stack[size++] = next;
-          }
-        }
+    for (int i = 0; i < edgeSize; i++) {
+      int o = edge[i];
+      int from = supporter[o];
+      if (taken[o] || inGoalZone[from]) {
+        continue;
       }
+      if (!inFrontZone[from] && !isFrontWhole && !leadsBackToFront(from)) {
+        findFront();
+        isFrontWhole = true;
+      }
+      if (inFrontZone[from]) {
+        taken[o] = true;
+        edge[cutSize++] = o;
+        least = Math.min(least, rest[o]);
+      }
+    }
+    for (int i = 0; i < cutSize; i++) {
+      taken[edge[i]] = false;
     }
     queue.clear();
     for (int i = 0; i < cutSize; i++) {
-      rest[cut[i]] -= least;
-      offer(cut[i], supporterValue[cut[i]] + rest[cut[i]]);
+      rest[edge[i]] -= least;
+      offer(edge[i], supporterValue[edge[i]] + rest[edge[i]]);
     }
     bringUpToDate();
     return least;
+  }
+
+  /**
+   * Whether the way on which the fact is reached soonest begins in the front zone and keeps out of
+   * the goal zone; then all of it is in the front zone. If not, another way may.
+   */
+  private boolean leadsBackToFront(int last) {
+    int size = 0;
+    int fact = last;
+    while (!inFrontZone[fact]) {
+      int by = reachedBy[fact];
+      // Steps that cost nothing may have been found to lead to each other in a circle.
+      if (size == stack.length || inGoalZone[fact] || entersGoalZone(by)) {
+        return false;
+      }
+      stack[size++] = fact;
+      fact = supporter[by];
+    }
+    while (size > 0) {
+      inFrontZone[stack[--size]] = true;
+    }
+    return true;
+  }
+
+  /** All that can be reached without the goal zone. */
+  private void findFront() {
+    int size = 0;
+    for (int i = 0; i < initialCount; i++) {
+      stack[size++] = initial[i];
+    }
+    Arrays.fill(inFrontZone, false);
+    for (int i = 0; i < size; i++) {
+      inFrontZone[stack[i]] = true;
+    }
+    while (size > 0) {
+      int fact = stack[--size];
+      for (int o : consumers[fact]) {
+        size = enter(o, fact, size);
+      }
+      for (int o = operators; fact == truth && o < count; o++) {
+        size = enter(o, fact, size);
+      }
+    }
+  }
+
+  private int enter(int o, int fact, int before) {
+    int size = before;
+    if (open[o] == 0 && supporter[o] == fact && !entersGoalZone(o)) {
+      for (int next : added[o]) {
+        if (!inFrontZone[next]) {
+          inFrontZone[next] = true;
+          stack[size++] = next;
+        }
+      }
+    }
+    return size;
   }
 
   private void bringUpToDate() {

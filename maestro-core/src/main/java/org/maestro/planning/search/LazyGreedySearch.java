@@ -19,6 +19,7 @@ final class LazyGreedySearch {
   private final RelaxedPlan heuristic;
   private final Patience patience;
   private final long memory;
+  private final int mostStates;
   private final StateTable table;
   private long[] cost = new long[1024];
   private int[] parent = new int[1024];
@@ -38,8 +39,11 @@ final class LazyGreedySearch {
 
   /**
    * @param memory how many bytes may be used, about
+   * @param mostStates with so many the search ends too, as if memory was used up
    */
-  LazyGreedySearch(SearchTask task, RelaxedPlan heuristic, Patience patience, long memory) {
+  LazyGreedySearch(
+      SearchTask task, RelaxedPlan heuristic, Patience patience, long memory, int mostStates) {
+    this.mostStates = mostStates;
     this.task = task;
     this.heuristic = heuristic;
     this.patience = patience;
@@ -69,7 +73,7 @@ final class LazyGreedySearch {
     }
     expand(first, weight, below);
     while (!ordinary.isEmpty() || !preferred.isEmpty()) {
-      if (table.bytes() + 20L * table.size() + 32L * edges > memory) {
+      if (table.size() >= mostStates || table.bytes() + 20L * table.size() + 32L * edges > memory) {
         outOfMemory = true;
         return Optional.empty();
       }

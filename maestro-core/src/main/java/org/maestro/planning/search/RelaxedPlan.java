@@ -67,6 +67,11 @@ final class RelaxedPlan {
     return extract();
   }
 
+  /** The operators of the plan that the last estimate was made of, in no order. */
+  int[] operators() {
+    return Arrays.copyOf(plan, planSize);
+  }
+
   /** How many operators can be applied in the state of the last estimate. */
   int applicableCount() {
     return applicableCount;

@@ -43,6 +43,13 @@ public record Solution(
     return new Solution(verdict, List.of(), 0, lowerBound, verdict == Verdict.OUT_OF_MEMORY);
   }
 
+  /** The same in units that are smaller. */
+  Solution times(long factor) {
+    return factor == 1
+        ? this
+        : new Solution(verdict, operators, cost * factor, lowerBound * factor, memoryUsedUp);
+  }
+
   Solution afterMemoryWasUsedUp() {
     return hasPlan()
         ? new Solution(verdict, operators, cost, lowerBound, true)
