@@ -20,7 +20,6 @@ import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.Charge;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.DeviceFile;
-import org.maestro.rats.link.RatsLink;
 import org.maestro.sl.Content;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -117,14 +116,6 @@ public final class GenericAgent extends MaestroAgent {
     prices =
         new PriceResponder(this, words -> voice(words).map(Voice::view), this::objection, mark);
     all.values().forEach(Voice::begin);
-    surroundings.link().watch(this::memberChanged);
-  }
-
-  private void memberChanged(RatsLink.Member changed) {
-    Voice voice = voices.get(changed.id());
-    if (voice != null) {
-      tell(() -> voice.changed(changed));
-    }
   }
 
   /** How it is to begin: as it was told, as it was before it moved, or as its arguments say. */

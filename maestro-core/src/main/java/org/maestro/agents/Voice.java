@@ -8,7 +8,6 @@ import org.maestro.deployment.Charge;
 import org.maestro.members.MemberNews;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.home.Device;
-import org.maestro.rats.link.RatsLink;
 import org.maestro.sl.Content;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
@@ -32,6 +31,7 @@ final class Voice implements MemberNews.Listener {
   private Optional<String> configured;
   private Rights rights = Rights.UNKNOWN;
   private boolean announced;
+  private Runnable unwatch = () -> {};
 
   Voice(GenericAgent agent, Charge charge, Surroundings here, FormerCalls formerCalls) {
     this.agent = agent;
@@ -64,9 +64,11 @@ final class Voice implements MemberNews.Listener {
 
   void begin() {
     goals.ifPresent(OwnGoals::begin);
+    unwatch = here.link().watch(member, now -> agent.tell(() -> news.changed(now)));
   }
 
   void end() {
+    unwatch.run();
     goals.ifPresent(OwnGoals::end);
   }
 
@@ -105,10 +107,6 @@ final class Voice implements MemberNews.Listener {
   /** Why who asks may not ask for the feature. */
   Optional<String> objection(ACLMessage message, Words words, String feature) {
     return rights.objection(message, words, member, feature);
-  }
-
-  void changed(RatsLink.Member now) {
-    news.changed(now);
   }
 
   @Override

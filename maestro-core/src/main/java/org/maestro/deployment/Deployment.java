@@ -1,5 +1,6 @@
 package org.maestro.deployment;
 
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,6 +20,7 @@ public final class Deployment {
 
   private final Map<String, ContainerStart> containers = new TreeMap<>();
   private final Map<String, AgentStart> agents = new LinkedHashMap<>();
+  private final Map<String, String> agentByMember = new HashMap<>();
   private final Set<String> dismissed = new TreeSet<>();
 
   /**
@@ -140,7 +142,7 @@ public final class Deployment {
 
   /** The agent that stands for the member. */
   public synchronized Optional<AgentStart> agentOf(String member) {
-    return agents.values().stream().filter(start -> start.standsFor(member)).findFirst();
+    return Optional.ofNullable(agentByMember.get(member)).map(agents::get);
   }
 
   public synchronized Optional<AgentStart> find(String agent) {
@@ -154,8 +156,9 @@ public final class Deployment {
 
   /** The agent has been started, or configured or placed otherwise. */
   public synchronized void placed(AgentStart start) {
-    agents.put(start.agent(), start);
+    Optional.ofNullable(agents.put(start.agent(), start)).ifPresent(this::forgetMembers);
     start.members().forEach(dismissed::remove);
+    start.members().forEach(member -> agentByMember.putIfAbsent(member, start.agent()));
   }
 
   /** The agent lives in another container now. */
@@ -165,7 +168,13 @@ public final class Deployment {
 
   /** The agent has ended, and nobody brings it back. */
   public synchronized Optional<AgentStart> ended(String agent) {
-    return Optional.ofNullable(agents.remove(agent));
+    Optional<AgentStart> start = Optional.ofNullable(agents.remove(agent));
+    start.ifPresent(this::forgetMembers);
+    return start;
+  }
+
+  private void forgetMembers(AgentStart start) {
+    start.members().forEach(member -> agentByMember.remove(member, start.agent()));
   }
 
   /** The agent was removed on purpose: its members get no other by themselves. */

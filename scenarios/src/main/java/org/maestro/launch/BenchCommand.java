@@ -8,6 +8,7 @@ import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.maestro.bench.AgentsBench;
 import org.maestro.bench.BenchReport;
 import org.maestro.bench.BusBench;
 import org.maestro.bench.CoordinationBench;
@@ -22,11 +23,17 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** Runs a benchmark and prints its figures. */
-@Command(name = "bench", description = "Run a benchmark: bus, coordination, planner or sim.")
+@Command(
+    name = "bench",
+    description = "Run a benchmark: agents, bus, coordination, planner or sim.")
 final class BenchCommand implements Callable<Integer> {
+  private static final int AGENTS = 10_000;
+
   private static final Map<String, Function<Consumer<String>, BenchReport>> BENCHES =
       new TreeMap<>(
           Map.of(
+              "agents",
+              progress -> new AgentsBench(AGENTS, progress).run(),
               "bus",
               progress -> new BusBench(progress).run(),
               "coordination",

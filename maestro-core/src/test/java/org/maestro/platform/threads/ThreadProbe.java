@@ -96,8 +96,9 @@ final class ThreadProbe {
             (proxy, method, arguments) -> {
               if (method.getName().equals("watch")) {
                 watched.run();
+                return (Runnable) () -> {};
               }
-              return method.getReturnType().equals(String.class) ? "probe" : null;
+              return "probe";
             });
   }
 

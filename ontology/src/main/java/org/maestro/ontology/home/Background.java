@@ -27,6 +27,7 @@ final class Background {
   private static final Node OFFERS = Maestro.term("offers");
 
   private SourceGraph statements;
+  private SourceGraph aboutWords;
 
   /**
    * Adds to the description what follows from its words, and, when it offers nothing, what its
@@ -34,7 +35,7 @@ final class Background {
    */
   void explain(SourceGraph description, Node member) {
     SourceGraph known = statements();
-    description.copy(known, triple -> ABOUT_WORDS.contains(triple.getPredicate()));
+    description.copy(aboutWords, triple -> true);
     new Inference(description).run();
     if (description.objects(member, OFFERS).isEmpty()) {
       for (Node type : List.copyOf(description.objects(member, RDF.type.asNode()))) {
@@ -46,6 +47,8 @@ final class Background {
   private synchronized SourceGraph statements() {
     if (statements == null) {
       statements = HomeLoader.shippedStatements();
+      aboutWords = new SourceGraph();
+      aboutWords.copy(statements, triple -> ABOUT_WORDS.contains(triple.getPredicate()));
     }
     return statements;
   }

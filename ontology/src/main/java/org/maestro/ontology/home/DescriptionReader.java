@@ -28,6 +28,7 @@ public final class DescriptionReader {
   private final Vocabulary vocabulary;
   private final Background background = new Background();
   private final SourceGraph metaVocabulary = new SourceGraph();
+  private final ReadDevices known = new ReadDevices();
 
   public DescriptionReader(Vocabulary vocabulary) {
     this.vocabulary = vocabulary;
@@ -42,6 +43,17 @@ public final class DescriptionReader {
    * @throws HomeFaultException with every fault that was found
    */
   public Device read(String text, String member) {
+    return known
+        .find(member, text)
+        .orElseGet(
+            () -> {
+              Device device = readAnew(text, member);
+              known.keep(member, text, device);
+              return device;
+            });
+  }
+
+  private Device readAnew(String text, String member) {
     SourceGraph graph = new SourceGraph();
     SourceReader source = new SourceReader(graph, member, BASE + "#");
     if (isJson(text)) {

@@ -106,10 +106,19 @@ public final class SourceReader {
           JsonLdErrorCode.LOADING_REMOTE_CONTEXT_FAILED,
           "the context " + url + " is not known; use " + CONTEXT_IRI + " or an inline context");
     }
-    try (InputStream stream = SourceReader.class.getResourceAsStream(CONTEXT_RESOURCE)) {
-      return JsonDocument.of(stream);
-    } catch (IOException e) {
-      throw new JsonLdError(JsonLdErrorCode.LOADING_REMOTE_CONTEXT_FAILED, e);
+    return OurContext.DOCUMENT;
+  }
+
+  /** Read when first needed; it does not change. */
+  private static final class OurContext {
+    static final Document DOCUMENT = read();
+
+    private static Document read() {
+      try (InputStream stream = SourceReader.class.getResourceAsStream(CONTEXT_RESOURCE)) {
+        return JsonDocument.of(stream);
+      } catch (IOException | JsonLdError e) {
+        throw new IllegalStateException("The context " + CONTEXT_IRI + " cannot be read.", e);
+      }
     }
   }
 

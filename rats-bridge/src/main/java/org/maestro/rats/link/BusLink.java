@@ -1,7 +1,6 @@
 package org.maestro.rats.link;
 
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -58,7 +57,7 @@ public final class BusLink implements RatsLink {
   private final Complaints complaints = new Complaints();
   private final Roster roster;
   private final OpenCalls calls;
-  private final List<MemberListener> listeners = new ArrayList<>();
+  private final Watchers watchers = new Watchers();
   private final AtomicLong callCount = new AtomicLong();
   private final AtomicBoolean closed = new AtomicBoolean();
   private Optional<Clock.Timer> doubtEnds = Optional.empty();
@@ -106,9 +105,19 @@ public final class BusLink implements RatsLink {
   public void watch(MemberListener listener) {
     perform(
         () -> {
-          listeners.add(listener);
+          watchers.add(listener);
           roster.members().forEach(listener::changed);
         });
+  }
+
+  @Override
+  public Runnable watch(String member, MemberListener listener) {
+    perform(
+        () -> {
+          watchers.add(member, listener);
+          roster.member(member).ifPresent(listener::changed);
+        });
+    return () -> perform(() -> watchers.remove(member, listener));
   }
 
   @Override
@@ -306,7 +315,7 @@ public final class BusLink implements RatsLink {
   private final class RosterWatcher implements Roster.Watcher {
     @Override
     public void changed(Member member) {
-      List.copyOf(listeners).forEach(listener -> listener.changed(member));
+      watchers.changed(member);
     }
 
     @Override

@@ -29,6 +29,14 @@ public interface RatsLink extends AutoCloseable {
   void watch(MemberListener listener);
 
   /**
+   * Tells the listener of one member, if it is known now, then of each change of that. Where there
+   * are many members, who cares for one is not told of all.
+   *
+   * @return ends it; what was on its way may still be told
+   */
+  Runnable watch(String member, MemberListener listener);
+
+  /**
    * Calls a member's feature; exactly one result follows, TIMED_OUT or FAILED with MEMBER_LOST at
    * the latest. A call that a former link of the same controller id has made already, in the same
    * words, is taken up again: the member answers what it has answered, or says how far it is;

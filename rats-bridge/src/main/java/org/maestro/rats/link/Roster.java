@@ -3,6 +3,7 @@ package org.maestro.rats.link;
 import static java.nio.charset.StandardCharsets.UTF_8;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -42,7 +43,8 @@ final class Roster {
   private final Complaints complaints;
   private final WireFormat wire = new WireFormat();
   private final Map<String, Entry> entries = new LinkedHashMap<>();
-  private volatile List<RatsLink.Member> members = List.of();
+  private final Map<String, RatsLink.Member> members =
+      Collections.synchronizedMap(new LinkedHashMap<>());
 
   Roster(Topics topics, Complaints complaints, Watcher watcher) {
     this.complaints = complaints;
@@ -52,7 +54,14 @@ final class Roster {
 
   /** In the order in which they were first heard of. Any thread. */
   List<RatsLink.Member> members() {
-    return members;
+    synchronized (members) {
+      return List.copyOf(members.values());
+    }
+  }
+
+  /** As it is known now. Any thread. */
+  Optional<RatsLink.Member> member(String id) {
+    return Optional.ofNullable(members.get(id));
   }
 
   /** The life that the member lives now; empty when it is not ready. */
@@ -154,7 +163,7 @@ final class Roster {
     Entry entry = entries.remove(id);
     if (entry != null && entry.phase.isPresent()) {
       entry.phase = Optional.of(MemberStatus.Phase.DISCONNECTED);
-      refresh();
+      members.remove(id);
       watcher.changed(entry.member());
       watcher.gone(id, entry.boot, "it left");
     }
@@ -162,17 +171,10 @@ final class Roster {
 
   private void publish(Entry entry) {
     if (entry.phase.isPresent()) {
-      refresh();
-      watcher.changed(entry.member());
+      RatsLink.Member member = entry.member();
+      members.put(entry.id, member);
+      watcher.changed(member);
     }
-  }
-
-  private void refresh() {
-    members =
-        entries.values().stream()
-            .filter(entry -> entry.phase.isPresent())
-            .map(Entry::member)
-            .toList();
   }
 
   private Entry entry(String id) {
