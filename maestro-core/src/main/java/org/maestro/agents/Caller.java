@@ -26,6 +26,18 @@ public record Caller(String agent, Optional<String> user) {
         Optional.ofNullable(message.getUserDefinedParameter(USER_SLOT)));
   }
 
+  /**
+   * The same, where agents of other platforms are heard: one of those is called by its platform and
+   * its name, so that nobody takes it for an agent of ours.
+   */
+  static Caller of(ACLMessage message, String ownPlatform) {
+    String name = message.getSender().getName();
+    int at = name.lastIndexOf(AT);
+    return at < 0 || name.substring(at + 1).equals(ownPlatform)
+        ? of(message)
+        : new Caller(name.substring(at + 1) + "/" + name.substring(0, at), Optional.empty());
+  }
+
   /** What {@link #toString} wrote. */
   static Caller parse(String text) {
     int at = text.lastIndexOf(AT);

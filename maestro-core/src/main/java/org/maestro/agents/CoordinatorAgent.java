@@ -36,6 +36,10 @@ public final class CoordinatorAgent extends MaestroAgent {
   private static final Duration MOVE = Duration.ofSeconds(20);
 
   /** The paper's name of this agent. */
+  /** What agents of other platforms may ask for. */
+  private static final Set<String> FOR_ALL =
+      Set.of("initCNP", "await", "cancel", "explain", "subscribe", "query-ref");
+
   public static final String NAME = "CCA";
 
   private final transient KnowledgeBase knowledge;
@@ -205,10 +209,25 @@ public final class CoordinatorAgent extends MaestroAgent {
     deliberation.end();
   }
 
+  /** Agents of other platforms ask it for goals, as those of its own do. */
+  @Override
+  protected boolean hearsOtherPlatforms() {
+    return true;
+  }
+
   @Override
   protected void received(ACLMessage message) {
     for (Content content : Words.parse(message.getContent())) {
       Words words = Words.of(content);
+      if (isFromOtherPlatform(message) && !FOR_ALL.contains(content.operator())) {
+        refuse(
+            message,
+            ACLMessage.REFUSE,
+            "The CCA lets agents of other platforms state goals, follow and cancel their own, and list them; "
+                + Replies.shortened(content.operator())
+                + " is for its own platform.");
+        continue;
+      }
       switch (content.operator()) {
         case "initCNP" -> requests.goal(message, words);
         case "inform" -> memberNews(message, words, content);

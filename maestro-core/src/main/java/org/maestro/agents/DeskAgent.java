@@ -69,37 +69,70 @@ public final class DeskAgent extends MaestroAgent {
                 reply -> replies.accept(Replies.isFromPlatform(reply) ? absent(agent) : reply)));
   }
 
+  /**
+   * Asks an agent of another platform; exactly one final reply follows. What cannot be delivered is
+   * a FAILURE in the platform's words.
+   */
+  public void request(
+      int performative,
+      OtherPlatform platform,
+      String agent,
+      Duration timeout,
+      Consumer<ACLMessage> replies,
+      Content... contents) {
+    tell(
+        () ->
+            ask(
+                message(performative, platform.agent(agent), contents),
+                timeout,
+                reply ->
+                    replies.accept(
+                        Replies.isFromPlatform(reply) ? unreachable(platform, agent) : reply)));
+  }
+
+  private static ACLMessage unreachable(OtherPlatform platform, String agent) {
+    return failure(
+        "The agent %s of the platform %s cannot be reached at %s; see that it runs there with --mtp and has that name, and that this platform runs with --mtp too."
+            .formatted(agent, platform.name(), platform.url()));
+  }
+
   /** What the platform says in its own words, in ours. */
   private static ACLMessage absent(String agent) {
+    return failure(
+        agent.equals(CoordinatorAgent.NAME)
+            ? "There is no central coordination agent (CCA) now: it was ended;"
+                + " what runs goes on, and ./maestro revive starts it again."
+            : "There is no agent named "
+                + agent
+                + " on this platform; ./maestro agents lists those there are.");
+  }
+
+  private static ACLMessage failure(String reason) {
     ACLMessage failure = new ACLMessage(ACLMessage.FAILURE);
     failure.setLanguage(LANGUAGE);
     failure.setContent(
-        Words.print(
-            Words.content(
-                "inform",
-                Words.named(
-                    "reason",
-                    Words.text(
-                        agent.equals(CoordinatorAgent.NAME)
-                            ? "There is no central coordination agent (CCA) now: it was ended;"
-                                + " what runs goes on, and ./maestro revive starts it again."
-                            : "There is no agent named "
-                                + agent
-                                + " on this platform; ./maestro agents lists those there are.")))));
+        Words.print(Words.content("inform", Words.named("reason", Words.text(reason)))));
     return failure;
   }
 
   /** Listens to a goal's story, from its beginning. */
   public void follow(String goalId, Consumer<ACLMessage> lines) {
-    tell(
-        () ->
-            conversations()
-                .subscribe(
-                    message(
-                        ACLMessage.SUBSCRIBE,
-                        aid(CoordinatorAgent.NAME),
-                        Words.content("subscribe", Words.named("story", Words.name(goalId)))),
-                    lines));
+    tell(() -> follow(aid(CoordinatorAgent.NAME), goalId, lines));
+  }
+
+  /** The same of a goal of another platform. */
+  public void follow(OtherPlatform platform, String goalId, Consumer<ACLMessage> lines) {
+    tell(() -> follow(platform.agent(CoordinatorAgent.NAME), goalId, lines));
+  }
+
+  private void follow(AID centre, String goalId, Consumer<ACLMessage> lines) {
+    conversations()
+        .subscribe(
+            message(
+                ACLMessage.SUBSCRIBE,
+                centre,
+                Words.content("subscribe", Words.named("story", Words.name(goalId)))),
+            lines);
   }
 
   /**

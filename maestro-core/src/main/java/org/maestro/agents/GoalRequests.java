@@ -82,7 +82,7 @@ final class GoalRequests {
           "initCNP needs a goal, such as (initCNP (:goal (nextTo Cup Bob))).");
       return;
     }
-    Caller requester = Caller.of(message);
+    Caller requester = Caller.of(message, agent.getHap());
     if (!AccessList.of(knowledge.home()).knows(requester.names())) {
       agent.refuse(
           message,
@@ -161,7 +161,7 @@ final class GoalRequests {
 
   void cancel(ACLMessage message, Words words) {
     String id = words.string("goal").orElse("");
-    if (goalsOfOthers.containsKey(id)) {
+    if (goalsOfOthers.containsKey(id) && !agent.isFromOtherPlatform(message)) {
       agent.ask(
           agent.message(ACLMessage.REQUEST, goalsOfOthers.get(id).owner(), named("cancel", id)),
           agent.patience(agent.patience().agreement()),
@@ -172,7 +172,13 @@ final class GoalRequests {
                   Words.parse(answer.getContent()).toArray(Content[]::new)));
       return;
     }
-    if (coordinator.cancel(id, message.getSender().getLocalName())) {
+    String by = Caller.of(message, agent.getHap()).agent();
+    if (agent.isFromOtherPlatform(message) && !isOf(id, by)) {
+      agent.refuse(
+          message, ACLMessage.REFUSE, "The goal " + id + " is not one that " + by + " stated.");
+      return;
+    }
+    if (coordinator.cancel(id, by)) {
       agent.reply(
           message,
           ACLMessage.INFORM,
@@ -183,6 +189,11 @@ final class GoalRequests {
           ACLMessage.REFUSE,
           stories.goals().contains(id) ? "The goal " + id + " has ended already." : noSuchGoal(id));
     }
+  }
+
+  private boolean isOf(String id, String requester) {
+    return coordinator.goals().stream()
+        .anyMatch(goal -> goal.id().equals(id) && goal.requester().equals(requester));
   }
 
   void explain(ACLMessage message, Words words) {

@@ -4,6 +4,7 @@ import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.List;
 import java.util.function.Consumer;
+import org.maestro.deployment.AgentStart;
 import org.maestro.sl.Content;
 
 /**
@@ -19,12 +20,15 @@ public final class HostAgent extends MaestroAgent {
   /** What the host can do; may take long, and is called by a thread of its own. */
   public interface Host {
     /**
-     * Starts a member's agent.
+     * Starts an agent.
      *
      * @param controller under whose name it calls members
      * @throws RuntimeException with one sentence when it cannot
      */
-    void begin(String member, String controller);
+    void begin(AgentStart start, String controller);
+
+    /** Calls nobody under the controller's name any more: it is there again itself. */
+    void letGo(String controller);
   }
 
   private final transient Host host;
@@ -67,25 +71,28 @@ public final class HostAgent extends MaestroAgent {
 
   @Override
   protected void received(ACLMessage message) {
-    for (Content content : Words.parse(message.getContent())) {
-      Words words = Words.of(content);
-      boolean asked =
-          content.operator().equals("perform")
-              && words.string("action").filter("host"::equals).isPresent()
-              && message.getSender().getLocalName().equals(SupervisorAgent.NAME);
-      if (asked) {
-        begin(message, words.string("member").orElse(""), words.string("controller").orElse(""));
-      } else {
-        refuse(
-            message,
-            ACLMessage.REFUSE,
-            getLocalName() + " starts agents, and only when the supervisor asks for it.");
-      }
+    List<Content> contents = Words.parse(message.getContent());
+    Words words = Words.of(contents.get(0));
+    String action = words.string("action").orElse("");
+    String controller = words.string("controller").orElse("");
+    boolean isAsked =
+        contents.get(0).operator().equals("perform")
+            && message.getSender().getLocalName().equals(SupervisorAgent.NAME);
+    if (isAsked && action.equals("host") && contents.size() > 1) {
+      AgentStart start = StartWords.read(Words.of(contents.get(1)));
+      beside(message, () -> host.begin(start, controller));
+    } else if (isAsked && action.equals("let-go")) {
+      beside(message, () -> host.letGo(controller));
+    } else {
+      refuse(
+          message,
+          ACLMessage.REFUSE,
+          getLocalName() + " starts agents, and only when the supervisor asks for it.");
     }
   }
 
   /** Starting an agent waits for JADE, which an agent must not. */
-  private void begin(ACLMessage message, String member, String controller) {
+  private void beside(ACLMessage message, Runnable work) {
     if (isCutOff()) {
       refuse(message, ACLMessage.REFUSE, getLocalName() + " was cut off from the platform.");
       return;
@@ -94,7 +101,7 @@ public final class HostAgent extends MaestroAgent {
         new Thread(
             () -> {
               try {
-                host.begin(member, controller);
+                work.run();
                 tell(() -> done(message));
               } catch (RuntimeException e) {
                 tell(() -> refuse(message, ACLMessage.FAILURE, String.valueOf(e.getMessage())));

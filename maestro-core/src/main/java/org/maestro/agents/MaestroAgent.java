@@ -268,6 +268,17 @@ public abstract class MaestroAgent extends Agent {
     reply(to, performative, Words.content("inform", Words.named("reason", Words.text(sentence))));
   }
 
+  /** Whether it hears agents of other platforms; they can name themselves as they like. */
+  protected boolean hearsOtherPlatforms() {
+    return false;
+  }
+
+  /** Whether the sender says that it is of another platform. */
+  final boolean isFromOtherPlatform(ACLMessage message) {
+    String name = message.getSender().getName();
+    return name.contains("@") && !name.endsWith("@" + getHap());
+  }
+
   /**
    * Whether a behaviour of the agent's own, beside those that all agents have, takes the message.
    */
@@ -310,12 +321,19 @@ public abstract class MaestroAgent extends Agent {
       } else if (isContractNet(message) && message.getPerformative() != ACLMessage.CFP) {
         equipment.protest.drop(message, "its contract net is over");
       } else {
-        session(message).ifPresentOrElse(MaestroAgent.this::addBehaviour, () -> admit(message));
+        Optional<Behaviour> session =
+            isFromOtherPlatform(message) ? Optional.empty() : session(message);
+        session.ifPresentOrElse(MaestroAgent.this::addBehaviour, () -> admit(message));
       }
     }
 
     private void admit(ACLMessage message) {
-      Optional<String> objection = Admission.objection(message);
+      Optional<String> objection =
+          isFromOtherPlatform(message) && !hearsOtherPlatforms()
+              ? Optional.of(
+                  "%s talks to agents of its own platform only; ask %s."
+                      .formatted(getLocalName(), CoordinatorAgent.NAME))
+              : Admission.objection(message);
       if (objection.isPresent()) {
         equipment.protest.against(message, objection.get());
       } else {

@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.Charge;
+import org.maestro.deployment.ProcessStart;
 import org.maestro.sl.Content;
 
 /**
@@ -49,6 +50,25 @@ public final class StartWords {
     String topic = words.string("topic").orElse("");
     return new AgentStart(
         agent, charges(words), topic, needs(words), words.string("container").orElse(topic));
+  }
+
+  /** How a process says that it was started. */
+  public static Content.Argument.Named process(ProcessStart start) {
+    return Words.named(
+        "started",
+        Words.named("machine", Words.text(start.machine())),
+        Words.named("pid", Words.text(String.valueOf(start.pid()))),
+        Words.named("directory", Words.text(start.directory())),
+        Words.named("command", Words.text(start.command())));
+  }
+
+  static ProcessStart process(Words words) {
+    String pid = words.string("pid").filter(text -> text.matches("[0-9]{1,18}")).orElse("0");
+    return new ProcessStart(
+        words.string("machine").orElse(""),
+        Long.parseLong(pid),
+        words.string("directory").orElse(""),
+        words.string("command").orElse(""));
   }
 
   static Set<String> needs(Words words) {

@@ -16,6 +16,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.agents.pulse.Pulse;
@@ -263,12 +264,12 @@ public final class SupervisorAgent extends MaestroAgent {
   }
 
   /**
-   * Has a host start a member's agent. Any thread may call.
+   * Has a host start an agent, configured as it was. Any thread may call.
    *
    * @param problem is told on this agent's thread why it is not started, or nothing when it is
    */
   public void beginOn(
-      String host, String member, String controller, Consumer<Optional<String>> problem) {
+      String host, AgentStart start, String controller, Consumer<Optional<String>> problem) {
     tell(
         () ->
             ask(
@@ -278,8 +279,8 @@ public final class SupervisorAgent extends MaestroAgent {
                     Words.content(
                         "perform",
                         Words.named("action", Words.name("host")),
-                        Words.named("member", Words.text(member)),
-                        Words.named("controller", Words.text(controller)))),
+                        Words.named("controller", Words.text(controller))),
+                    StartWords.content(start)),
                 HOST_WITHIN,
                 reply -> {
                   if (Conversations.isFinal(reply)) {
@@ -289,6 +290,32 @@ public final class SupervisorAgent extends MaestroAgent {
                             : Replies.reason(reply).or(() -> Optional.of("no answer")));
                   }
                 }));
+  }
+
+  /**
+   * Has a host end its calls under a controller's name, and waits for that; not to be called by an
+   * agent.
+   */
+  public void letGo(String host, String controller) {
+    CompletableFuture<ACLMessage> answered = new CompletableFuture<>();
+    tell(
+        () ->
+            ask(
+                message(
+                    ACLMessage.REQUEST,
+                    getAID(HostAgent.name(host)),
+                    Words.content(
+                        "perform",
+                        Words.named("action", Words.name("let-go")),
+                        Words.named("controller", Words.text(controller)))),
+                HOST_WITHIN,
+                reply -> {
+                  if (Conversations.isFinal(reply)) {
+                    answered.complete(reply);
+                  }
+                }));
+    // The conversation ends in any case, also when the host is gone: then its calls are over too.
+    answered.join();
   }
 
   /** Tells agents that count on a member that it is gone. Any thread may call. */
@@ -310,7 +337,11 @@ public final class SupervisorAgent extends MaestroAgent {
 
   private static ContainerStart container(Words words) {
     return new ContainerStart(
-        words.string("container").orElse(""), all(words, "topics"), all(words, "provides"), false);
+        words.string("container").orElse(""),
+        all(words, "topics"),
+        all(words, "provides"),
+        false,
+        words.find("started").map(StartWords::process));
   }
 
   private static Set<String> all(Words words, String name) {

@@ -18,10 +18,23 @@ import java.util.regex.Pattern;
 public final class Deployment {
   private static final Pattern SLUG = Pattern.compile("[a-z0-9][a-z0-9-]{0,62}");
 
+  private final Provision here;
   private final Map<String, ContainerStart> containers = new TreeMap<>();
   private final Map<String, AgentStart> agents = new LinkedHashMap<>();
   private final Map<String, String> agentByMember = new HashMap<>();
   private final Set<String> dismissed = new TreeSet<>();
+
+  /** Of a platform whose own process provides nothing in particular. */
+  public Deployment() {
+    this(Set.of());
+  }
+
+  /**
+   * @param here what the platform's own process provides
+   */
+  public Deployment(Set<String> here) {
+    this.here = Provision.of(here);
+  }
 
   /**
    * The container in which such an agent is to begin: the one that is named, else the one that took
@@ -42,11 +55,11 @@ public final class Deployment {
             .map(ContainerStart::name)
             .findFirst()
             .orElse(topic);
-    if (provides(usual).containsAll(needs)) {
+    if (fits(usual, needs)) {
       return usual;
     }
     return containers.values().stream()
-        .filter(container -> container.provides().containsAll(needs))
+        .filter(container -> fits(container.name(), needs))
         .map(ContainerStart::name)
         .findFirst()
         .orElseThrow(
@@ -64,8 +77,7 @@ public final class Deployment {
   }
 
   private void requireProvided(String container, Set<String> needs) {
-    Set<String> missing = new TreeSet<>(needs);
-    missing.removeAll(provides(container));
+    Set<String> missing = provides(container).lacks(Provision.of(needs));
     if (!missing.isEmpty()) {
       throw new DeploymentException(
           "The container %s does not provide %s."
@@ -73,10 +85,16 @@ public final class Deployment {
     }
   }
 
-  private Set<String> provides(String container) {
+  private boolean fits(String container, Set<String> needs) {
+    return provides(container).lacks(Provision.of(needs)).isEmpty();
+  }
+
+  /** One that is not there yet would be made in the platform's own process. */
+  private Provision provides(String container) {
     return Optional.ofNullable(containers.get(container))
-        .map(ContainerStart::provides)
-        .orElse(Set.of());
+        .filter(known -> !known.own())
+        .map(known -> Provision.of(known.provides()))
+        .orElse(here);
   }
 
   private static void requireName(String name, String what) {

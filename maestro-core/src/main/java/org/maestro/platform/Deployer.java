@@ -41,11 +41,11 @@ import org.maestro.deployment.DeploymentException;
  * processes have joined. Any thread may call, one at a time.
  */
 final class Deployer {
-
-  private final Deployment deployment = new Deployment();
   private static final Duration ENDS_WITHIN = Duration.ofSeconds(5);
   private static final Duration BETWEEN_LOOKS = Duration.ofMillis(5);
 
+  private final Deployment deployment;
+  private final Set<String> provides;
   private final String platform;
   private final Host main;
   private final Surroundings here;
@@ -77,6 +77,7 @@ final class Deployer {
    * @param newContainer joins a container of that name to the platform
    * @param heirs of containers that are lost
    * @param lives whether JADE has an agent of that name
+   * @param provides what this process has for agents
    */
   Deployer(
       String platform,
@@ -84,7 +85,10 @@ final class Deployer {
       Surroundings here,
       BiFunction<String, Host, AgentContainer> newContainer,
       HeirLinks heirs,
-      Predicate<String> lives) {
+      Predicate<String> lives,
+      Set<String> provides) {
+    this.deployment = new Deployment(provides);
+    this.provides = provides;
     this.platform = platform;
     this.main = main;
     this.here = here;
@@ -177,7 +181,7 @@ final class Deployer {
         name,
         missing -> {
           AgentContainer container = newContainer.apply(missing, new Host(here));
-          deployment.containerThere(new ContainerStart(missing, Set.of(missing), Set.of(), true));
+          deployment.containerThere(new ContainerStart(missing, Set.of(missing), provides, true));
           return container;
         });
   }
@@ -254,7 +258,7 @@ final class Deployer {
     if (starts.stream().anyMatch(start -> start.topic().equals(joined.name()))) {
       topics.add(joined.name());
     }
-    deployment.containerThere(new ContainerStart(joined.name(), topics, joined.provides(), false));
+    deployment.containerThere(joined.with(topics));
     List<AgentStart> begun = starts.stream().map(start -> start.in(joined.name())).toList();
     for (AgentStart start : begun) {
       elsewhere.add(start.agent());
@@ -331,7 +335,17 @@ final class Deployer {
     }
     deployment.ended(agent);
     heirOf.put(agent, controller);
-    begin(lost.get().in(deployment.containerFor(Optional.empty(), lost.get().topic(), Set.of())));
+    begin(
+        lost.get()
+            .in(deployment.containerFor(Optional.empty(), lost.get().topic(), lost.get().needs())));
+  }
+
+  /**
+   * The agent is to begin in another process, under the name under which the one before it called.
+   */
+  void rescued(String agent, String container, String controller) {
+    moved(agent, container);
+    heirOf.put(agent, controller);
   }
 
   /** An agent that was started by other means. */

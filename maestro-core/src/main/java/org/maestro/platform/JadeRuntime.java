@@ -10,6 +10,7 @@ import java.io.File;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.NetworkInterface;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.file.Path;
@@ -24,6 +25,8 @@ import org.maestro.agents.MaestroAgent;
 import org.maestro.agents.pulse.PulseService;
 import org.maestro.agents.stepping.SteppedMailService;
 import org.maestro.platform.guard.Guard;
+import org.maestro.platform.guard.SerialFilter;
+import org.maestro.platform.letters.EnvelopeReader;
 import org.maestro.platform.threads.AgentThreads;
 import org.maestro.platform.wires.WiredProfile;
 import org.maestro.platform.wires.Wires;
@@ -33,7 +36,8 @@ import org.maestro.platform.wires.Wires;
  * in the working directory.
  */
 final class JadeRuntime {
-  private static final String LOOPBACK = "127.0.0.1";
+  private static final String LOOPBACK = Premises.LOOPBACK;
+  private static final String LETTERS = "jade.mtp.http.MessageTransportProtocol";
 
   /** JADE counts its containers without guarding the count. */
   private static final Object ONE_AT_A_TIME = new Object();
@@ -62,13 +66,15 @@ final class JadeRuntime {
   /** A main container that takes no generic agents. */
   static AgentContainer main(
       String platformName, int port, Path fileDirectory, Optional<Guard> guard) {
-    return main(platformName, port, fileDirectory, new Host(), guard, new Wires());
+    return main(
+        platformName, port, fileDirectory, new Host(), guard, new Wires(), Premises.usual());
   }
 
   /**
    * @param host what the container gives to its agents
    * @param guard of a secured site; empty: whoever reaches the port may join
    * @param wires shared by the platform's containers of this process
+   * @param premises where it listens, without ports that are still to be chosen
    */
   static AgentContainer main(
       String platformName,
@@ -76,16 +82,18 @@ final class JadeRuntime {
       Path fileDirectory,
       Host host,
       Optional<Guard> guard,
-      Wires wires) {
+      Wires wires,
+      Premises premises) {
     // JADE reads it when its first class loads; without it a process has room for one platform
     // only.
     System.setProperty("jade.enable.multiple.platforms", "true");
-    Properties properties = common(fileDirectory, host);
+    Properties properties = common(fileDirectory, host, premises.host());
+    premises.letters().ifPresent(box -> exchange(properties, box));
     properties.setProperty(Profile.MAIN, "true");
     properties.setProperty(Profile.PLATFORM_ID, platformName);
     properties.setProperty(Profile.LOCAL_PORT, String.valueOf(port));
     properties.setProperty(Profile.MAIN_PORT, String.valueOf(port));
-    properties.setProperty(Profile.MAIN_HOST, LOOPBACK);
+    properties.setProperty(Profile.MAIN_HOST, premises.host());
     guard.ifPresent(own -> own.guard(properties));
     guard.ifPresent(own -> own.listen(properties));
     AgentContainer container;
@@ -129,12 +137,12 @@ final class JadeRuntime {
       Entry entry,
       Host jadeHost,
       Wires wires) {
-    Properties properties = common(fileDirectory, jadeHost);
+    Properties properties = common(fileDirectory, jadeHost, entry.from());
     properties.setProperty(Profile.MAIN, "false");
     platformName.ifPresent(name -> properties.setProperty(Profile.PLATFORM_ID, name));
     properties.setProperty(Profile.MAIN_HOST, host);
     properties.setProperty(Profile.MAIN_PORT, String.valueOf(mainPort));
-    properties.setProperty(Profile.LOCAL_PORT, String.valueOf(freePort()));
+    properties.setProperty(Profile.LOCAL_PORT, String.valueOf(freePort(entry.from())));
     properties.setProperty(Profile.CONTAINER_NAME, containerName);
     entry.guard().ifPresent(own -> own.guard(properties));
     entry.guard().filter(own -> entry.first()).ifPresent(own -> own.listen(properties));
@@ -155,9 +163,15 @@ final class JadeRuntime {
    *
    * @param guard of a secured site; empty on an open one
    * @param first whether no other container of the platform is in this process
+   * @param from the address of this machine on which it listens for other containers
    */
-  record Entry(Optional<Guard> guard, boolean first) {
-    static final Entry OPEN = new Entry(Optional.empty(), true);
+  record Entry(Optional<Guard> guard, boolean first, String from) {
+    static final Entry OPEN = new Entry(Optional.empty(), true, LOOPBACK);
+
+    /** From this machine. */
+    Entry(Optional<Guard> guard, boolean first) {
+      this(guard, first, LOOPBACK);
+    }
   }
 
   /**
@@ -186,20 +200,22 @@ final class JadeRuntime {
   /**
    * Finds out in bounded time whether a platform listens there, which JADE itself does not.
    *
+   * @return the address of this machine from which it was reached
    * @throws PlatformStartException when none does, or it lets nobody of this process in
    */
-  static void requirePlatform(String host, int mainPort, Optional<Guard> guard) {
+  static String requirePlatform(String host, int mainPort, Optional<Guard> guard) {
     guard
         .flatMap(own -> own.objection(host, mainPort))
         .ifPresent(
             objection -> {
               throw new PlatformStartException(objection);
             });
-    if (guard.isEmpty() && !answers(host, mainPort)) {
-      throw new PlatformStartException(
-          "No platform answers at %s:%d; start one with ./maestro run, or name another with --main HOST:PORT."
-              .formatted(host, mainPort));
-    }
+    return addressTowards(host, mainPort)
+        .orElseThrow(
+            () ->
+                new PlatformStartException(
+                    "No platform answers at %s:%d; start one with ./maestro run, or name another with --main HOST:PORT."
+                        .formatted(host, mainPort)));
   }
 
   /** Ends a container; when it returns the platform knows its name no more. */
@@ -255,57 +271,93 @@ final class JadeRuntime {
     }
   }
 
-  /** The port asked for if it is free, any free one for 0. */
+  /** On loopback. */
   static int claim(int port) {
+    return claim(LOOPBACK, port, "--port");
+  }
+
+  /**
+   * The port asked for if it is free, any free one for 0.
+   *
+   * @param host an address of this machine
+   * @param option by which people choose another
+   */
+  static int claim(String host, int port, String option) {
+    requireOwn(host);
     if (port == 0) {
-      return freePort();
+      return freePort(host);
     }
     try (ServerSocket socket = new ServerSocket()) {
-      socket.bind(new InetSocketAddress(LOOPBACK, port));
+      socket.bind(new InetSocketAddress(host, port));
       return port;
     } catch (IOException e) {
       throw new PlatformStartException(
-          "Port %d is in use; stop what listens there, or choose another with --port."
-              .formatted(port),
+          "Port %d is in use; stop what listens there, or choose another with %s."
+              .formatted(port, option),
           e);
     }
+  }
+
+  private static void requireOwn(String host) {
+    try {
+      if (NetworkInterface.getByInetAddress(InetAddress.getByName(host)) != null) {
+        return;
+      }
+    } catch (IOException e) {
+      throw notOwn(host);
+    }
+    throw notOwn(host);
+  }
+
+  private static PlatformStartException notOwn(String host) {
+    return new PlatformStartException(
+        "%s is no address of this machine; name one of its own, or leave it away for %s."
+            .formatted(host, LOOPBACK));
   }
 
   /**
    * Not one of those that the system gives to outgoing connections: among those another may get it
    * before JADE does.
    */
-  private static int freePort() {
+  private static int freePort(String host) {
     for (int attempt = 0; attempt < MOST_ATTEMPTS; attempt++) {
       int port = ThreadLocalRandom.current().nextInt(LOWEST_PORT, HIGHEST_PORT);
-      if (isFree(port)) {
+      if (isFree(host, port)) {
         return port;
       }
     }
-    throw new PlatformStartException("No free port on loopback.");
+    throw new PlatformStartException("No free port on " + host + ".");
   }
 
-  private static boolean isFree(int port) {
-    try (ServerSocket socket = new ServerSocket(port, 1, InetAddress.getByName(LOOPBACK))) {
+  private static boolean isFree(String host, int port) {
+    try (ServerSocket socket = new ServerSocket(port, 1, InetAddress.getByName(host))) {
       return socket.isBound();
     } catch (IOException e) {
       return false;
     }
   }
 
-  private static boolean answers(String host, int port) {
+  private static Optional<String> addressTowards(String host, int port) {
     try (Socket socket = new Socket()) {
       socket.connect(new InetSocketAddress(InetAddress.getByName(host), port), 2_000);
-      return true;
+      return Optional.of(socket.getLocalAddress().getHostAddress());
     } catch (IOException e) {
-      return false;
+      return Optional.empty();
     }
   }
 
-  private static Properties common(Path fileDirectory, Host host) {
+  /** Agents of other platforms are heard; what they send is read with care. */
+  private static void exchange(Properties properties, Premises.LetterBox box) {
+    SerialFilter.install();
+    properties.setProperty(Profile.NO_MTP, "false");
+    properties.setProperty(Profile.MTPS, LETTERS + "(" + box.url() + ")");
+    properties.setProperty("jade_mtp_http_parser", EnvelopeReader.class.getName());
+  }
+
+  private static Properties common(Path fileDirectory, Host host, String from) {
     Properties properties = new Properties();
     properties.put(HostService.KEY, host);
-    properties.setProperty(Profile.LOCAL_HOST, LOOPBACK);
+    properties.setProperty(Profile.LOCAL_HOST, from);
     properties.setProperty(Profile.DETECT_MAIN, "false");
     properties.setProperty(Profile.NO_MTP, "true");
     properties.setProperty(Profile.SERVICES, SERVICES);

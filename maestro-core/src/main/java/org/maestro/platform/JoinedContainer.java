@@ -27,6 +27,7 @@ import org.maestro.agents.Surroundings;
 import org.maestro.agents.Words;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.ContainerStart;
+import org.maestro.deployment.ProcessStart;
 import org.maestro.ontology.home.Device;
 import org.maestro.platform.guard.Guard;
 import org.maestro.platform.wires.Wires;
@@ -58,6 +59,15 @@ public final class JoinedContainer implements AutoCloseable {
     this.container = container;
     this.desk = desk;
     this.time = time;
+  }
+
+  /** The links of this process to the bus. */
+  public interface Links {
+    /** Makes it, or gives the one there is. */
+    RatsLink of(String controller);
+
+    /** Ends it, if there is one. */
+    void letGo(String controller);
   }
 
   /** Starts a container of that name, which gives this to its agents. */
@@ -96,7 +106,7 @@ public final class JoinedContainer implements AutoCloseable {
       String name,
       Clock clock,
       Optional<Guard> guard) {
-    JadeRuntime.requirePlatform(host, port, guard);
+    String from = JadeRuntime.requirePlatform(host, port, guard);
     Joining joining =
         (called, its, first) ->
             JadeRuntime.join(
@@ -105,7 +115,7 @@ public final class JoinedContainer implements AutoCloseable {
                 port,
                 called,
                 temporaryDirectory(),
-                new JadeRuntime.Entry(guard, first),
+                new JadeRuntime.Entry(guard, first, from),
                 its,
                 new Wires());
     BiFunction<String, Host, AgentContainer> newContainer =
@@ -200,7 +210,8 @@ public final class JoinedContainer implements AutoCloseable {
                 Words.named("action", Words.name(action)),
                 Words.named("container", Words.text(start.name())),
                 Words.named("topics", start.topics().stream().map(Words::text).toList()),
-                Words.named("provides", start.provides().stream().map(Words::text).toList())));
+                Words.named("provides", start.provides().stream().map(Words::text).toList()),
+                StartWords.process(ProcessStart.own())));
     List<Content> contents = Words.parse(reply.getContent());
     Words words = Words.of(contents.get(0));
     if (reply.getPerformative() != ACLMessage.INFORM) {
@@ -221,24 +232,30 @@ public final class JoinedContainer implements AutoCloseable {
   public void offer(
       String name,
       List<String> provides,
-      Function<SupervisorAgent.Handover, Function<String, RatsLink>> links,
+      Function<SupervisorAgent.Handover, Links> links,
       BiFunction<String, String, Device> describedBy) {
     AgentContainer home;
     synchronized (this) {
       home = forAgents.orElseGet(() -> named(name, new Host()));
       forAgents = Optional.of(home);
     }
-    CompletableFuture<Function<String, RatsLink>> bus = new CompletableFuture<>();
+    CompletableFuture<Links> bus = new CompletableFuture<>();
     HostAgent host =
         new HostAgent(
             time,
-            (member, controller) ->
-                JadeRuntime.start(
-                    home,
-                    member,
-                    new GenericAgent(
-                        new Surroundings(time, bus.join().apply(controller), describedBy),
-                        AgentStart.of(member, name))));
+            new HostAgent.Host() {
+              @Override
+              public void begin(AgentStart start, String controller) {
+                RatsLink link = bus.join().of(controller);
+                Surroundings here = new Surroundings(time, link, describedBy);
+                JadeRuntime.start(home, start.agent(), new GenericAgent(here, start));
+              }
+
+              @Override
+              public void letGo(String controller) {
+                bus.join().letGo(controller);
+              }
+            });
     JadeRuntime.start(home, HostAgent.name(name), host);
     CompletableFuture<ACLMessage> answered = new CompletableFuture<>();
     host.offer(name, provides, answered::complete);

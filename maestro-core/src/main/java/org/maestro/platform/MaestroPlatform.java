@@ -8,14 +8,17 @@ import java.awt.GraphicsEnvironment;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
@@ -34,15 +37,16 @@ import org.maestro.agents.SupervisorAgent;
 import org.maestro.agents.Surroundings;
 import org.maestro.agents.pulse.Condition;
 import org.maestro.agents.pulse.Pulse;
+import org.maestro.coordination.Recovery;
 import org.maestro.coordination.Story;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.Deployment;
 import org.maestro.deployment.Directory;
+import org.maestro.deployment.Provision;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.ontology.home.Device;
 import org.maestro.planning.Planner;
-import org.maestro.platform.hosts.Provision;
 import org.maestro.platform.wires.Wires;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.MemberStatus;
@@ -60,6 +64,9 @@ public final class MaestroPlatform implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(MaestroPlatform.class);
   private static final String GROUPS = "groups";
   private static final String DESK = "desk";
+
+  /** Containers that have outlived a platform have joined the next one by then. */
+  private static final Duration RETURN = Duration.ofSeconds(15);
 
   private final long sinceNanos = System.nanoTime();
   private final PlatformSettings settings;
@@ -85,6 +92,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private final DeskAgent desk;
   private final SupervisorAgent supervisor;
   private final Rescue rescue;
+  private final Starter starter;
   private volatile boolean closing;
   private volatile Optional<Pulse> heartbeats = Optional.empty();
   private final Collection<Story> listeners = new ConcurrentLinkedQueue<>();
@@ -128,22 +136,29 @@ public final class MaestroPlatform implements AutoCloseable {
             (name, its) ->
                 JadeRuntime.join(
                     Optional.of(settings.name()),
-                    "127.0.0.1",
+                    settings.premises().host(),
                     port,
                     name,
                     fileDirectory,
-                    new JadeRuntime.Entry(settings.guard(), false),
+                    new JadeRuntime.Entry(settings.guard(), false, settings.premises().host()),
                     its,
                     wires),
             heirs,
-            agent -> directory.find(agent).isPresent());
+            agent -> directory.find(agent).isPresent(),
+            settings.premises().provides());
     this.tables = new PlatformTables(deployer.deployment(), directory, clock::instant);
     Past ofCentre = past.ofCentre();
     this.chronicle = new Chronicle(ofCentre.journal(), clock, ofCentre.recovery());
     this.coordinator = coordinator(new Past(chronicle, ofCentre.recovery(), ofCentre.stories()));
     this.desk = new DeskAgent(time);
     this.supervisor = new SupervisorAgent(time, link, supervision());
-    this.rescue = new Rescue(new Ways(), clock);
+    this.rescue = new Rescue(new Ways(), clock, Provision.of(settings.premises().provides()));
+    this.starter =
+        new Starter(
+            settings.premises().hosts(),
+            settings.premises().host() + ":" + port,
+            settings.dataDirectory().orElse(fileDirectory),
+            deployer::isElsewhere);
   }
 
   /**
@@ -166,16 +181,17 @@ public final class MaestroPlatform implements AutoCloseable {
       throw new PlatformStartException(
           "There is no display for the JADE GUI; run without --gui, or set DISPLAY.");
     }
-    int port = JadeRuntime.claim(settings.port());
+    int port = JadeRuntime.claim(settings.premises().host(), settings.port(), "--port");
+    Premises premises = claimed(settings);
     PlatformMemory memory = PlatformMemory.open(settings, knowledge, clock);
     Path files = temporaryDirectory();
     Host host = new Host();
     Wires wires = new Wires();
     AgentContainer main =
-        JadeRuntime.main(settings.name(), port, files, host, settings.guard(), wires);
+        JadeRuntime.main(settings.name(), port, files, host, settings.guard(), wires, premises);
     MaestroPlatform platform =
         new MaestroPlatform(
-            settings,
+            settings.at(premises),
             knowledge,
             planner,
             link,
@@ -190,6 +206,26 @@ public final class MaestroPlatform implements AutoCloseable {
             main);
     platform.boot();
     return platform;
+  }
+
+  /**
+   * What speaks to agents of other platforms has a port of its own.
+   *
+   * @throws PlatformStartException when that is taken, or the site is secured
+   */
+  private static Premises claimed(PlatformSettings settings) {
+    Premises wanted = settings.premises();
+    if (wanted.letters().isPresent() && settings.guard().isPresent()) {
+      throw new PlatformStartException(
+          "A secured site hears nobody whose messages its own processes have not signed, so it has no --mtp; leave that away, or have the other platform's people join as guests (./maestro secure --guest).");
+    }
+    return wanted.with(
+        wanted
+            .letters()
+            .map(
+                box ->
+                    new Premises.LetterBox(
+                        box.host(), JadeRuntime.claim(box.host(), box.port(), "--mtp"))));
   }
 
   private void boot() {
@@ -214,6 +250,7 @@ public final class MaestroPlatform implements AutoCloseable {
                     group.container().orElse(GROUPS),
                     new GroupAgent(time, mind, group, this::told, past)));
     link.watch(this::memberChanged);
+    starter.begin(past.ofCentre().recovery().equals(Recovery.NOTHING) ? Duration.ZERO : RETURN);
     if (settings.gui()) {
       try {
         main.createNewAgent("rma", "jade.tools.rma.rma", new Object[0]).start();
@@ -319,6 +356,7 @@ public final class MaestroPlatform implements AutoCloseable {
     public void containerGone(String container) {
       if (!closing && deployer.isElsewhere(container)) {
         deployer.deployment().containerGone(container);
+        starter.gone(container);
       }
     }
   }
@@ -426,6 +464,11 @@ public final class MaestroPlatform implements AutoCloseable {
     return port;
   }
 
+  /** Where this process can be reached, with the ports it has got. */
+  public Premises premises() {
+    return settings.premises();
+  }
+
   /** Topics whose containers are of this process. */
   public List<String> topics() {
     return deployer.topics();
@@ -454,6 +497,7 @@ public final class MaestroPlatform implements AutoCloseable {
   @Override
   public void close() {
     closing = true;
+    starter.close();
     // First, so that what only ends here is not taken for ended for good.
     memory.close();
     heirs.close();
@@ -504,6 +548,12 @@ public final class MaestroPlatform implements AutoCloseable {
           }
 
           @Override
+          public void returns(String container) {
+            String controller = HeirLinks.controller(container);
+            rescue.released(controller).ifPresent(holder -> supervisor.letGo(holder, controller));
+          }
+
+          @Override
           public void watchOver(Pulse pulse) {
             heartbeats = Optional.of(pulse);
             pulse.watch(
@@ -518,10 +568,14 @@ public final class MaestroPlatform implements AutoCloseable {
   private final class Ways implements Rescue.Ways {
     @Override
     public Provision needs(String member) {
-      return Provision.of(
-          Optional.ofNullable(knowledge.home().devices().get(member))
-              .map(Device::hostNeeds)
-              .orElse(Set.of()));
+      Set<String> needs = new TreeSet<>();
+      Optional<AgentStart> start = deployer.deployment().find(member);
+      start.ifPresent(known -> needs.addAll(known.needs()));
+      start.map(AgentStart::members).orElse(List.of(member)).stream()
+          .map(knowledge.home().devices()::get)
+          .filter(Objects::nonNull)
+          .forEach(device -> needs.addAll(device.hostNeeds()));
+      return Provision.of(needs);
     }
 
     @Override
@@ -532,14 +586,24 @@ public final class MaestroPlatform implements AutoCloseable {
     @Override
     public void beginThere(
         String hosting, String member, String controller, Consumer<Optional<String>> problem) {
-      deployer.moved(member, hosting);
-      supervisor.beginOn(hosting, member, controller, problem);
+      AgentStart start = deployer.deployment().require(member).in(hosting);
+      deployer.rescued(member, hosting, controller);
+      supervisor.beginOn(hosting, start, controller, problem);
     }
 
     @Override
-    public void nobody(String member, String reason) {
+    public void nobody(String member, String why) {
+      List<Device> present =
+          coordinator.presentMembers().stream()
+              .map(knowledge.home().devices()::get)
+              .filter(Objects::nonNull)
+              .toList();
+      String reason =
+          Optional.ofNullable(knowledge.home().devices().get(member))
+              .map(device -> why + "; " + Remaining.inWords(device, present))
+              .orElse(why);
       LOG.warn(
-          "There is a problem with {}: {}. Goals do without it, and it is there again as soon as such a host joins.",
+          "There is a problem with {}: {}. It is there again as soon as such a host joins.",
           member,
           reason);
       coordinator.agentStaysAway(member, reason);

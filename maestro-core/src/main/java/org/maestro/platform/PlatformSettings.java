@@ -11,7 +11,7 @@ import org.maestro.platform.guard.Guard;
  * How a platform is to run.
  *
  * @param name the JADE platform's name
- * @param port of the main container on loopback; 0 for a free one
+ * @param port of the main container; 0 for a free one
  * @param gui whether to show the JADE remote monitoring agent
  * @param brokerUri of the bus, told to containers that join; empty when the bus lives in this
  *     process
@@ -23,6 +23,7 @@ import org.maestro.platform.guard.Guard;
  * @param patience of the agents with each other
  * @param guard of a secured site; empty: whoever reaches the port may join and speak as anybody
  * @param heartbeats when containers and agents are suspected and given up
+ * @param premises where its process can be reached
  */
 public record PlatformSettings(
     String name,
@@ -35,7 +36,8 @@ public record PlatformSettings(
     Optional<Path> dataDirectory,
     Patience patience,
     Optional<Guard> guard,
-    HeartbeatSettings heartbeats) {
+    HeartbeatSettings heartbeats,
+    Premises premises) {
 
   /** Of a platform whose agents wait for each other as long as usual. */
   public PlatformSettings(
@@ -58,7 +60,8 @@ public record PlatformSettings(
         dataDirectory,
         Patience.standard(),
         Optional.empty(),
-        HeartbeatSettings.standard());
+        HeartbeatSettings.standard(),
+        Premises.usual());
   }
 
   /** Of a platform that is guarded. */
@@ -74,7 +77,25 @@ public record PlatformSettings(
         dataDirectory,
         patience,
         other,
-        heartbeats);
+        heartbeats,
+        premises);
+  }
+
+  /** Of a platform that can be reached elsewhere. */
+  public PlatformSettings at(Premises other) {
+    return new PlatformSettings(
+        name,
+        port,
+        gui,
+        brokerUri,
+        site,
+        decisionTime,
+        storyDirectory,
+        dataDirectory,
+        patience,
+        guard,
+        heartbeats,
+        other);
   }
 
   /** Of a platform whose goals end with it. */

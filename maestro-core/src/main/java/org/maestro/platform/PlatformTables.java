@@ -14,6 +14,7 @@ import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import org.maestro.agents.StartWords;
 import org.maestro.agents.Words;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.ContainerStart;
@@ -154,6 +155,10 @@ final class PlatformTables {
             "process",
             Words.text(
                 start.map(c -> c.own() ? "own" : "joined").orElse(mainOrGuest(place.name())))),
+        start
+            .flatMap(ContainerStart::process)
+            .map(StartWords::process)
+            .orElse(new Content.Argument.Named("started", List.of())),
         Words.named(
             "holds",
             directory.agentsIn(place.name()).stream()

@@ -11,9 +11,9 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import org.maestro.deployment.Provision;
 import org.maestro.platform.hosts.Backoff;
 import org.maestro.platform.hosts.Placing;
-import org.maestro.platform.hosts.Provision;
 import org.maestro.rats.time.Clock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -56,10 +56,13 @@ final class Rescue {
     void nobody(String member, String reason);
   }
 
-  Rescue(Ways ways, Clock clock) {
+  /**
+   * @param own what this process provides
+   */
+  Rescue(Ways ways, Clock clock, Provision own) {
     this.ways = ways;
     this.clock = clock;
-    provisionByHost.put(OWN, Provision.of(List.of()));
+    provisionByHost.put(OWN, own);
   }
 
   /** A host is there; agents that only it fits are started there. */
@@ -78,8 +81,8 @@ final class Rescue {
   }
 
   /** Whether this process provides what the member's agent needs. */
-  boolean fitsHere(String member) {
-    return Provision.of(List.of()).lacks(ways.needs(member)).isEmpty();
+  synchronized boolean fitsHere(String member) {
+    return provisionByHost.get(OWN).lacks(ways.needs(member)).isEmpty();
   }
 
   /**
@@ -112,11 +115,18 @@ final class Rescue {
   /** The member has an agent by other means. */
   synchronized void settled(String member) {
     homeless.remove(member);
-    String controller = controllerByMember.remove(member);
-    if (controller != null) {
-      holderByController.remove(controller);
-    }
+    controllerByMember.remove(member);
     hostByMember.remove(member);
+  }
+
+  /**
+   * The container that had the name of this controller is back.
+   *
+   * @return the other host on which somebody has called under it
+   */
+  synchronized Optional<String> released(String controller) {
+    return Optional.ofNullable(holderByController.remove(controller))
+        .filter(host -> !host.equals(OWN));
   }
 
   synchronized Set<String> homeless() {

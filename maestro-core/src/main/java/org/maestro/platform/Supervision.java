@@ -40,6 +40,9 @@ final class Supervision implements Containers {
     void offered(String host, List<String> provides);
 
     void settled(String agent);
+
+    /** Waits: nobody else calls under the container's name when this returns. */
+    void returns(String container);
   }
 
   Supervision(
@@ -70,6 +73,7 @@ final class Supervision implements Containers {
           centre.settled(agent);
           centre.agentMoves(agent);
         });
+    centre.returns(container.name());
     return new Handover(broker, settings.site());
   }
 

@@ -176,7 +176,8 @@ public final class LocalSite implements AutoCloseable {
                     decisionTime,
                     settings.storyDirectory(),
                     settings.dataDirectory())
-                .with(settings.security().map(files -> Guard.open(files, CONTROLLER))),
+                .with(settings.security().map(files -> Guard.open(files, CONTROLLER)))
+                .at(settings.premises()),
             knowledge,
             new ObjectivePlanner(
                 new ReplanningPlanner(new OptimalPlanner()), settings.allocation()),

@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.maestro.knowledge.Store;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.Objective;
+import org.maestro.platform.Premises;
 import org.maestro.rats.security.SiteSecurity;
 import org.maestro.sim.PhysicalParameters;
 import org.maestro.sim.Scene;
@@ -17,7 +18,7 @@ import org.maestro.sim.Scene;
  * @param scene ground truth of the simulated world; empty: no simulated devices
  * @param seed of all chance in the world
  * @param broker of the bus; empty: one of our own in this process
- * @param jadePort of the main container on loopback, 0 for a free one
+ * @param jadePort of the main container, 0 for a free one
  * @param storyDirectory where stories are kept
  * @param dataDirectory where goals and what was known of the past are kept, to be taken up after a
  *     restart; empty: they end with the site
@@ -25,6 +26,7 @@ import org.maestro.sim.Scene;
  * @param physics of the simulated world
  * @param security the files of a secured site; empty: anybody on the broker is believed
  * @param store where the dataset of the collective knowledge is kept
+ * @param premises where the process of the platform can be reached
  */
 public record SiteSettings(
     String name,
@@ -39,7 +41,8 @@ public record SiteSettings(
     Objective allocation,
     PhysicalParameters physics,
     Optional<SiteSecurity> security,
-    Store store) {
+    Store store,
+    Premises premises) {
 
   /** Of a site that allocates steps so that they cost least. */
   public SiteSettings(
@@ -65,7 +68,8 @@ public record SiteSettings(
         Objective.CHEAPEST,
         PhysicalParameters.standard(),
         Optional.empty(),
-        Store.IN_MEMORY);
+        Store.IN_MEMORY,
+        Premises.usual());
   }
 
   public SiteSettings withAllocation(Objective other) {
@@ -82,7 +86,8 @@ public record SiteSettings(
         other,
         physics,
         security,
-        store);
+        store,
+        premises);
   }
 
   public SiteSettings withSecurity(Optional<SiteSecurity> files) {
@@ -99,7 +104,8 @@ public record SiteSettings(
         allocation,
         physics,
         files,
-        store);
+        store,
+        premises);
   }
 
   /** The same with the dataset of the collective knowledge elsewhere. */
@@ -117,6 +123,26 @@ public record SiteSettings(
         allocation,
         physics,
         security,
+        other,
+        premises);
+  }
+
+  /** The same, to be reached elsewhere. */
+  public SiteSettings at(Premises other) {
+    return new SiteSettings(
+        name,
+        home,
+        scene,
+        seed,
+        broker,
+        jadePort,
+        gui,
+        storyDirectory,
+        dataDirectory,
+        allocation,
+        physics,
+        security,
+        store,
         other);
   }
 
@@ -135,7 +161,8 @@ public record SiteSettings(
         allocation,
         other,
         security,
-        store);
+        store,
+        premises);
   }
 
   /** Of a site that remembers nothing. */

@@ -4,6 +4,7 @@ import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.maestro.agents.SupervisorAgent;
 import org.maestro.agents.Words;
@@ -22,7 +23,9 @@ final class AgentsCommand implements Callable<Integer> {
   private static final List<String> AGENTS =
       List.of("agent", "container", "members", "phase", "state", "life", "since", "services");
   private static final List<String> CONTAINERS =
-      List.of("container", "process", "topics", "provides", "since", "address", "agents");
+      List.of(
+          "container", "process", "topics", "provides", "since", "address", "machine", "agents");
+  private static final List<String> STARTS = List.of("directory", "command");
   private static final int MINUTE = 60;
   private static final int HOUR = 3600;
 
@@ -52,7 +55,7 @@ final class AgentsCommand implements Callable<Integer> {
           rows.add(isPlace ? place(line) : agent(line));
         }
       }
-      Table table = new Table(containers ? CONTAINERS : AGENTS, rows);
+      Table table = new Table(columns(), rows);
       PrintWriter out = spec.commandLine().getOut();
       if (json) {
         out.println(table.json(containers ? "containers" : "agents"));
@@ -61,6 +64,15 @@ final class AgentsCommand implements Callable<Integer> {
       }
       return ExitCode.DONE;
     }
+  }
+
+  /** How a process was started is too long for a table that people read. */
+  private List<String> columns() {
+    List<String> columns = new ArrayList<>(containers ? CONTAINERS : AGENTS);
+    if (containers && json) {
+      columns.addAll(STARTS);
+    }
+    return columns;
   }
 
   private static String at(Words line) {
@@ -80,14 +92,28 @@ final class AgentsCommand implements Callable<Integer> {
   }
 
   private List<String> place(Words line) {
-    return List.of(
-        line.string("place").orElse("-"),
-        line.string("process").orElse("-"),
-        all(line, "topics"),
-        all(line, "provides"),
-        since(line),
-        line.string("address").orElse("-"),
-        all(line, "holds"));
+    Optional<Words> start = line.find("started").filter(its -> its.string("pid").isPresent());
+    List<String> cells = new ArrayList<>();
+    cells.addAll(
+        List.of(
+            line.string("place").orElse("-"),
+            line.string("process").orElse("-"),
+            all(line, "topics"),
+            all(line, "provides"),
+            since(line),
+            line.string("address").orElse("-"),
+            machine(start),
+            all(line, "holds")));
+    if (json) {
+      STARTS.forEach(part -> cells.add(start.flatMap(its -> its.string(part)).orElse("-")));
+    }
+    return cells;
+  }
+
+  private static String machine(Optional<Words> start) {
+    return start
+        .map(its -> its.string("machine").orElse("-") + " pid " + its.string("pid").orElse("-"))
+        .orElse("-");
   }
 
   private static String all(Words line, String name) {

@@ -25,6 +25,29 @@ record Endpoint(String host, int port) {
     throw notAnEndpoint(text);
   }
 
+  /**
+   * Reads {@code [HOST:]PORT} on which to listen; a port 0 is any free one.
+   *
+   * @param usual host when none is named
+   */
+  static Endpoint listening(String text, String usual) {
+    int colon = text.lastIndexOf(':');
+    try {
+      int port = Integer.parseInt(text.substring(colon + 1));
+      if (colon != 0 && port >= 0 && port < 65_536) {
+        return new Endpoint(colon < 0 ? usual : text.substring(0, colon), port);
+      }
+    } catch (NumberFormatException e) {
+      throw notAPort(text);
+    }
+    throw notAPort(text);
+  }
+
+  private static CommandException notAPort(String text) {
+    return CommandException.badInput(
+        "\"" + text + "\" is no port to listen on; write PORT or HOST:PORT, such as 7778.");
+  }
+
   private static CommandException notAnEndpoint(String text) {
     return CommandException.badInput(
         "\"" + text + "\" is no address; write HOST:PORT, such as 127.0.0.1:1099.");

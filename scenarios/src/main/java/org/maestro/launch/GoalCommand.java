@@ -15,8 +15,10 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
+import org.maestro.agents.OtherPlatform;
 import org.maestro.agents.Words;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.platform.JoinedContainer;
@@ -38,6 +40,7 @@ final class GoalCommand implements Callable<Integer> {
   /** A platform that stands by has taken over by then, if there is one. */
   private static final Duration RETURN = Duration.ofSeconds(20);
 
+  private static final Duration ANSWER_WITHIN = Duration.ofSeconds(10);
   private static final Duration BETWEEN_LOOKS = Duration.ofMillis(250);
 
   @Spec private CommandSpec spec;
@@ -70,11 +73,21 @@ final class GoalCommand implements Callable<Integer> {
   private boolean resumes;
   private long goneSince;
 
+  @Option(
+      names = "--other",
+      paramLabel = "NAME@URL",
+      description =
+          "Ask the CCA of another platform, NAME, by an agent of this one; both run with --mtp.")
+  private Optional<String> named = Optional.empty();
+
+  private Optional<OtherPlatform> other = Optional.empty();
+
   @Option(names = "--json", description = "Print one JSON document instead of the story.")
   private boolean json;
 
   @Override
   public Integer call() {
+    other = named.map(GoalCommand::otherPlatform);
     Endpoint endpoint = platform.endpoint();
     while (true) {
       try {
@@ -90,6 +103,14 @@ final class GoalCommand implements Callable<Integer> {
         }
         LockSupport.parkNanos(BETWEEN_LOOKS.toNanos());
       }
+    }
+  }
+
+  private static OtherPlatform otherPlatform(String text) {
+    try {
+      return OtherPlatform.parse(text);
+    } catch (IllegalArgumentException e) {
+      throw CommandException.badInput(e.getMessage());
     }
   }
 
@@ -121,22 +142,19 @@ final class GoalCommand implements Callable<Integer> {
     JoinedContainer container = platform.join();
     try {
       container.whenGivenUp(() -> ended.completeExceptionally(new PlatformGoneException()));
-      container
-          .desk()
-          .request(
-              ACLMessage.REQUEST,
-              CoordinatorAgent.NAME,
-              NO_END,
-              reply -> {
-                if (reply.getPerformative() == ACLMessage.AGREE) {
-                  follow(container, reply);
-                } else if (reply.getPerformative() == ACLMessage.CONFIRM
-                    || DeskAgent.isEnd(reply)) {
-                  ended.complete(reply);
-                }
-              },
-              request());
-      ACLMessage reply = reply(ended, endpoint);
+      request(
+          container,
+          ACLMessage.REQUEST,
+          NO_END,
+          reply -> {
+            if (reply.getPerformative() == ACLMessage.AGREE) {
+              follow(container, reply);
+            } else if (reply.getPerformative() == ACLMessage.CONFIRM || DeskAgent.isEnd(reply)) {
+              ended.complete(reply);
+            }
+          },
+          request());
+      ACLMessage reply = reply(ended, endpoint, container);
       if (reply.getPerformative() == ACLMessage.NOT_UNDERSTOOD
           || reply.getPerformative() == ACLMessage.REFUSE) {
         throw CommandException.badInput(Reply.reason(Reply.words(reply)));
@@ -157,13 +175,48 @@ final class GoalCommand implements Callable<Integer> {
     }
   }
 
-  private ACLMessage reply(CompletableFuture<ACLMessage> ended, Endpoint endpoint) {
+  private void request(
+      JoinedContainer container,
+      int performative,
+      Duration timeout,
+      Consumer<ACLMessage> replies,
+      Content content) {
+    other.ifPresentOrElse(
+        platform ->
+            container
+                .desk()
+                .request(performative, platform, CoordinatorAgent.NAME, timeout, replies, content),
+        () ->
+            container
+                .desk()
+                .request(performative, CoordinatorAgent.NAME, timeout, replies, content));
+  }
+
+  /** Nobody tells when another platform dies; it is asked now and then. */
+  private void look(JoinedContainer container, CompletableFuture<ACLMessage> ended) {
+    request(
+        container,
+        ACLMessage.QUERY_REF,
+        ANSWER_WITHIN,
+        answer -> {
+          if (answer.getPerformative() == ACLMessage.FAILURE) {
+            ended.complete(answer);
+          }
+        },
+        Words.content("query-ref"));
+  }
+
+  private ACLMessage reply(
+      CompletableFuture<ACLMessage> ended, Endpoint endpoint, JoinedContainer container) {
     while (true) {
       try {
         return ended.get(LOOK_AGAIN_SECONDS, TimeUnit.SECONDS);
       } catch (TimeoutException e) {
         if (!platform.isStillAt(endpoint)) {
           throw new PlatformGoneException();
+        }
+        if (other.isPresent()) {
+          look(container, ended);
         }
       } catch (ExecutionException e) {
         if (e.getCause() instanceof PlatformGoneException gone) {
@@ -197,7 +250,10 @@ final class GoalCommand implements Callable<Integer> {
     if (!json) {
       out.println(id + ": " + goal);
       Follower follower = new Follower(out);
-      container.desk().follow(id, line -> follower.line(line));
+      Consumer<ACLMessage> lines = follower::line;
+      other.ifPresentOrElse(
+          platform -> container.desk().follow(platform, id, lines),
+          () -> container.desk().follow(id, lines));
     }
   }
 

@@ -57,10 +57,9 @@ final class HostedContainer implements AutoCloseable {
     try {
       DescriptionReader reader = new DescriptionReader(new HomeLoader().vocabulary());
       SupervisorAgent.Handover handover = container.ask(start);
-      List<String> agents =
-          container.host(start, links.of(handover).apply(controller), reader::read);
+      List<String> agents = container.host(start, links.at(handover).of(controller), reader::read);
       if (!start.provides().isEmpty()) {
-        container.offer(start.name(), List.copyOf(start.provides()), links::of, reader::read);
+        container.offer(start.name(), List.copyOf(start.provides()), links::at, reader::read);
       }
       return new HostedContainer(container, links, agents);
     } catch (RuntimeException e) {
@@ -71,25 +70,36 @@ final class HostedContainer implements AutoCloseable {
   }
 
   /** The links of this process to the bus, by controller. */
-  private static final class Links implements AutoCloseable {
+  private static final class Links implements JoinedContainer.Links, AutoCloseable {
     private final Clock clock;
     private final Optional<SiteSecurity> security;
     private final Map<String, RatsLink> linkByController = new ConcurrentHashMap<>();
+    private volatile Optional<Function<String, RatsLink>> making = Optional.empty();
 
     private Links(Clock clock, Optional<SiteSecurity> security) {
       this.clock = clock;
       this.security = security;
     }
 
-    private Function<String, RatsLink> of(SupervisorAgent.Handover handover) {
+    private Links at(SupervisorAgent.Handover handover) {
       URI broker = Endpoint.broker(handover.brokerUri());
       SiteBus bus = new SiteBus(broker, handover.site(), security);
-      return controller ->
-          linkByController.computeIfAbsent(
-              controller,
+      making =
+          Optional.of(
               name ->
                   BusLink.connect(
                       name, handover.site(), bus.transports().apply(name), clock, bus.kind()));
+      return this;
+    }
+
+    @Override
+    public RatsLink of(String controller) {
+      return linkByController.computeIfAbsent(controller, making.orElseThrow());
+    }
+
+    @Override
+    public void letGo(String controller) {
+      Optional.ofNullable(linkByController.remove(controller)).ifPresent(RatsLink::close);
     }
 
     @Override

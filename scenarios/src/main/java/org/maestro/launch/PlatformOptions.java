@@ -11,8 +11,6 @@ import picocli.CommandLine.Option;
 
 /** Which running platform a command means. */
 final class PlatformOptions {
-  private static final String LOOPBACK = "127.0.0.1";
-
   @Option(
       names = "--platform",
       paramLabel = "NAME",
@@ -53,7 +51,12 @@ final class PlatformOptions {
   }
 
   Endpoint endpoint() {
-    return main.map(Endpoint::parse).orElseGet(() -> new Endpoint(LOOPBACK, found().port()));
+    return main.map(Endpoint::parse)
+        .orElseGet(
+            () -> {
+              RuntimeDirectory.Running running = found();
+              return new Endpoint(running.host(), running.port());
+            });
   }
 
   private RuntimeDirectory.Running found() {

@@ -1,18 +1,26 @@
 package org.maestro.launch;
 
 import java.awt.GraphicsEnvironment;
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.net.URI;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import java.util.regex.Pattern;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
+import org.maestro.deployment.Provision;
 import org.maestro.knowledge.Store;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.Objective;
 import org.maestro.platform.Duty;
+import org.maestro.platform.Premises;
+import org.maestro.platform.hosts.HostFile;
+import org.maestro.platform.hosts.HostStart;
 import org.maestro.sim.Scene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -24,6 +32,19 @@ import picocli.CommandLine.Spec;
 @Command(name = "run", description = "Run a platform for a home until Ctrl-C.")
 final class RunCommand implements Callable<Integer> {
   private static final Pattern SLUG = Pattern.compile("[a-z0-9][a-z0-9-]{0,62}");
+
+  /** Another process on this machine, of the Java and the classes of this one. */
+  private static final List<String> HERE =
+      List.of(
+          Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+          "-cp",
+          System.getProperty("java.class.path"),
+          Maestro.class.getName(),
+          "container",
+          "--main={main}",
+          "--name={name}",
+          "--topic={topics}",
+          "--provides={provides}");
 
   @Spec private CommandSpec spec;
 
@@ -69,6 +90,34 @@ final class RunCommand implements Callable<Integer> {
       defaultValue = "1099",
       description = "Of the JADE main container; 0: a free one; default ${DEFAULT-VALUE}.")
   private int port;
+
+  @Option(
+      names = "--host",
+      paramLabel = "ADDRESS",
+      description =
+          "Of this machine, on which containers of other machines join; without: loopback only.")
+  private Optional<String> host = Optional.empty();
+
+  @Option(
+      names = "--mtp",
+      paramLabel = "[HOST:]PORT",
+      description =
+          "Hear agents of other platforms there, by HTTP, and let agents write to them; HOST is loopback unless it is said. Without: no other platform is heard.")
+  private Optional<String> letters = Optional.empty();
+
+  @Option(
+      names = "--provides",
+      paramLabel = "WHAT",
+      split = ",",
+      description = "What this machine has that agents may need, such as microphone,memory=512.")
+  private List<String> provides = List.of();
+
+  @Option(
+      names = "--hosts",
+      paramLabel = "FILE.json",
+      description =
+          "Hosts that belong to the platform: their processes are started, here or by a command such as ssh, and started again when they die.")
+  private Optional<Path> hosts = Optional.empty();
 
   @Option(
       names = "--name",
@@ -123,13 +172,15 @@ final class RunCommand implements Callable<Integer> {
                 data)
             .withAllocation(allocation)
             .withSecurity(security.files())
-            .withStore(store.map(Store::parse).orElse(Store.IN_MEMORY));
+            .withStore(store.map(Store::parse).orElse(Store.IN_MEMORY))
+            .at(premises());
     Optional<Duty> duty = data.map(this::takeDuty);
     LocalSite site = LocalSite.paced(settings, speed);
     directory.add(
         new RuntimeDirectory.Running(
             name,
             ProcessHandle.current().pid(),
+            site.platform().premises().host(),
             site.platform().port(),
             site.broker().map(URI::toString),
             settings.security().map(files -> files.directory().toString())));
@@ -155,7 +206,39 @@ final class RunCommand implements Callable<Integer> {
     return taken;
   }
 
+  private Premises premises() {
+    Premises usual = Premises.usual();
+    return usual
+        .on(host.orElse(usual.host()))
+        .with(
+            letters
+                .map(text -> Endpoint.listening(text, usual.host()))
+                .map(own -> new Premises.LetterBox(own.host(), own.port())))
+        .providing(new TreeSet<>(provides))
+        .starting(hosts.map(RunCommand::read).orElse(List.of()));
+  }
+
+  private static List<HostStart> read(Path file) {
+    try {
+      return HostFile.read(Files.readString(file), file.toString(), HERE);
+    } catch (IOException e) {
+      throw CommandException.badInput(
+          "The file %s of hosts cannot be read; name one that is there.".formatted(file));
+    } catch (IllegalArgumentException e) {
+      throw CommandException.badInput(e.getMessage());
+    }
+  }
+
   private void check() {
+    try {
+      Provision.of(provides);
+    } catch (IllegalArgumentException e) {
+      throw CommandException.badInput(e.getMessage());
+    }
+    if (letters.isPresent() && security.files().isPresent()) {
+      throw CommandException.badInput(
+          "A secured site hears only whom its own processes vouch for: leave --mtp away, and have people of other platforms join as guests (./maestro secure --guest).");
+    }
     if (!SLUG.matcher(name).matches()) {
       throw CommandException.badInput(
           "\"" + name + "\" is no name for a platform; use small letters, digits and hyphens.");
@@ -197,7 +280,17 @@ final class RunCommand implements Callable<Integer> {
         SuggestedGoal.of(loaded)
             .map(goal -> "In another terminal: ./maestro goal \"" + goal + "\"  ")
             .orElse("In another terminal, ./maestro goal --help tells how to state a goal.");
-    return String.join(System.lineSeparator(), runs, kept, next);
+    String heard =
+        site.platform()
+            .premises()
+            .letters()
+            .map(
+                box ->
+                    "Agents of other platforms reach it by HTTP; there: ./maestro goal GOAL --other %s@%s"
+                        .formatted(name, box.url().replaceAll("/acc$", "")))
+            .map(line -> System.lineSeparator() + line)
+            .orElse("");
+    return String.join(System.lineSeparator(), runs, kept, next) + heard;
   }
 
   private void end(RuntimeDirectory directory, LocalSite site, Optional<Duty> duty) {

@@ -29,7 +29,12 @@ final class RuntimeDirectory {
    * @param security where the files of its site are, if that is secured
    */
   record Running(
-      String name, long pid, int port, Optional<String> broker, Optional<String> security) {
+      String name,
+      long pid,
+      String host,
+      int port,
+      Optional<String> broker,
+      Optional<String> security) {
     boolean isAlive() {
       return ProcessHandle.of(pid).map(ProcessHandle::isAlive).orElse(false);
     }
@@ -99,6 +104,7 @@ final class RuntimeDirectory {
     ObjectNode node = json.createObjectNode();
     node.put("name", platform.name());
     node.put("pid", platform.pid());
+    node.put("host", platform.host());
     node.put("port", platform.port());
     platform.broker().ifPresent(uri -> node.put("broker", uri));
     platform.security().ifPresent(files -> node.put("security", files));
@@ -126,6 +132,7 @@ final class RuntimeDirectory {
             new Running(
                 node.path("name").asText(),
                 node.path("pid").asLong(),
+                node.path("host").asText(),
                 node.path("port").asInt(),
                 Optional.ofNullable(node.path("broker").textValue()),
                 Optional.ofNullable(node.path("security").textValue()));

@@ -40,7 +40,18 @@ public final class JavaProcess implements AutoCloseable {
   public static JavaProcess start(
       String mainClass, List<String> arguments, Map<String, String> environment)
       throws IOException {
-    List<String> command = new ArrayList<>();
+    return start(List.of(), mainClass, arguments, environment);
+  }
+
+  /**
+   * @param before what brings it elsewhere, such as {@code ip netns exec NAME}, and becomes the
+   *     process itself
+   * @param environment what differs from this process's; an empty value removes the variable
+   */
+  public static JavaProcess start(
+      List<String> before, String mainClass, List<String> arguments, Map<String, String> environment)
+      throws IOException {
+    List<String> command = new ArrayList<>(before);
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xshare:auto"));
     command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));

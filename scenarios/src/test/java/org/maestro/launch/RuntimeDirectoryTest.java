@@ -20,6 +20,7 @@ class RuntimeDirectoryTest {
         new RuntimeDirectory.Running(
             "home",
             ProcessHandle.current().pid(),
+            "127.0.0.1",
             1099,
             Optional.of("tcp://127.0.0.1:1883"),
             Optional.empty()));
@@ -37,11 +38,16 @@ class RuntimeDirectoryTest {
     RuntimeDirectory directory = RuntimeDirectory.at(parent.resolve("run"));
     RuntimeDirectory.Running living =
         new RuntimeDirectory.Running(
-            "here", ProcessHandle.current().pid(), 1099, Optional.empty(), Optional.empty());
+            "here",
+            ProcessHandle.current().pid(),
+            "127.0.0.1",
+            1099,
+            Optional.empty(),
+            Optional.empty());
     directory.add(living);
     directory.add(
         new RuntimeDirectory.Running(
-            "gone", Long.MAX_VALUE, 1100, Optional.empty(), Optional.empty()));
+            "gone", Long.MAX_VALUE, "127.0.0.1", 1100, Optional.empty(), Optional.empty()));
 
     assertThat(directory.running()).containsExactly(living);
     directory.remove("here");

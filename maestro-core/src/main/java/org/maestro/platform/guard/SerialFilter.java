@@ -4,9 +4,9 @@ import java.io.ObjectInputFilter;
 
 /**
  * Lets only such classes be deserialised in this process as containers send each other. JADE's
- * streams take anything; there is one filter for all streams of a process.
+ * streams take anything; there is one filter for all streams of a process. Thread-safe.
  */
-final class SerialFilter implements ObjectInputFilter {
+public final class SerialFilter implements ObjectInputFilter {
   private static final String ALLOWED =
       String.join(
           ";",
@@ -28,7 +28,7 @@ final class SerialFilter implements ObjectInputFilter {
   private final Refusals refusals = new Refusals();
 
   /** Once there is a filter, also one that was named at the start of Java, it stays. */
-  static synchronized void install() {
+  public static synchronized void install() {
     if (ObjectInputFilter.Config.getSerialFilter() == null) {
       ObjectInputFilter.Config.setSerialFilter(new SerialFilter());
     }

@@ -3,6 +3,7 @@ package org.maestro.platform.hosts;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.Optional;
+import org.maestro.deployment.Provision;
 
 /** Which host gets an agent. */
 public final class Placing {

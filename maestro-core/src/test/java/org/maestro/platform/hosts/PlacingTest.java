@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.maestro.deployment.Provision;
 
 class PlacingTest {
   private static final Placing.Host OWN = host("", true, 5);

@@ -1,4 +1,4 @@
-package org.maestro.platform.hosts;
+package org.maestro.deployment;
 
 import java.util.Collection;
 import java.util.Map;
@@ -14,14 +14,15 @@ import java.util.regex.Pattern;
  *     provided, and none in particular when it is needed
  */
 public record Provision(Map<String, Double> amountByWord) {
-  private static final Pattern ONE = Pattern.compile("[A-Za-z][A-Za-z0-9-]*( [0-9]+([.][0-9]+)?)?");
+  private static final Pattern ONE =
+      Pattern.compile("[A-Za-z][A-Za-z0-9-]*([ =][0-9]+([.][0-9]+)?)?");
 
   public Provision {
     amountByWord = Map.copyOf(amountByWord);
   }
 
   /**
-   * @param items words, each alone or with a blank and a number
+   * @param items words, each alone or with a number behind a blank or an equals sign
    * @throws IllegalArgumentException that says which one cannot be read
    */
   public static Provision of(Collection<String> items) {
@@ -32,7 +33,7 @@ public record Provision(Map<String, Double> amountByWord) {
             "\"%s\" is nothing that a host provides; write a word, such as microphone, or a word and how much, such as \"memory 512\"."
                 .formatted(item));
       }
-      int blank = item.indexOf(' ');
+      int blank = item.replace('=', ' ').indexOf(' ');
       amounts.put(
           blank < 0 ? item : item.substring(0, blank),
           blank < 0 ? Double.NaN : Double.parseDouble(item.substring(blank + 1)));
