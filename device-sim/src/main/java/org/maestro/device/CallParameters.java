@@ -4,6 +4,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import org.maestro.hal.Position;
 import org.maestro.sl.Term;
 
 /** The parameters of a call or a cost question, read with a plain word about what is wrong. */
@@ -54,6 +55,14 @@ record CallParameters(Map<String, Object> values) {
   Optional<Pointer> optionalPointer(String name) {
     Object value = values.get(name);
     return value == null ? Optional.empty() : Optional.of(Pointer.of(name, value));
+  }
+
+  /** A position that is no thing's: x, y and perhaps z, in metres. */
+  Optional<Position> optionalPosition(String name) {
+    Object value = values.get(name);
+    return value == null
+        ? Optional.empty()
+        : new Pointer(name, Map.of("position", value)).position();
   }
 
   /** Every parameter that can stand in a fact. */

@@ -5,14 +5,16 @@ import java.util.Map;
 import java.util.Optional;
 import org.maestro.hal.Area;
 import org.maestro.hal.Completion;
+import org.maestro.hal.Position;
 import org.maestro.ontology.home.Point2;
 import org.maestro.rats.member.Execution;
 import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.RatsError;
 
 /**
- * Drives to the nearest point of an area at which the robot stands wholly in it. On cancel it
- * stands still, which is safe.
+ * Drives to the nearest point of an area at which the robot stands wholly in it; when it is told
+ * where it goes from there, to the first such point on the shortest way there. On cancel it stands
+ * still, which is safe.
  */
 final class MoveTask extends DeviceProcedure {
 
@@ -29,14 +31,19 @@ final class MoveTask extends DeviceProcedure {
 
   @Override
   void start(Execution execution, CallParameters parameters) {
-    List<Point2> goals = robot.standsIn(area(parameters));
+    Area area = area(parameters);
+    List<Point2> goals = robot.standsIn(area);
+    Optional<Point2> onward = parameters.optionalPosition("onward").map(Position::floor);
     execution.onCancel(
         safe -> {
           robot.base().stop();
           safe.run();
         });
     robot.drive(
-        () -> robot.routeToNearest(goals),
+        () ->
+            onward
+                .flatMap(place -> robot.routeInto(area, place))
+                .or(() -> robot.routeToNearest(goals)),
         new Completion() {
           @Override
           public void done() {

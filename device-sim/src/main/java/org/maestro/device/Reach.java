@@ -25,7 +25,6 @@ final class Reach {
 
   private static final double MARGIN = 0.04;
   private static final double SPOT_CLEARANCE = HELD_RADIUS + MARGIN;
-  private static final int DIRECTIONS = 16;
   private static final double GRID_METRES = 0.25;
 
   private final Robot robot;
@@ -56,7 +55,7 @@ final class Reach {
     double distance = Math.max(USUAL_DISTANCE, thickness + SPOT_CLEARANCE);
     return distance > GREATEST_DISTANCE
         ? Optional.empty()
-        : nearest(freeOnes(around(thing, distance)));
+        : nearest(freeOnes(robot.around(thing, distance)));
   }
 
   /**
@@ -64,7 +63,7 @@ final class Reach {
    * can.
    */
   Optional<Approach> within(Area area) {
-    List<Point2> spots = new ArrayList<>(around(robot.base().position(), reach));
+    List<Point2> spots = new ArrayList<>(robot.around(robot.base().position(), reach));
     spots.addAll(area.outline().samples(GRID_METRES));
     spots.removeIf(spot -> !area.outline().contains(spot));
     return nearest(freeOnes(spots));
@@ -72,7 +71,7 @@ final class Reach {
 
   /** A free spot that is reached without driving. */
   Optional<Point2> here() {
-    return freeOnes(around(robot.base().position(), reach)).stream().findFirst();
+    return freeOnes(robot.around(robot.base().position(), reach)).stream().findFirst();
   }
 
   private Optional<Approach> nearest(List<Point2> spots) {
@@ -82,7 +81,7 @@ final class Reach {
       if (Math.abs(position.distance(spot) - reach) <= MARGIN) {
         spotOfStand.putIfAbsent(position, spot);
       }
-      around(spot, reach).forEach(stand -> spotOfStand.putIfAbsent(stand, spot));
+      robot.around(spot, reach).forEach(stand -> spotOfStand.putIfAbsent(stand, spot));
     }
     return robot
         .routeToNearest(List.copyOf(spotOfStand.keySet()))
@@ -96,16 +95,5 @@ final class Reach {
     held = held.with(robot.surroundings().walls());
     RoutePlanner body = new RoutePlanner(held, robot.surroundings().obstacles());
     return spots.stream().filter(spot -> body.isFree(spot) && robot.isOnMap(spot)).toList();
-  }
-
-  private static List<Point2> around(Point2 middle, double distance) {
-    List<Point2> points = new ArrayList<>();
-    for (int i = 0; i < DIRECTIONS; i++) {
-      double angle = 2 * Math.PI * i / DIRECTIONS;
-      points.add(
-          new Point2(
-              middle.x() + distance * Math.cos(angle), middle.y() + distance * Math.sin(angle)));
-    }
-    return points;
   }
 }

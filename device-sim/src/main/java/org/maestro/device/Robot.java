@@ -24,6 +24,11 @@ final class Robot {
   /** So much farther in than need be, lest rounding makes it stand outside; metres. */
   private static final double BESIDE_METRES = 1e-4;
 
+  /** A thing for which it comes is no nearer than this to its body; metres. */
+  private static final double CLEARANCE_METRES = 0.1;
+
+  private static final int DIRECTIONS = 16;
+
   private final MobileBase base;
   private final Surroundings surroundings;
   private WalledFloor walls;
@@ -103,6 +108,33 @@ final class Robot {
     double x = alongY * away;
     double y = -alongX * away;
     return List.of(new Point2(foot.x() + x, foot.y() + y), new Point2(foot.x() - x, foot.y() - y));
+  }
+
+  /**
+   * The shortest way to a place beyond, as far as to where the whole base stands in the area; empty
+   * when there is no such way, or it does not lead through the area.
+   */
+  Optional<Route> routeInto(Area area, Point2 beyond) {
+    List<Segment> edges = area.outline().edges();
+    return routeToNearest(around(beyond, base.radius() + CLEARANCE_METRES))
+        .flatMap(route -> route.until(base.position(), point -> isWholly(point, area, edges)));
+  }
+
+  /** Points around a middle, the one that is nearest to the robot first. */
+  List<Point2> around(Point2 middle, double distance) {
+    List<Point2> points = new ArrayList<>();
+    Point2 here = base.position();
+    double away = here.distance(middle);
+    if (away > distance) {
+      points.add(new Segment(middle, here).at(distance / away));
+    }
+    for (int i = 0; i < DIRECTIONS; i++) {
+      double angle = 2 * Math.PI * i / DIRECTIONS;
+      points.add(
+          new Point2(
+              middle.x() + distance * Math.cos(angle), middle.y() + distance * Math.sin(angle)));
+    }
+    return points;
   }
 
   private boolean isWholly(Point2 point, Area area, List<Segment> edges) {

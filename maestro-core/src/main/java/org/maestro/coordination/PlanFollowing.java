@@ -153,7 +153,7 @@ final class PlanFollowing {
       life.become(outlook.isConfirming() ? GoalState.CONFIRMING : GoalState.RUNNING, "");
     }
     story.begun(step, plan.size());
-    execution.begin(step);
+    execution.begin(step, plan.remaining());
   }
 
   private void stepEnded(StepExecution.Ended ended) {

@@ -56,11 +56,15 @@ final class StepExecution {
     this.ended = ended;
   }
 
-  void begin(Step step) {
+  /**
+   * @param planned what is left of the plan
+   */
+  void begin(Step step, List<Step> planned) {
     Set<Resource> used = contention.begin(step);
     Snapshot before = ports.knowledge().snapshot();
-    Map<String, Argument> arguments =
-        new CallArguments(ports.knowledge().home(), before).of(step.feature(), step.bindings());
+    CallArguments known = new CallArguments(ports.knowledge().home(), before);
+    Map<String, Argument> arguments = known.of(step.feature(), step.bindings());
+    arguments.putAll(new NextPlace(known).of(step, planned));
     perform(new Crew.Order(goalId, step, arguments, timeout(step)), used, before);
   }
 

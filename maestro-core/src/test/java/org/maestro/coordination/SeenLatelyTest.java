@@ -97,6 +97,24 @@ class SeenLatelyTest {
     assertThat(outcome.reasons().get(0)).matches("It was so when it was observed 6\\d s ago; .*");
   }
 
+  /** A look that failed is repeated only as long as it may still lead somewhere. */
+  @Test
+  void aLookThatFailsAgainAndAgainIsNotRepeatedForEver() {
+    house.beforeCall =
+        call -> {
+          if (call.equals("place rose")) {
+            house.dead.add("cam-a");
+          }
+        };
+
+    GoalOutcome outcome = house.achieve("(in Cup zone-a)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(outcome.confirmed()).isFalse();
+    assertThat(house.place).containsEntry("Cup", "zone-a");
+    assertThat(house.calls).filteredOn("observeObject cam-a"::equals).hasSizeBetween(1, 3);
+  }
+
   private void observe(String sensor, String fact) {
     house.knowledge.state(new Source(Source.Kind.OBSERVED, sensor), List.of(fact));
   }

@@ -16,8 +16,11 @@ public record Parameter(
   /** The share, 0 to 1, of a place's floor of which a result speaks. */
   public static final String COVERED_SHARE = "CoveredShare";
 
+  /** Where the member's plan takes it next; told by the controller, never chosen by the planner. */
+  public static final String NEXT_PLACE = "NextPlace";
+
   /** Datatypes of the meta-vocabulary; all others are XML Schema's. */
-  public static final List<String> OWN_DATATYPES = List.of("Pose", COVERED_SHARE);
+  public static final List<String> OWN_DATATYPES = List.of("Pose", COVERED_SHARE, NEXT_PLACE);
 
   public Parameter {
     types = List.copyOf(types);
