@@ -99,6 +99,11 @@ public final class World {
     return whereabouts.body(name).radius();
   }
 
+  /** The colour of its surface. */
+  public Paint paint(String name) {
+    return looks().paint(name);
+  }
+
   /** Whether it is in a cupboard. */
   public boolean isHidden(String thing) {
     return whereabouts.body(thing).hidden();

@@ -11,6 +11,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.maestro.hal.Position;
 import org.maestro.ontology.home.Point2;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.MemberStatus;
@@ -114,6 +115,48 @@ class FaultsTest {
         .findFirst()
         .orElseThrow()
         .phase();
+  }
+
+  @Test
+  void aHandLetsGoOfWhatItHolds() {
+    try (Homes homes = Homes.bob("bob-lit")) {
+      call(homes, "rose", "pick", Map.of("object", homes.at("Cup")));
+      let(homes, "rose", "at 1 drop");
+      homes.clock.run(Duration.ofSeconds(2));
+      assertThat(homes.world().holder("Cup")).isEmpty();
+      assertThat(homes.world().isAlive("rose")).isTrue();
+      Result placed =
+          call(
+              homes,
+              "rose",
+              "place",
+              Map.of("object", Homes.ref("Cup"), "target", homes.at("Bob")));
+      assertThat(placed.error().orElseThrow().refs().get(0).fact()).isEqualTo("(in Cup rose)");
+    }
+  }
+
+  @Test
+  void theSunComesOut() {
+    try (Homes homes = new Homes("arena-windows", "arena-windows", 1, scene -> scene)) {
+      homes.simulated.let("", ScriptedFault.parse("at 1 clouds 1"));
+      homes.simulated.let("", ScriptedFault.parse("at 3 clouds 0"));
+      homes.clock.run(Duration.ofSeconds(2));
+      double covered = brightest(homes);
+      homes.clock.run(Duration.ofSeconds(2));
+      assertThat(brightest(homes)).as("lux on the floor").isGreaterThan(10 * covered);
+    }
+  }
+
+  private static double brightest(Homes homes) {
+    double most = 0;
+    for (double x = 0.2; x < 8.4; x += 0.2) {
+      for (double y = 0.2; y < 3; y += 0.2) {
+        most =
+            Math.max(
+                most, homes.world().daylightWithOpenShutters(Position.onFloor(new Point2(x, y))));
+      }
+    }
+    return most;
   }
 
   @Test

@@ -1,6 +1,7 @@
 package org.maestro.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -10,6 +11,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.maestro.hal.Position;
+import org.maestro.ontology.home.Point2;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Result;
@@ -57,6 +59,52 @@ class RobotTest {
     Position start = homes.world().position("rose").orElseThrow();
     homes.clock.run(Duration.ofMillis(1000));
     assertThat(homes.world().position("rose").orElseThrow().distance(start)).isBetween(0.7, 0.8);
+  }
+
+  @Test
+  void stopsStraightOnItsWayToWhatItDoesNext() {
+    try (Homes arena = new Homes("arena", "arena-light", 1, scene -> scene)) {
+      Point2 start = floor(arena, "rose");
+      Point2 next = new Point2(1.2, 2.6);
+      assertThat(
+              arena
+                  .call(
+                      "rose",
+                      "move",
+                      Map.of("to", Homes.ref("zone-1"), "onward", List.of(next.x(), next.y(), 0.0)))
+                  .result()
+                  .orElseThrow()
+                  .outcome())
+          .isEqualTo(Outcome.SUCCEEDED);
+      Point2 end = floor(arena, "rose");
+      assertThat(start.distance(end) + end.distance(next))
+          .as("no detour")
+          .isLessThan(start.distance(next) + 0.005);
+      // As far as to where the whole base stands in zone 1, which ends at 2.8 m, and no farther.
+      assertThat(end.x()).isBetween(2.8 - 0.347 - 0.011, 2.8 - 0.347);
+    }
+  }
+
+  @Test
+  void standsNoNearerToWhatItPicksThanItsArmReaches() {
+    try (Homes arena = new Homes("arena", "arena-light", 1, scene -> scene)) {
+      arena.world().moveByHand("GreenObject", new Position(1.0, 2.3, 0));
+      double before = floor(arena, "rose").distance(floor(arena, "GreenObject"));
+      Point2 start = floor(arena, "rose");
+      assertThat(
+              arena
+                  .call("rose", "pick", Map.of("object", arena.at("GreenObject")))
+                  .result()
+                  .orElseThrow()
+                  .outcome())
+          .isEqualTo(Outcome.SUCCEEDED);
+      assertThat(start.distance(floor(arena, "rose")))
+          .isCloseTo(before - ArmData.YOUBOT.reach(), within(1e-3));
+    }
+  }
+
+  private static Point2 floor(Homes homes, String name) {
+    return homes.world().position(name).orElseThrow().floor();
   }
 
   @Test

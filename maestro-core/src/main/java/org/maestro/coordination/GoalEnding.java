@@ -68,7 +68,8 @@ final class GoalEnding {
       }
       outlook.confirm(needed);
       course.makePlan(Optional.of("it was not seen"));
-    } else if (parts.underway().isEmpty() && !outlook.isGood(parts.plan().remaining())) {
+    } else if (parts.underway().isEmpty()
+        && outlook.blocked(parts.plan().remaining()).isPresent()) {
       course.makePlan(Optional.of("it could not be seen so"));
     } else {
       course.advance();

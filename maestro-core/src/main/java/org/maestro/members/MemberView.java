@@ -32,8 +32,15 @@ public final class MemberView {
     return ready && device.isPresent();
   }
 
+  /**
+   * @param now false when it is lost: what it said of itself before, and what waits for a report
+   *     that will not come any more, is no news then
+   */
   public void ready(boolean now) {
     ready = now;
+    if (!now) {
+      heldBack.clear();
+    }
   }
 
   public Optional<FeatureType> feature(String name) {

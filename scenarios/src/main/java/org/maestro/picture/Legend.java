@@ -34,7 +34,8 @@ final class Legend {
     entry(canvas, "floor: dark to bright", Legend::floor);
     entry(canvas, "robot, its way, its start", Legend::way);
     entry(canvas, "person", Symbols::person);
-    entry(canvas, "thing", Symbols::thing);
+    entry(canvas, "thing, in its colour", Legend::thing);
+    entry(canvas, "window, shutter", Legend::window);
     bar(canvas);
   }
 
@@ -55,6 +56,19 @@ final class Legend {
     canvas.setStroke(new BasicStroke(2.5f));
     canvas.draw(new Rectangle2D.Double(at.getX() - 28, at.getY() - 18, 56, 36));
     Symbols.camera(canvas, at);
+  }
+
+  private static void thing(Graphics2D canvas, Point2D at) {
+    Symbols.thing(canvas, at, Color.LIGHT_GRAY);
+  }
+
+  private static void window(Graphics2D canvas, Point2D at) {
+    Openings.glass(canvas, beside(at, -28), beside(at, 28));
+    Openings.shutter(canvas, beside(at, 4), beside(at, 28));
+  }
+
+  private static Point2D beside(Point2D at, double pixels) {
+    return new Point2D.Double(at.getX() + pixels, at.getY());
   }
 
   private static void floor(Graphics2D canvas, Point2D at) {

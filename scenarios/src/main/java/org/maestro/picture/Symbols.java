@@ -90,20 +90,20 @@ final class Symbols {
   }
 
   /** A small square on its side. */
-  static void thing(Graphics2D canvas, Point2D at) {
+  static void thing(Graphics2D canvas, Point2D at, Color colour) {
     Shape box = new Rectangle2D.Double(at.getX() - 10, at.getY() - 10, 20, 20);
-    canvas.setColor(Palette.THING);
+    canvas.setColor(colour);
     canvas.fill(box);
     edge(canvas, box, 3);
   }
 
   /** Where a thing stood before: only its edge. */
-  static void formerThing(Graphics2D canvas, Point2D at) {
+  static void formerThing(Graphics2D canvas, Point2D at, Color colour) {
     Shape box = new Rectangle2D.Double(at.getX() - 10, at.getY() - 10, 20, 20);
     canvas.setColor(Color.WHITE);
     canvas.fill(box);
     canvas.setStroke(new BasicStroke(4));
-    canvas.setColor(Palette.THING);
+    canvas.setColor(colour);
     canvas.draw(box);
   }
 

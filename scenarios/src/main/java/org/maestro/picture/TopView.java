@@ -29,13 +29,14 @@ import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Polygon;
 import org.maestro.ontology.home.Pose;
 import org.maestro.ontology.home.Segment;
+import org.maestro.ontology.home.Windows;
 import org.maestro.sim.World;
 import org.maestro.sl.Term;
 
 /**
- * A home and its simulated world from above: rooms by their light, doors, camera fields, lamps with
- * their level, persons, things and the robots' ways. It draws by properties that geometry asks for,
- * not by kinds of device.
+ * A home and its simulated world from above: rooms by their light, doors, windows, shutters, camera
+ * fields, lamps with their level, persons, things in their own colours and the robots' ways. It
+ * draws by properties that geometry asks for, not by kinds of device.
  */
 public final class TopView {
   private static final int WIDTH = 1600;
@@ -146,6 +147,23 @@ public final class TopView {
       Geometry.opening(individual)
           .ifPresent(opening -> drawDoor(canvas, labels, individual, opening));
     }
+    Windows windows = new Windows(home);
+    windows.all().values().forEach(window -> Openings.glass(canvas, scale, window.glass().base()));
+    for (Device device : inOrder()) {
+      windows.shadedBy(device.id()).stream()
+          .map(window -> window.glass().base())
+          .forEach(glass -> drawShutter(canvas, labels, device.id(), glass));
+    }
+  }
+
+  private void drawShutter(Graphics2D canvas, Labels labels, String device, Segment glass) {
+    double opening = world.opening(device);
+    Openings.shutter(canvas, scale, glass, 1 - opening);
+    labels.add(
+        String.format(Locale.ROOT, "%s, %.0f %% open", device, opening * 100),
+        scale.at(glass.middle()),
+        Symbols.SMALL,
+        Texts.SMALL);
   }
 
   private void drawDoor(Graphics2D canvas, Labels labels, Individual door, Segment opening) {
@@ -221,7 +239,7 @@ public final class TopView {
         labels.add(name, at, Symbols.LARGE, Texts.NORMAL);
       } else {
         drawFirstPlace(canvas, labels, name, place.get());
-        Symbols.thing(canvas, at);
+        Symbols.thing(canvas, at, Palette.screen(world.paint(name)));
         labels.add(name, at, Symbols.SMALL, Texts.NORMAL);
       }
     }
@@ -231,7 +249,7 @@ public final class TopView {
     Point2 first = firstPlaces.getOrDefault(name, now);
     if (first.distance(now) > MOVED_METRES) {
       Point2D at = scale.at(first);
-      Symbols.formerThing(canvas, at);
+      Symbols.formerThing(canvas, at, Palette.screen(world.paint(name)));
       labels.add(name + " at first", at, Symbols.SMALL, Texts.SMALL);
     }
   }

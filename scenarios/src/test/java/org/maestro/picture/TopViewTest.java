@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.hal.Position;
+import org.maestro.junit.MaestroAssertions;
 import org.maestro.junit.MaestroTest;
 import org.maestro.junit.Stage;
 import org.maestro.ontology.home.Geometry;
@@ -44,8 +45,10 @@ class TopViewTest {
       assertThat(brightness(picture, home, new Point2(5.5, 2.7))).isGreaterThan(dark + 20);
       assertThat(has(picture, home, new Point2(0.8, 2.1), Palette.PERSON)).isTrue();
       assertThat(has(picture, home, new Point2(4.0, 0.8), Palette.ROBOT)).isTrue();
-      assertThat(has(picture, home, new Point2(4, 2), Palette.THING)).isTrue();
-      assertThat(has(picture, home, new Point2(5.2, 2.2), Palette.THING)).as("at first").isTrue();
+      assertThat(has(picture, home, new Point2(4, 2), own(stage, "Cup"))).isTrue();
+      assertThat(has(picture, home, new Point2(5.2, 2.2), own(stage, "Cup")))
+          .as("at first")
+          .isTrue();
       assertThat(has(picture, home, new Point2(1.5, 1.5), Palette.CAMERA)).isTrue();
       assertThat(has(picture, home, new Point2(1.1, 1.5), Palette.LAMP)).as("lit").isTrue();
       assertThat(has(picture, home, new Point2(4.1, 1.5), Palette.LAMP)).as("dark").isFalse();
@@ -65,11 +68,36 @@ class TopViewTest {
       BufferedImage picture = draw(new TopView(home, stage.world()));
 
       assertThat(picture.getWidth()).isEqualTo(1600);
-      assertThat(has(picture, home, new Point2(1.2, 2.0), Palette.THING)).isTrue();
+      assertThat(has(picture, home, new Point2(1.2, 2.0), own(stage, "GreenObject"))).isTrue();
       assertThat(has(picture, home, new Point2(4.2, 1.5), Palette.CAMERA)).isTrue();
       assertThat(has(picture, home, new Point2(0.9, 1.5), Palette.LAMP)).as("dark").isFalse();
       assertThat(has(picture, home, new Point2(3.55, 1.5), Palette.CAMERA)).as("field").isTrue();
     }
+  }
+
+  @Nested
+  @MaestroTest(home = "arena-windows", scene = "arena-windows")
+  class ByDay {
+
+    @Test
+    void showsWindowsAndHowFarTheirShuttersAreOpen(Stage stage) throws IOException {
+      Home home = stage.knowledge().home();
+      Point2 west = new Point2(1.4, 0);
+
+      assertThat(has(draw(new TopView(home, stage.world())), home, west, Palette.GLASS))
+          .as("shutters are closed at first")
+          .isFalse();
+      MaestroAssertions.assertThat(stage.goal("(= (opening shutter-west) 1)")).isReached();
+      BufferedImage open = draw(new TopView(home, stage.world()));
+      assertThat(has(open, home, west, Palette.GLASS)).isTrue();
+      assertThat(has(open, home, new Point2(7, 0), Palette.GLASS)).isFalse();
+      assertThat(own(stage, "GreenObject").getGreen())
+          .isGreaterThan(own(stage, "GreenObject").getRed());
+    }
+  }
+
+  private static Color own(Stage stage, String thing) {
+    return Palette.screen(stage.world().paint(thing));
   }
 
   private BufferedImage draw(TopView view) throws IOException {
