@@ -29,8 +29,9 @@ public record DeviceMember(MemberProfile profile, MemberProfile.Values values) {
     Procedures procedures = new Procedures();
     Set<String> states = new TreeSet<>(Set.of(STANDBY, SAFE));
     Map<String, MemberProfile.Feature> features = new LinkedHashMap<>();
+    Deposits deposits = new Deposits();
     for (FeatureType type : device.features()) {
-      FeatureContext context = FeatureContext.of(device.id(), type, drivers, clock);
+      FeatureContext context = FeatureContext.of(device.id(), type, drivers, clock, deposits);
       String runningState = procedures.runningState(context);
       states.add(runningState);
       features.put(

@@ -11,13 +11,23 @@ import org.maestro.rats.protocol.RatsError;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Term;
 
-/** What a procedure is made from: its feature's description, the device's drivers and the clock. */
+/**
+ * What a procedure is made from: its feature's description, the device's drivers and the clock.
+ *
+ * @param deposits the device's memory, shared by its features
+ */
 record FeatureContext(
-    String device, FeatureType feature, Drivers drivers, Clock clock, FactTemplates quantities) {
+    String device,
+    FeatureType feature,
+    Drivers drivers,
+    Clock clock,
+    FactTemplates quantities,
+    Deposits deposits) {
 
-  static FeatureContext of(String device, FeatureType feature, Drivers drivers, Clock clock) {
+  static FeatureContext of(
+      String device, FeatureType feature, Drivers drivers, Clock clock, Deposits deposits) {
     return new FeatureContext(
-        device, feature, drivers, clock, new FactTemplates(device, feature.refersTo()));
+        device, feature, drivers, clock, new FactTemplates(device, feature.refersTo()), deposits);
   }
 
   /**

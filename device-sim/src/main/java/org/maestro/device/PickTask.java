@@ -17,8 +17,9 @@ final class PickTask extends ArmTask {
   void start(Execution execution, CallParameters parameters) {
     Pointer object = parameters.pointer("object");
     Position place =
-        object
-            .position()
+        context()
+            .deposits()
+            .position(object)
             .orElseThrow(
                 () ->
                     new InvalidCallException(
@@ -52,15 +53,19 @@ final class PickTask extends ArmTask {
                             "look for it again",
                             List.of())),
                 new ActionSequence.Action("fold", arm()::fold)),
-            () -> execution.succeed(Map.of()))
+            () -> {
+              context().deposits().forget(object.name());
+              execution.succeed(Map.of());
+            })
         .run();
   }
 
   @Override
   CostAnswer cost(CallParameters parameters) {
     Pointer object = parameters.pointer("object");
-    return object
-        .position()
+    return context()
+        .deposits()
+        .position(object)
         .map(place -> price(reach().to(place.floor()), arm().pickSeconds(), object.name()))
         .orElseGet(() -> price(arm().pickSeconds()));
   }

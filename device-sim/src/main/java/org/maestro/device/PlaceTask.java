@@ -50,7 +50,10 @@ final class PlaceTask extends ArmTask {
                 new ActionSequence.Action(
                     "let go", arm()::release, reason -> lost(object, parameters, reason)),
                 new ActionSequence.Action("fold", arm()::fold)),
-            () -> execution.succeed(Map.of()))
+            () -> {
+              context().deposits().put(object.name(), spot.get());
+              execution.succeed(Map.of());
+            })
         .run();
   }
 
@@ -91,7 +94,9 @@ final class PlaceTask extends ArmTask {
             .map(outline -> new Area(target.name(), outline, outline.centroid()))
             .or(() -> robot().area(target.name()));
     return area.map(place -> reach().within(place))
-        .or(() -> target.position().map(place -> reach().beside(place.floor())));
+        .or(
+            () ->
+                context().deposits().position(target).map(place -> reach().beside(place.floor())));
   }
 
   @Override

@@ -182,6 +182,15 @@ class RobotTest {
   }
 
   @Test
+  void remembersWhereItPutWhatItsCallerKnowsOnlyByItsRoom() {
+    call("pick", Map.of("object", homes.at("Cup")));
+    call("place", Map.of("object", Homes.ref("Cup"), "target", Homes.ref("zone-b")));
+    assertThat(call("pick", Map.of("object", Homes.ref("Cup"))).outcome())
+        .isEqualTo(Outcome.SUCCEEDED);
+    assertThat(homes.world().holder("Cup")).contains("rose");
+  }
+
+  @Test
   void refusesToPlaceWhatItDoesNotHoldAndToPickTwice() {
     Result placed = call("place", Map.of("object", Homes.ref("Cup"), "target", homes.at("Bob")));
     assertThat(placed.error().orElseThrow().refs().get(0).fact()).isEqualTo("(in Cup rose)");

@@ -231,6 +231,11 @@ final class JoinLeave implements Experiment {
     return figures;
   }
 
+  /** Nothing is not below nothing. */
+  private static double tenths(double seconds) {
+    return Math.round(10 * seconds) / 10.0 + 0.0;
+  }
+
   private static List<Integer> counts(List<JoinRun> runs) {
     int reached = reached(runs).hits();
     int falselyClaimed = (int) runs.stream().filter(JoinRun::falseClaim).count();
@@ -280,8 +285,8 @@ final class JoinLeave implements Experiment {
                         : String.format(
                             Locale.ROOT,
                             "%.1f s in the mean, %.1f s at most",
-                            added.mean(),
-                            added.greatest()),
+                            tenths(added.mean()),
+                            tenths(added.greatest())),
                     "of goals that were reached, against the same goal undisturbed")));
     page.heading("Figures");
     figures.forEach(page::figure);

@@ -40,9 +40,9 @@ final class OverExposure implements Experiment {
 
   private static final List<Condition> CONDITIONS =
       List.of(
-          new Condition("as in the paper", "paper", false, false),
+          new Condition("cameras do not notice, as in the paper", "paper", false, false),
           new Condition("cameras notice", "noticing", true, false),
-          new Condition("and shutters", "shutters", true, true));
+          new Condition("cameras notice, and shutters", "shutters", true, true));
 
   /** All runs under one condition. */
   private record Series(Condition condition, List<MoveRun> runs) {

@@ -20,5 +20,8 @@ class BrokenCupTest {
         .startsWith("scout")
         .contains("rose")
         .endsWith("dusty");
+    assertThat(findings.tables().get("runs").rows())
+        .as("replans: where it put the first shard, the robot knows")
+        .allMatch(row -> row.get(6).equals("0"));
   }
 }
