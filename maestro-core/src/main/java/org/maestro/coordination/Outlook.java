@@ -9,7 +9,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import org.maestro.knowledge.FeatureRun;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.Plan;
@@ -42,6 +41,10 @@ final class Outlook {
   private final FailureMemory failures;
   private final SearchLog searches;
   private final Map<StepKey, String> leftAlone = new LinkedHashMap<>();
+
+  /** What became of it when a step failed, nobody knew. */
+  private final Interest leftOpen;
+
   private List<PricedFeature> features = List.of();
   private Optional<Confirmation> confirmation = Optional.empty();
   private Instant confirmedSince = Instant.MIN;
@@ -58,6 +61,7 @@ final class Outlook {
     this.rivals = rivals;
     this.failures = new FailureMemory(goalId, ports.journal());
     this.searches = new SearchLog(goalId, ports.journal());
+    this.leftOpen = new Interest(vocabulary());
     this.check = new PlanCheck(ports.planner());
   }
 
@@ -184,8 +188,11 @@ final class Outlook {
         ports.knowledge().snapshot(), ports.knowledge().home().vocabulary());
   }
 
-  void failed(Step step, String factsBefore, String problem, List<FeatureRun.Learnt> taught) {
-    failures.note(step.key(), factsBefore, problem, taught);
+  void failed(StepExecution.Ended ended, String problem) {
+    failures.note(ended.step().key(), ended.factsBefore(), problem, ended.report().refs());
+    List<String> lost =
+        ended.change().facts().stream().filter(fact -> fact.startsWith("(unknown ")).toList();
+    leftOpen.addAll(Interest.of(lost, vocabulary()));
   }
 
   /** Returns whether any barred step had no last chance before. */
@@ -224,16 +231,28 @@ final class Outlook {
     return barred;
   }
 
-  /** Whether there would be a plan if somebody did what was refused now, or failed. */
+  /**
+   * Whether there would be a plan if somebody did what was refused now, or failed, or if that were
+   * so which a step that failed left open.
+   */
   boolean restsOnRefusals(PlanningResult result) {
     return result instanceof PlanningResult.Impossible impossible
         && impossible.explanation().obstacles().stream().anyMatch(this::isOrWouldDoInstead);
   }
 
   private boolean isOrWouldDoInstead(PlanningResult.Obstacle obstacle) {
-    return isRefusal(obstacle)
+    return mayBeOvercome(obstacle)
         || obstacle.cures().stream()
-            .anyMatch(c -> c.conditions().stream().allMatch(this::isRefusal));
+            .anyMatch(c -> c.conditions().stream().allMatch(this::mayBeOvercome));
+  }
+
+  private boolean mayBeOvercome(PlanningResult.Obstacle obstacle) {
+    return isRefusal(obstacle) || isLeftOpen(obstacle);
+  }
+
+  private boolean isLeftOpen(PlanningResult.Obstacle obstacle) {
+    return obstacle.kind() == PlanningResult.Obstacle.Kind.UNKNOWN
+        && Interest.of(List.of(obstacle.condition()), vocabulary()).isNamedBy(leftOpen);
   }
 
   private boolean isRefusal(PlanningResult.Obstacle obstacle) {

@@ -166,7 +166,7 @@ final class PlanFollowing {
       story.done(ended.step(), ended.change());
     } else if (!ended.calledOff()) {
       String problem = ended.report().problem().orElse("no reason given");
-      outlook.failed(ended.step(), ended.factsBefore(), problem, ended.report().refs());
+      outlook.failed(ended, problem);
       story.failed(ended.step(), problem, ended.change());
     }
     parts.contention().letGoOfWhatIsDone();

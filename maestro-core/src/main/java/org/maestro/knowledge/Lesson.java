@@ -128,13 +128,15 @@ final class Lesson {
         || declarations.isObservable(predicate);
   }
 
-  /** A member goes on telling its own values, whatever became of the step. */
+  /**
+   * A member goes on telling what it tells of itself, whatever became of the step: its own values,
+   * and what it holds.
+   */
   private boolean isOwnWord(StateVariable variable) {
-    return variable.isAbout(new Term.Name(run.member()))
-        && world
-            .cell(variable)
-            .flatMap(Cell::value)
-            .filter(held -> held.source().equals(new Source(Source.Kind.STATED, run.member())))
-            .isPresent();
+    return world
+        .cell(variable)
+        .flatMap(Cell::value)
+        .filter(held -> held.source().equals(new Source(Source.Kind.STATED, run.member())))
+        .isPresent();
   }
 }

@@ -97,6 +97,30 @@ class LastTryTest {
   }
 
   @Test
+  void whatAStepThatFailedLeftOpenIsNoProof() {
+    house.ambientLux.put("zone-a", 100.0);
+    house.ambientLux.put("zone-b", 100.0);
+    house.beforeCall =
+        call -> {
+          if (call.equals("place rose")) {
+            house.dead.add("rose");
+            house.place.put("Cup", "nobody-knows-where");
+          } else {
+            house.dead.clear();
+          }
+        };
+
+    GoalOutcome outcome = house.achieve("(nextTo Cup Bob)");
+
+    assertThat(outcome.state()).isEqualTo(GoalState.FAILED);
+    assertThat(house.calls).contains("place rose");
+    assertThat(String.join(" ", outcome.reasons()))
+        .as(String.join("\n", house.story))
+        .contains("if Cup were in rose")
+        .contains("not proven to be impossible");
+  }
+
+  @Test
   void aGoalThatWaitsForItsLastTryCanBeCancelled() {
     house.dead.add("rose");
     house.clock.schedule(MOMENT, "us", () -> house.coordinator.cancel("G1", "Bob"));

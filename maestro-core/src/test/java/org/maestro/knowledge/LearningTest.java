@@ -36,6 +36,8 @@ class LearningTest {
           "(and (in ?object ?self) (forall (?t - Thing) (not (nextTo ?object ?t))) (open ?self))",
           "");
 
+  private static final FeatureType PUT = Household.feature("(in ?object ?zone)", "");
+
   private final Household home = new Household(store());
 
   /** Where the dataset is kept. */
@@ -172,6 +174,21 @@ class LearningTest {
         .as("its own word stands")
         .map(Belief::source)
         .contains(new Source(Source.Kind.STATED, "lamp-b1"));
+  }
+
+  @Test
+  void whatAMemberTellsOfItselfStandsWhenItsStepFails() {
+    home.state(new Source(Source.Kind.STATED, "rose"), "(in Cup rose)");
+    home.knowledge.learn(
+        new FeatureRun(
+            "rose",
+            PUT,
+            Map.of("object", name("Cup"), "zone", name("zone-b"), "self", name("rose")),
+            false,
+            Map.of(),
+            List.of()));
+
+    assertThat(home.truth("(in Cup rose)")).isEqualTo(Truth.TRUE);
   }
 
   @Test
