@@ -43,6 +43,7 @@ final class BudgetedSearch {
   private final PlanningTask task;
   private final Grounder grounder;
   private final int mostStates;
+  private final Effort effort;
   private final boolean weighingSearches;
   private Optional<GroundProblem> solved = Optional.empty();
 
@@ -56,6 +57,7 @@ final class BudgetedSearch {
     this.task = task;
     this.grounder = grounder;
     this.mostStates = mostStates;
+    this.effort = Effort.forBestPlan(mostStates);
     this.weighingSearches = weighingSearches;
   }
 
@@ -82,14 +84,12 @@ final class BudgetedSearch {
           return result.get();
         }
       } else if (round.outcome() instanceof OptimalSearch.Outcome.BoundReached) {
-        return somePlan(ground.bounds().map(CostBounds::least).orElse(0.0))
-            .orElseGet(this::givenUp);
+        return somePlan(ground.bounds().map(CostBounds::least).orElse(0.0));
       } else if (round.outcome() instanceof OptimalSearch.Outcome.TooDear tooDear) {
         double soon = Math.max(tooDear.atLeast(), Math.min(next, Math.nextDown(ground.beyond())));
         next = soon > budget ? soon : next;
       } else if (round.beyond() == Double.POSITIVE_INFINITY) {
-        return new PlanningResult.Impossible(
-            new Explanation(List.of(ObstacleText.ofGoal(task.goal())), false));
+        return impossible();
       }
       budget = next;
       ground = budget >= ground.beyond() ? ground(budget) : ground;
@@ -100,27 +100,35 @@ final class BudgetedSearch {
     return new PlanningResult.GaveUp(
         "No plan and no proof that there is none within "
             + mostStates
-            + " states; allow more states or state a smaller goal.");
+            + " states; state a smaller goal.");
+  }
+
+  private PlanningResult impossible() {
+    return new PlanningResult.Impossible(
+        new Explanation(List.of(ObstacleText.ofGoal(task.goal())), false));
   }
 
   /** Where the cheapest plan is too hard to find, any is better than none. */
-  private Optional<PlanningResult> somePlan(double atLeast) {
+  private PlanningResult somePlan(double atLeast) {
     if (!weighingSearches || task.objective() != Objective.CHEAPEST) {
-      return Optional.empty();
+      return givenUp();
     }
     Pruning.Pruned pruned =
         Pruning.pruned(grounder.ground(Double.POSITIVE_INFINITY).problem().placed());
     if (!pruned.isSolvable()) {
-      return Optional.empty();
+      return impossible();
     }
     GroundProblem problem = pruned.problem().placed();
     LandmarkCut cuts = new LandmarkCut(new RelaxedProblem(problem));
-    if (!(OptimalSearch.hasty(problem, cuts, mostStates, HASTE).run()
-        instanceof OptimalSearch.Outcome.Found found)) {
-      return Optional.empty();
+    OptimalSearch.Outcome outcome =
+        OptimalSearch.hasty(problem, cuts, Effort.forAnyPlan(mostStates), HASTE).run();
+    if (outcome instanceof OptimalSearch.Outcome.Exhausted) {
+      return impossible();
+    } else if (outcome instanceof OptimalSearch.Outcome.Found found) {
+      Plan plan = PlanBuilder.plan(problem, found.operators());
+      return new PlanningResult.Found(plan, OptionalDouble.of(atLeast), plan.members());
     }
-    Plan plan = PlanBuilder.plan(problem, found.operators());
-    return Optional.of(new PlanningResult.Found(plan, OptionalDouble.of(atLeast), plan.members()));
+    return givenUp();
   }
 
   private Ground ground(double budget) {
@@ -156,7 +164,7 @@ final class BudgetedSearch {
         beyond,
         weighingSearches && Sought.hasManyPlaces(sought)
             ? amongManyPlaces(pruned, sought, beyond, budget)
-            : search(pruned, mostStates, budget));
+            : search(pruned, effort, budget));
   }
 
   /**
@@ -171,18 +179,18 @@ final class BudgetedSearch {
     }
     Supposition likeliest = Supposition.likeliest(sought, grounder.chances());
     OptimalSearch.Outcome outcome =
-        search(Pruning.pruned(likeliest.appliedTo(pruned.problem())), mostStates, budget);
+        search(Pruning.pruned(likeliest.appliedTo(pruned.problem())), effort, budget);
     pruned.problem().placed();
     boolean none =
         outcome instanceof OptimalSearch.Outcome.Exhausted
             || outcome instanceof OptimalSearch.Outcome.BoundReached;
-    return none && !mayWait ? search(pruned, mostStates, budget) : outcome;
+    return none && !mayWait ? search(pruned, effort, budget) : outcome;
   }
 
   private static OptimalSearch.Outcome search(
-      Pruning.Pruned pruned, int mostStates, double mostCost) {
+      Pruning.Pruned pruned, Effort effort, double mostCost) {
     return pruned.isSolvable()
-        ? new LimitedSearch(pruned.problem(), pruned.relaxed(), mostStates, mostCost).run()
+        ? new LimitedSearch(pruned.problem(), pruned.relaxed(), effort, mostCost).run()
         : new OptimalSearch.Outcome.Exhausted(0);
   }
 
@@ -242,7 +250,7 @@ final class BudgetedSearch {
   private Optional<List<Operator>> cheapest(GroundProblem problem) {
     return search(
                 Pruning.pruned(problem),
-                Math.min(mostStates, MOST_STATES_BESIDE),
+                effort.within(MOST_STATES_BESIDE),
                 Double.POSITIVE_INFINITY)
             instanceof OptimalSearch.Outcome.Found found
         ? Optional.of(found.operators())

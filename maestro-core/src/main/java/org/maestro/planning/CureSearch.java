@@ -103,7 +103,7 @@ final class CureSearch {
         new OptimalSearch(
                 pruned.problem(),
                 new LandmarkCut(pruned.relaxed()),
-                mostStates,
+                Effort.forBestPlan(mostStates),
                 Double.POSITIVE_INFINITY)
             .run();
     if (outcome instanceof OptimalSearch.Outcome.Found found) {

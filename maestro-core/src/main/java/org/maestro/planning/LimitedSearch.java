@@ -22,18 +22,18 @@ final class LimitedSearch {
 
   private final GroundProblem problem;
   private final RelaxedProblem relaxed;
-  private final int mostStates;
+  private final Effort effort;
   private final double mostCost;
 
   /**
    * @param relaxed of that problem
-   * @param mostStates kept at once
+   * @param effort that it may cost
    * @param mostCost that a plan may have; may be infinite
    */
-  LimitedSearch(GroundProblem problem, RelaxedProblem relaxed, int mostStates, double mostCost) {
+  LimitedSearch(GroundProblem problem, RelaxedProblem relaxed, Effort effort, double mostCost) {
     this.problem = problem;
     this.relaxed = relaxed;
-    this.mostStates = mostStates;
+    this.effort = effort;
     this.mostCost = mostCost;
   }
 
@@ -47,7 +47,7 @@ final class LimitedSearch {
     for (int round = 1; limit <= mostCost + ROUNDING; round++) {
       CostBounds.Useful useful = bounds.useful(limit);
       if (round > MOST_ROUNDS || useful.beyond() == Double.POSITIVE_INFINITY) {
-        return new OptimalSearch(problem, bounds.cuts(), mostStates, mostCost).run();
+        return new OptimalSearch(problem, bounds.cuts(), effort, mostCost).run();
       }
       OptimalSearch.Outcome outcome = among(useful.operators(), limit + ROUNDING);
       problem.placed();
@@ -72,7 +72,7 @@ final class LimitedSearch {
       return new OptimalSearch.Outcome.Exhausted(1);
     }
     OptimalSearch.Outcome outcome =
-        new OptimalSearch(smaller, new LandmarkCut(relaxation), mostStates, limit).run();
+        new OptimalSearch(smaller, new LandmarkCut(relaxation), effort, limit).run();
     if (outcome instanceof OptimalSearch.Outcome.Found found) {
       Map<StepKey, Operator> original = new HashMap<>();
       useful.forEach(operator -> original.put(operator.key(), operator));

@@ -66,7 +66,7 @@ final class OptimalSearch {
 
   private final GroundProblem problem;
   private final LandmarkCut heuristic;
-  private final int mostStates;
+  private final Effort effort;
   private final double mostCost;
   private final double haste;
   private final SettledSums sums;
@@ -77,19 +77,19 @@ final class OptimalSearch {
   private StubbornSets stubborn;
 
   /**
-   * @param mostStates kept at once
+   * @param effort that it may cost
    * @param mostCost that a plan may have; may be infinite
    */
-  OptimalSearch(GroundProblem problem, LandmarkCut heuristic, int mostStates, double mostCost) {
-    this(problem, heuristic, mostStates, mostCost, 1);
+  OptimalSearch(GroundProblem problem, LandmarkCut heuristic, Effort effort, double mostCost) {
+    this(problem, heuristic, effort, mostCost, 1);
   }
 
   private OptimalSearch(
-      GroundProblem problem, LandmarkCut heuristic, int mostStates, double mostCost, double haste) {
+      GroundProblem problem, LandmarkCut heuristic, Effort effort, double mostCost, double haste) {
     this.haste = haste;
     this.problem = problem;
     this.heuristic = heuristic;
-    this.mostStates = mostStates;
+    this.effort = effort;
     this.mostCost = mostCost;
     this.sums = new SettledSums(heuristic.settings(), problem.initial().numbers());
     this.all.set(0, problem.operators().size());
@@ -97,8 +97,8 @@ final class OptimalSearch {
 
   /** A search for some plan, which may cost up to that many times as much as the cheapest. */
   static OptimalSearch hasty(
-      GroundProblem problem, LandmarkCut heuristic, int mostStates, double times) {
-    return new OptimalSearch(problem, heuristic, mostStates, Double.POSITIVE_INFINITY, times);
+      GroundProblem problem, LandmarkCut heuristic, Effort effort, double times) {
+    return new OptimalSearch(problem, heuristic, effort, Double.POSITIVE_INFINITY, times);
   }
 
   Outcome run() {
@@ -122,7 +122,7 @@ final class OptimalSearch {
       if (goal.holds(node.state)) {
         return new Outcome.Found(operatorsTo(node));
       }
-      if (nodes.size() > mostStates) {
+      if (nodes.size() > effort.mostStates() || effort.isSpent()) {
         return new Outcome.BoundReached(nodes.size());
       }
       expand(node, entry.total());
@@ -132,6 +132,7 @@ final class OptimalSearch {
 
   /** The bound of the node before holds too: a plan through this one goes through that one. */
   private void evaluate(Node node, long totalBefore) {
+    effort.spend(problem.operators().size());
     node.estimate = heuristic.estimate(node.state);
     node.landmarks = heuristic.landmarkOperators();
     if (node.estimate < Double.POSITIVE_INFINITY) {

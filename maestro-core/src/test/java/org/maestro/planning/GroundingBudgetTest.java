@@ -20,7 +20,10 @@ class GroundingBudgetTest {
     GroundProblem whole = new Grounder(task).ground();
     OptimalSearch.Outcome expected =
         new OptimalSearch(
-                whole, new LandmarkCut(new RelaxedProblem(whole)), 100_000, Double.MAX_VALUE)
+                whole,
+                new LandmarkCut(new RelaxedProblem(whole)),
+                Effort.forAnyPlan(100_000),
+                Double.MAX_VALUE)
             .run();
 
     PlanningResult found = planner.optimistic(task);
@@ -41,7 +44,11 @@ class GroundingBudgetTest {
       GroundProblem within = new Grounder(task).ground(cost).problem();
 
       assertThat(
-              new OptimalSearch(within, new LandmarkCut(new RelaxedProblem(within)), 100_000, cost)
+              new OptimalSearch(
+                      within,
+                      new LandmarkCut(new RelaxedProblem(within)),
+                      Effort.forAnyPlan(100_000),
+                      cost)
                   .run())
           .isInstanceOf(OptimalSearch.Outcome.Found.class);
     }
