@@ -256,6 +256,8 @@ public final class CoordinatorAgent extends MaestroAgent {
       misconduct(
           words.string("goal").orElse("none"),
           "%s raises an alarm: %s".formatted(member.get(), alert.get().replaceAll("\\.$", "")));
+    } else if (member.isPresent() && ContractWords.areIn(words)) {
+      ContractWords.tell(words, deliberation.coordinator());
     } else if (member.isPresent() && phase.isPresent()) {
       if (phase.get().equals("ready")) {
         deliberation.memberPresent(member.get(), message.getSender(), words.string("life"));

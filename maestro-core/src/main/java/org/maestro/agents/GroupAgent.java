@@ -151,7 +151,9 @@ public final class GroupAgent extends MaestroAgent {
         || !member.equals(sender) && !(isLost && sender.equals(SupervisorAgent.NAME))) {
       return;
     }
-    if (words.string("phase").filter("ready"::equals).isPresent()) {
+    if (ContractWords.areIn(words)) {
+      goals.heard(words);
+    } else if (words.string("phase").filter("ready"::equals).isPresent()) {
       String life = words.string("life").orElse("");
       String former = present.put(member, life);
       if (former != null && !former.equals(life)) {

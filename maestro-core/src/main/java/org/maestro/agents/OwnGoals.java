@@ -96,6 +96,11 @@ final class OwnGoals {
     deliberation.memberLost(member, reason);
   }
 
+  /** News of what is under way for one of them. */
+  void heard(Words words) {
+    ContractWords.tell(words, deliberation.coordinator());
+  }
+
   private void pursue(Formula goal) {
     if (!goals.containsKey(goal)) {
       Own own = new Own(goal);

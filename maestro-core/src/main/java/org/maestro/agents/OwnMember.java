@@ -66,7 +66,9 @@ final class OwnMember implements Market, Crew {
                 order.parameters(),
                 order.timeout(),
                 order.call().map(Call::id),
-                Optional.of(order.goalId())),
+                Optional.of(order.goalId()),
+                Optional.empty()),
+            Optional.empty(),
             (outcome, report) -> reported.accept(report))
         ::cancel;
   }

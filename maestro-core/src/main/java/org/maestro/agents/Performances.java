@@ -1,8 +1,10 @@
 package org.maestro.agents;
 
+import jade.core.AID;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,7 +21,9 @@ import org.maestro.members.MemberNews;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.Offer;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.sl.Content;
 import org.maestro.sl.Term;
@@ -29,6 +33,8 @@ import org.maestro.sl.Term;
  * into messages to who asked. Agent thread only.
  */
 final class Performances {
+  private static final int MOST_RECENT = 256;
+
   private final MaestroAgent agent;
   private final String member;
   private final RatsLink link;
@@ -38,6 +44,17 @@ final class Performances {
   private final Consumer<List<String>> say;
   private final Map<String, RatsLink.CallHandle> handles = new TreeMap<>();
   private final Map<String, Runnable> abandoned = new TreeMap<>();
+
+  /** Of calls, also for some time after their end. */
+  private final Map<String, String> recentGoals =
+      new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, String> eldest) {
+          return size() > MOST_RECENT;
+        }
+      };
 
   /**
    * @param formerCalls what is known of calls before the agent came here
@@ -125,7 +142,8 @@ final class Performances {
             arguments,
             Duration.ofMillis((long) words.number("timeout", 30_000)),
             words.string("call"),
-            words.string("goal"));
+            words.string("goal"),
+            expected(words));
     String conversation = conversation(message);
     abandoned.put(
         conversation,
@@ -135,7 +153,20 @@ final class Performances {
                 Outcome.FAILED,
                 OrderUnderway.failed(
                     "the agent of " + member + " was moved while it was at it", List.of())));
-    begin(conversation, deed, (outcome, report) -> answer(message, outcome, report));
+    begin(
+        conversation,
+        deed,
+        Optional.of(message.getSender()),
+        (outcome, report) -> answer(message, outcome, report));
+  }
+
+  /** What who orders it counts on. */
+  private static Optional<Call.Expectation> expected(Words words) {
+    double cost = words.number("cost", -1);
+    double seconds = words.number("seconds", -1);
+    return cost < 0 || seconds < 0
+        ? Optional.empty()
+        : Optional.of(new Call.Expectation(cost, seconds));
   }
 
   /**
@@ -160,16 +191,21 @@ final class Performances {
       Map<String, Argument> arguments,
       Duration timeout,
       Optional<String> call,
-      Optional<String> goal) {}
+      Optional<String> goal,
+      Optional<Call.Expectation> expects) {}
 
   /**
    * Has the member do it.
    *
    * @param conversation names it here
+   * @param holder of the contract, who hears of offers to do it better, and when it is given back
    * @param reported told once
    */
   RatsLink.CallHandle begin(
-      String conversation, Deed deed, BiConsumer<Outcome, Crew.Report> reported) {
+      String conversation,
+      Deed deed,
+      Optional<AID> holder,
+      BiConsumer<Outcome, Crew.Report> reported) {
     Map<String, Object> parameters = new TreeMap<>();
     Map<String, Term> bindings = new TreeMap<>();
     deed.arguments()
@@ -189,9 +225,11 @@ final class Performances {
                 deed.feature().name(),
                 parameters,
                 deed.timeout(),
-                deed.goal()),
-            new CallReporter(agent::tell, new Reporter(conversation, deed, reported)));
+                deed.goal(),
+                deed.expects()),
+            new CallReporter(agent::tell, new Reporter(conversation, deed, holder, reported)));
     handles.put(conversation, handle);
+    deed.goal().ifPresent(goal -> recentGoals.put(handle.callId(), goal));
     return handle;
   }
 
@@ -313,15 +351,43 @@ final class Performances {
             Words.named("refs", refs)));
   }
 
+  /** The member raises an alarm: the coordinator is told, for people to hear. */
+  private void alarm(Optional<String> goal, String message) {
+    agent.send(
+        agent.message(
+            ACLMessage.INFORM,
+            agent.getAID(CoordinatorAgent.NAME),
+            Words.content(
+                "inform",
+                Words.named("member", Words.name(member)),
+                Words.named("alert", Words.text(message)),
+                Words.named("goal", Words.name(goal.orElse("none"))))));
+  }
+
+  /**
+   * An alarm after its call's end, or of no call at all.
+   *
+   * @param call its id
+   */
+  void alarmed(String call, String message) {
+    alarm(Optional.ofNullable(recentGoals.get(call)), message);
+  }
+
   /** Tells on what becomes of one call. */
   private final class Reporter implements CallReporter.Listener {
     private final String conversation;
     private final Deed deed;
+    private final Optional<AID> holder;
     private final BiConsumer<Outcome, Crew.Report> reported;
 
-    Reporter(String conversation, Deed deed, BiConsumer<Outcome, Crew.Report> reported) {
+    Reporter(
+        String conversation,
+        Deed deed,
+        Optional<AID> holder,
+        BiConsumer<Outcome, Crew.Report> reported) {
       this.conversation = conversation;
       this.deed = deed;
+      this.holder = holder;
       this.reported = reported;
     }
 
@@ -347,15 +413,32 @@ final class Performances {
 
     @Override
     public void alerted(String message) {
-      agent.send(
-          agent.message(
-              ACLMessage.INFORM,
-              agent.getAID(CoordinatorAgent.NAME),
-              Words.content(
-                  "inform",
-                  Words.named("member", Words.name(member)),
-                  Words.named("alert", Words.text(message)),
-                  Words.named("goal", Words.name(deed.goal().orElse("none"))))));
+      alarm(deed.goal(), message);
+    }
+
+    @Override
+    public void offered(String by, Offer offer) {
+      tellHolder(
+          Words.named("offer", Words.name(by)),
+          Words.named("cost", Words.number(offer.cost())),
+          Words.named("seconds", Words.number(offer.seconds())));
+    }
+
+    @Override
+    public void released(String reason) {
+      tellHolder(Words.named("release", Words.text(reason)));
+    }
+
+    private void tellHolder(Content.Argument... news) {
+      if (holder.isEmpty() || deed.goal().isEmpty()) {
+        return;
+      }
+      List<Content.Argument> arguments = new ArrayList<>();
+      arguments.add(Words.named("member", Words.name(member)));
+      arguments.add(Words.named("feature", Words.name(deed.feature().name())));
+      arguments.add(Words.named("goal", Words.name(deed.goal().get())));
+      arguments.addAll(List.of(news));
+      agent.send(agent.message(ACLMessage.INFORM, holder.get(), new Content("inform", arguments)));
     }
 
     @Override

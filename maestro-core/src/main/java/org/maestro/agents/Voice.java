@@ -8,6 +8,7 @@ import org.maestro.deployment.Charge;
 import org.maestro.members.MemberNews;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.home.Device;
+import org.maestro.rats.link.RatsLink;
 import org.maestro.sl.Content;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
@@ -64,7 +65,7 @@ final class Voice implements MemberNews.Listener {
 
   void begin() {
     goals.ifPresent(OwnGoals::begin);
-    unwatch = here.link().watch(member, now -> agent.tell(() -> news.changed(now)));
+    unwatch = here.link().watch(member, new Ear());
   }
 
   void end() {
@@ -126,6 +127,19 @@ final class Voice implements MemberNews.Listener {
     goals.ifPresent(own -> own.memberLost(member, reason));
     agent.announce(presence("lost", reason));
     agent.registerServices();
+  }
+
+  /** Told on the link's thread. */
+  private final class Ear implements RatsLink.MemberListener {
+    @Override
+    public void changed(RatsLink.Member now) {
+      agent.tell(() -> news.changed(now));
+    }
+
+    @Override
+    public void alerted(String speaker, String callId, String message) {
+      agent.tell(() -> performances.alarmed(callId, message));
+    }
   }
 
   /** Tells the knowledge agent, and tells it again while it is too busy to answer in time. */

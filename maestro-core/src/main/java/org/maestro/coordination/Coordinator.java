@@ -247,6 +247,19 @@ public final class Coordinator {
         });
   }
 
+  /** A member offers to take over a running step of the goal; nothing is promised to it (M43). */
+  public void offered(String goalId, Takeover offer) {
+    rivals.run(() -> Optional.ofNullable(pursuits.get(goalId)).ifPresent(p -> p.offered(offer)));
+  }
+
+  /** A member gives back a running step of the goal, and brings itself to a safe state (M44). */
+  public void givenBack(String goalId, String member, String feature, String reason) {
+    rivals.run(
+        () ->
+            Optional.ofNullable(pursuits.get(goalId))
+                .ifPresent(pursuit -> pursuit.givenBack(member, feature, reason)));
+  }
+
   public void knowledgeChanged(KnowledgeBase.Change change) {
     exactPrices.forget(change.source().agent());
     if (rivals.all().isEmpty()) {

@@ -74,6 +74,26 @@ final class FailureMemory {
     return failed.count() >= failed.chances() && failed.facts().equals(factsUnder.apply(step));
   }
 
+  /** The member says that it can do the feature now, whatever was before. */
+  void pardon(String member, String feature) {
+    List<JournalEntry.Failed> pardoned =
+        failures.values().stream()
+            .filter(failed -> failed.step().member().equals(member))
+            .filter(failed -> failed.step().feature().equals(feature))
+            .toList();
+    for (JournalEntry.Failed failed : pardoned) {
+      remember(
+          new JournalEntry.Failed(
+              goalId,
+              failed.step(),
+              failed.facts(),
+              0,
+              failed.chances(),
+              failed.problem(),
+              failed.taught()));
+    }
+  }
+
   /** Gives each barred step that had none its last chance; returns whether there was any. */
   boolean giveLastChances(Function<StepKey, String> factsUnder) {
     List<JournalEntry.Failed> given =

@@ -109,6 +109,16 @@ final class GoalPursuit implements Pursuit, Course {
   }
 
   @Override
+  public void offered(Takeover offer) {
+    following.offered(offer);
+  }
+
+  @Override
+  public void givenBack(String member, String feature, String reason) {
+    following.givenBack(member, feature, reason);
+  }
+
+  @Override
   public void doubtOver(String member) {
     ending.doubtOver(member);
   }

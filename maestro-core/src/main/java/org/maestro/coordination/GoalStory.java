@@ -144,6 +144,15 @@ final class GoalStory {
     why.ifPresent(reason -> tell(StoryEntry.Kind.REPLAN, "Plan again, because " + reason + "."));
   }
 
+  /** Its outcome follows. */
+  void givenBack(Step step, String reason) {
+    tell(
+        StoryEntry.Kind.FAILED,
+        "%s gives step %d back (%s): %s."
+            .formatted(
+                step.member(), step.number(), sentence(step), reason.replaceAll("\\.$", "")));
+  }
+
   void bids(List<Bid> bids, int notCalled, int questions, List<String> unpriced) {
     List<String> offers =
         bids.stream()

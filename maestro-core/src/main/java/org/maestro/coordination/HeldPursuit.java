@@ -172,6 +172,16 @@ final class HeldPursuit implements Pursuit {
   }
 
   @Override
+  public void offered(Takeover offer) {
+    work.told(pursuit -> pursuit.offered(offer));
+  }
+
+  @Override
+  public void givenBack(String member, String feature, String reason) {
+    work.told(pursuit -> pursuit.givenBack(member, feature, reason));
+  }
+
+  @Override
   public void memberLost(String member) {
     watch.memberLost(member);
     holding.renewed();

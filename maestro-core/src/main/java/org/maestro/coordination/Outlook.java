@@ -41,6 +41,7 @@ final class Outlook {
   private final FailureMemory failures;
   private final SearchLog searches;
   private final Map<StepKey, String> leftAlone = new LinkedHashMap<>();
+  private final Map<StepKey, String> tooLate = new LinkedHashMap<>();
 
   /** What became of it when a step failed, nobody knew. */
   private final Interest leftOpen;
@@ -197,7 +198,22 @@ final class Outlook {
 
   /** Returns whether any barred step had no last chance before. */
   boolean giveLastChances() {
-    return failures.giveLastChances(this::factsUnder);
+    boolean any = failures.giveLastChances(this::factsUnder) || !tooLate.isEmpty();
+    tooLate.clear();
+    return any;
+  }
+
+  /** The member offers to do the feature: what failed before says nothing any more. */
+  void offersAgain(String member, String feature) {
+    failures.pardon(member, feature);
+    tooLate
+        .keySet()
+        .removeIf(step -> step.member().equals(member) && step.feature().equals(feature));
+  }
+
+  /** Its member takes so much longer than it said that others are preferred as long as any can. */
+  void tooLate(Step step, String why) {
+    tooLate.put(step.key(), why);
   }
 
   /** The step would end what another goal keeps for good; as long as it does, nobody does it. */
@@ -224,6 +240,7 @@ final class Outlook {
   Map<StepKey, String> barred() {
     leftAlone.values().removeIf(keeper -> rivals.find(keeper).filter(Pursuit::isHolding).isEmpty());
     Map<StepKey, String> barred = new LinkedHashMap<>(failures.barred(this::factsUnder));
+    barred.putAll(tooLate);
     leftAlone.forEach((step, keeper) -> barred.put(step, "it would end what " + keeper + " keeps"));
     searches
         .spent()

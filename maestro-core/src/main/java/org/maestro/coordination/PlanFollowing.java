@@ -1,5 +1,6 @@
 package org.maestro.coordination;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -23,6 +24,7 @@ final class PlanFollowing {
   private final GoalStory story;
   private final Course course;
   private final StepExecution execution;
+  private final Offers offers = new Offers();
   private Concern concern;
   private long ownChange = -1;
 
@@ -85,6 +87,39 @@ final class PlanFollowing {
     }
   }
 
+  /**
+   * The goal decides by a plan from the present, in which both have their present prices. Who is at
+   * it goes on meanwhile, and ends before another begins.
+   */
+  void offered(Takeover offer) {
+    if (!isActive() || parts.turn().isAwaited() || !parts.roster().isPresent(offer.by())) {
+      return;
+    }
+    Duration now = parts.ports().clock().now();
+    underway
+        .find(offer.from(), offer.feature())
+        .ifPresent(
+            step ->
+                offers
+                    .reason(step, story.sentence(step), offer, now)
+                    .ifPresent(
+                        why -> {
+                          if (offers.isLate(step, offer, now)) {
+                            outlook.tooLate(step, "it takes longer than was told");
+                          }
+                          outlook.offersAgain(offer.by(), offer.feature());
+                          underway.mayChangeHands(step);
+                          parts.exactPrices().forget(offer.by());
+                          parts.exactPrices().forget(offer.from());
+                          course.makePlan(Optional.of(why));
+                        }));
+  }
+
+  /** What it reports at its end has it planned again. */
+  void givenBack(String member, String feature, String reason) {
+    underway.find(member, feature).ifPresent(step -> story.givenBack(step, reason));
+  }
+
   void advance() {
     Turn turn = parts.turn();
     if (!isActive() || turn.isAfterAnother()) {
@@ -104,7 +139,7 @@ final class PlanFollowing {
   private void beginSteps() {
     List<WaitsFor> waits = new ArrayList<>();
     for (Step step : plan.startable()) {
-      if (underway.contains(step) || underway.clashesWith(step)) {
+      if (underway.contains(step) || underway.clashesWith(step) || underway.isHandedOver(step)) {
         continue;
       }
       List<WaitsFor> obstacles = parts.contention().obstacles(step);
@@ -153,6 +188,7 @@ final class PlanFollowing {
       life.become(outlook.isConfirming() ? GoalState.CONFIRMING : GoalState.RUNNING, "");
     }
     story.begun(step, plan.size());
+    offers.begun(step, parts.ports().clock().now());
     execution.begin(step, plan.remaining());
   }
 

@@ -53,6 +53,16 @@ interface Pursuit {
 
   void memberLost(String member);
 
+  /** Somebody could do better what a member is at for this goal. */
+  default void offered(Takeover offer) {
+    // Whoever has nothing under way has nothing to hand over.
+  }
+
+  /** The member gives back what it is at, and will report that it has failed. */
+  default void givenBack(String member, String feature, String reason) {
+    // Whoever has nothing under way gets nothing back.
+  }
+
   /** It is certain whether a member that was in doubt is there. */
   default void doubtOver(String member) {
     // Only who waits for it has anything to do.

@@ -5,11 +5,13 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
+import org.maestro.sl.Term;
 
 /**
  * The steps of one goal that agents are at, and which of them the coordinator itself has called
@@ -19,6 +21,7 @@ final class StepsUnderway {
   private final Map<StepKey, Underway> underway = new LinkedHashMap<>();
   private final Map<StepKey, FactsBesideSteps.Handled> handled = new HashMap<>();
   private final Set<StepKey> calledOff = new LinkedHashSet<>();
+  private final Set<StepKey> offeredFor = new LinkedHashSet<>();
 
   private record Underway(Step step, Snapshot before, Crew.Performance performance) {}
 
@@ -30,6 +33,7 @@ final class StepsUnderway {
   boolean ended(Step step) {
     underway.remove(step.key());
     handled.remove(step.key());
+    offeredFor.remove(step.key());
     return calledOff.remove(step.key());
   }
 
@@ -50,6 +54,35 @@ final class StepsUnderway {
                 running.member().equals(next.member())
                     && running.feature().occupies().stream()
                         .anyMatch(next.feature().occupies()::contains));
+  }
+
+  /** The member's step of that feature, unless it was called off already. */
+  Optional<Step> find(String member, String feature) {
+    return steps().stream()
+        .filter(step -> step.member().equals(member) && step.feature().name().equals(feature))
+        .filter(step -> !calledOff.contains(step.key()))
+        .findFirst();
+  }
+
+  /** Another member may get what this step is for. */
+  void mayChangeHands(Step step) {
+    offeredFor.add(step.key());
+  }
+
+  /**
+   * Whether the next step has to wait until one that another is to take over has ended, so that
+   * never two are at the same.
+   */
+  boolean isHandedOver(Step next) {
+    return underway.values().stream()
+        .map(Underway::step)
+        .filter(step -> calledOff.contains(step.key()) && offeredFor.contains(step.key()))
+        .anyMatch(
+            step ->
+                step.feature().name().equals(next.feature().name())
+                    || step.bindings().values().stream()
+                        .filter(Term.Name.class::isInstance)
+                        .anyMatch(next.bindings().values()::contains));
   }
 
   void callOffAllBut(Set<StepKey> wanted, Consumer<Step> told) {

@@ -10,6 +10,7 @@ import org.maestro.knowledge.FeatureRun;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.Observation;
+import org.maestro.rats.protocol.Offer;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Progress;
 import org.maestro.rats.protocol.RatsError;
@@ -35,6 +36,12 @@ public final class CallReporter implements RatsLink.CallListener {
 
     /** Something that people should hear of at once. */
     default void alerted(String message) {}
+
+    /** Another member could do it too. */
+    default void offered(String by, Offer offer) {}
+
+    /** The member gives it back; a report of its failure follows. */
+    default void released(String reason) {}
 
     /** Nothing more will come. */
     void over();
@@ -64,6 +71,21 @@ public final class CallReporter implements RatsLink.CallListener {
     } else {
       worker.execute(() -> listener.learnt(JsonTerms.terms(observation.values())));
     }
+  }
+
+  @Override
+  public void offered(String member, Offer offer) {
+    worker.execute(
+        () -> {
+          if (!reported) {
+            listener.offered(member, offer);
+          }
+        });
+  }
+
+  @Override
+  public void released(String reason) {
+    worker.execute(() -> listener.released(reason));
   }
 
   @Override

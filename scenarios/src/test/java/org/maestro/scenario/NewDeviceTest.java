@@ -42,7 +42,7 @@ class NewDeviceTest {
          "cost": "0.2", "seconds": "0.2"}}
       """;
 
-  private static final String BAND =
+  static final String BAND =
       """
       {"@context": "https://w3id.org/maestro/context.jsonld",
        "id": "https://example.org/wonders#band-1",

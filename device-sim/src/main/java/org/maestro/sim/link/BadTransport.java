@@ -26,6 +26,11 @@ final class BadTransport implements Transport {
     transport.subscribe(filter, retained, message -> arrived(message, handler));
   }
 
+  @Override
+  public void subscribeToOthers(String filter, MessageHandler handler) {
+    transport.subscribeToOthers(filter, message -> arrived(message, handler));
+  }
+
   private void arrived(Message message, MessageHandler handler) {
     for (int copy = link.copies(); copy > 0; copy--) {
       link.pass(() -> handler.arrived(message));

@@ -14,7 +14,10 @@ import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.CostExchange;
 import org.maestro.rats.protocol.MalformedMessageException;
 import org.maestro.rats.protocol.MemberStatus;
+import org.maestro.rats.protocol.Observation;
+import org.maestro.rats.protocol.Offer;
 import org.maestro.rats.protocol.RatsError;
+import org.maestro.rats.protocol.Release;
 import org.maestro.rats.protocol.ReservedFeature;
 import org.maestro.rats.protocol.Result;
 import org.maestro.rats.protocol.Topics;
@@ -131,7 +134,8 @@ public final class BusLink implements RatsLink {
             order.parameters(),
             order.timeout(),
             controller,
-            order.task());
+            order.task(),
+            order.expects());
     // Parameters that JSON cannot hold are the caller's fault, and are told to the caller's face.
     wire.encode(call);
     perform(() -> calls.begin(call, roster.readyBoot(order.member()), listener));
@@ -207,6 +211,13 @@ public final class BusLink implements RatsLink {
     }
     subscribe(topics.progresses(controller), RetainedMessages.IGNORE, this::progressHeard);
     subscribe(topics.observations(), RetainedMessages.IGNORE, this::observationHeard);
+    transport.subscribeToOthers(
+        topics.calls(),
+        message -> {
+          if (!wire.isForAnother(message.payload(), controller)) {
+            perform(() -> callHeard(message));
+          }
+        });
     transport.open(
         Optional.of(
             new Transport.Will(
@@ -279,7 +290,41 @@ public final class BusLink implements RatsLink {
   private void observationHeard(Message message) {
     topics
         .memberOf(message.topic())
-        .ifPresent(sender -> calls.observed(sender, wire.decodeObservation(message.payload())));
+        .ifPresent(
+            sender -> {
+              Observation observation = wire.decodeObservation(message.payload());
+              boolean belongs = calls.observed(sender, observation);
+              if (!belongs && observation.feature().equals(ReservedFeature.ALERT)) {
+                alerted(sender, observation);
+              }
+            });
+  }
+
+  /** An alarm is heard also when its call has ended, or is unknown here. */
+  private void alerted(String member, Observation alert) {
+    String text = String.valueOf(alert.values().get("message"));
+    watchers.alerted(member, alert.id(), text);
+  }
+
+  /**
+   * What members have to say to the holder of a contract. A controller has no features: what is no
+   * call of these is for members to judge.
+   */
+  private void callHeard(Message message) {
+    Call call;
+    try {
+      call = wire.decodeCall(message.payload());
+    } catch (MalformedMessageException malformed) {
+      LOG.debug("On {}: {}", message.topic(), malformed.getMessage());
+      return;
+    }
+    boolean forMe = call.member().filter(controller::equals).isPresent() && !message.retained();
+    Optional<String> sender = topics.callerOf(message.topic()).filter(call.from()::equals);
+    if (forMe && sender.isPresent() && call.feature().equals(ReservedFeature.OFFER)) {
+      Offer.of(call.parameters()).ifPresent(offer -> calls.offered(sender.get(), offer));
+    } else if (forMe && sender.isPresent() && call.feature().equals(ReservedFeature.RELEASE)) {
+      Release.of(call.parameters()).ifPresent(release -> calls.released(sender.get(), release));
+    }
   }
 
   private Optional<String> sender(Message message) {

@@ -11,9 +11,11 @@ import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.Observation;
+import org.maestro.rats.protocol.Offer;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Progress;
 import org.maestro.rats.protocol.RatsError;
+import org.maestro.rats.protocol.Release;
 import org.maestro.rats.protocol.ReservedFeature;
 import org.maestro.rats.protocol.Result;
 import org.maestro.rats.protocol.Topics;
@@ -90,7 +92,8 @@ final class OpenCalls {
         call.parameters(),
         call.timeout(),
         call.from(),
-        call.task());
+        call.task(),
+        call.expects());
   }
 
   /** To whomever it concerns; nobody waits for what they answer. */
@@ -164,11 +167,28 @@ final class OpenCalls {
     call.listener.progressed(progress);
   }
 
-  void observed(String sender, Observation observation) {
+  /** Returns whether it belongs to an open call. */
+  boolean observed(String sender, Observation observation) {
     Open call = open.get(observation.id());
-    if (call != null && isFrom(call, sender, observation.from())) {
+    boolean belongs = call != null && isFrom(call, sender, observation.from());
+    if (belongs) {
       call.listener.observed(observation);
     }
+    return belongs;
+  }
+
+  /** Somebody else could do what one of these asks for. */
+  void offered(String sender, Offer offer) {
+    Optional.ofNullable(open.get(offer.task()))
+        .filter(call -> !member(call.call).equals(sender))
+        .filter(call -> call.call.feature().equals(offer.feature()))
+        .ifPresent(call -> call.listener.offered(sender, offer));
+  }
+
+  void released(String sender, Release release) {
+    Optional.ofNullable(open.get(release.task()))
+        .filter(call -> member(call.call).equals(sender))
+        .ifPresent(call -> call.listener.released(release.reason()));
   }
 
   void memberGone(String member, String boot, String why) {

@@ -6,10 +6,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.MemberState;
 import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.protocol.Observation;
+import org.maestro.rats.protocol.Offer;
 import org.maestro.rats.protocol.Progress;
 import org.maestro.rats.protocol.Result;
 
@@ -94,6 +96,7 @@ public interface RatsLink extends AutoCloseable {
    * @param parameters JSON values
    * @param timeout simulated time for queueing and execution
    * @param task the goal it serves
+   * @param expects what is counted on; whoever could do it for less may offer to
    */
   record Order(
       Optional<String> id,
@@ -102,7 +105,21 @@ public interface RatsLink extends AutoCloseable {
       String feature,
       Map<String, Object> parameters,
       Duration timeout,
-      Optional<String> task) {}
+      Optional<String> task,
+      Optional<Call.Expectation> expects) {
+
+    /** For which nobody is to offer anything. */
+    public Order(
+        Optional<String> id,
+        String member,
+        Optional<String> boot,
+        String feature,
+        Map<String, Object> parameters,
+        Duration timeout,
+        Optional<String> task) {
+      this(id, member, boot, feature, parameters, timeout, task, Optional.empty());
+    }
+  }
 
   /** A member as the link knows it. */
   record Member(
@@ -115,12 +132,24 @@ public interface RatsLink extends AutoCloseable {
   interface MemberListener {
     /** Status, description or state changed; a member is usable when READY and described. */
     void changed(Member member);
+
+    /**
+     * The member raises an alarm, and none of the calls that are open here is concerned: the one
+     * that it names has ended, or is another's.
+     */
+    default void alerted(String member, String callId, String message) {}
   }
 
   interface CallListener {
     default void progressed(Progress progress) {}
 
     default void observed(Observation observation) {}
+
+    /** Another member could do it too (M43): whether it shall, is up to who called. */
+    default void offered(String member, Offer offer) {}
+
+    /** The member gives it back (M44); its outcome follows when it is in a safe state. */
+    default void released(String reason) {}
 
     void ended(Result result);
   }

@@ -27,8 +27,17 @@ final class Watchers {
 
   /** Those of all first, each in the order in which they came. */
   void changed(RatsLink.Member member) {
-    List.copyOf(ofAll).forEach(listener -> listener.changed(member));
-    List.copyOf(ofOne.getOrDefault(member.id(), List.of()))
-        .forEach(listener -> listener.changed(member));
+    of(member.id()).forEach(listener -> listener.changed(member));
+  }
+
+  /** In the same order. */
+  void alerted(String member, String callId, String message) {
+    of(member).forEach(listener -> listener.alerted(member, callId, message));
+  }
+
+  private List<RatsLink.MemberListener> of(String member) {
+    List<RatsLink.MemberListener> its = new ArrayList<>(ofAll);
+    its.addAll(ofOne.getOrDefault(member, List.of()));
+    return its;
   }
 }

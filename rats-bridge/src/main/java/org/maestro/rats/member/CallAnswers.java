@@ -60,7 +60,7 @@ final class CallAnswers {
       remembered.put(key, new Remembered(call, Optional.empty()));
       return Known.NEW;
     }
-    if (!former.call.equals(call)) {
+    if (!former.call.isAgain(call)) {
       return Known.OTHER_BODY;
     }
     former.answer.ifPresent(answer -> voice.result(call.from(), answer.result));

@@ -16,6 +16,8 @@ import java.util.regex.Pattern;
  * @param states Z; {@code safeStates} is a subset with at least one element (M36)
  * @param features F, by id
  * @param rules how z may change
+ * @param takesOver features, some of its own, whose running calls to others it offers to take over
+ *     when it could do them for less (M43)
  */
 public record MemberProfile(
     String id,
@@ -24,7 +26,8 @@ public record MemberProfile(
     String initialState,
     Set<String> safeStates,
     Map<String, Feature> features,
-    StateRules rules) {
+    StateRules rules,
+    Set<String> takesOver) {
 
   private static final Pattern FEATURE =
       Pattern.compile("[^$/+#\\s\\p{Cntrl}][^/+#\\s\\p{Cntrl}]{0,127}");
@@ -66,6 +69,12 @@ public record MemberProfile(
                     .formatted(id, feature.id(), name));
           }
         });
+    takesOver = Set.copyOf(takesOver);
+    if (!features.keySet().containsAll(takesOver)) {
+      throw new IllegalArgumentException(
+          "The member %s would take over what it has no feature for: %s"
+              .formatted(id, String.join(", ", new TreeSet<>(takesOver))));
+    }
     Optional<String> unsafe =
         rules
             .lastResort()
@@ -92,6 +101,24 @@ public record MemberProfile(
       Set<String> safeStates,
       Map<String, Feature> features) {
     this(id, description, states, initialState, safeStates, features, StateRules.FREE);
+  }
+
+  /** Of a member that leaves to others what they are at. */
+  public MemberProfile(
+      String id,
+      String description,
+      Set<String> states,
+      String initialState,
+      Set<String> safeStates,
+      Map<String, Feature> features,
+      StateRules rules) {
+    this(id, description, states, initialState, safeStates, features, rules, Set.of());
+  }
+
+  /** The same member, which also offers to take over running calls of these features. */
+  public MemberProfile takingOver(Set<String> wanted) {
+    return new MemberProfile(
+        id, description, states, initialState, safeStates, features, rules, wanted);
   }
 
   /**

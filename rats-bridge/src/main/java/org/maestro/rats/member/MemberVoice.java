@@ -14,7 +14,9 @@ import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.MemberState;
 import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.protocol.Observation;
+import org.maestro.rats.protocol.Offer;
 import org.maestro.rats.protocol.Progress;
+import org.maestro.rats.protocol.Release;
 import org.maestro.rats.protocol.ReservedFeature;
 import org.maestro.rats.protocol.Result;
 import org.maestro.rats.protocol.Topics;
@@ -33,7 +35,7 @@ final class MemberVoice {
 
   private static final Logger LOG = LoggerFactory.getLogger(MemberVoice.class);
   private static final int MOST_UNSENT = 256;
-  private static final Duration RELEASE_TIMEOUT = Duration.ofSeconds(30);
+  private static final Duration HOLDER_TIMEOUT = Duration.ofSeconds(30);
 
   private final String id;
   private final String boot;
@@ -42,7 +44,7 @@ final class MemberVoice {
   private final Transport transport;
   private final WireFormat wire = new WireFormat();
   private final Deque<Publication> unsent = new ArrayDeque<>();
-  private final AtomicLong releases = new AtomicLong();
+  private final AtomicLong holderCalls = new AtomicLong();
   private boolean silent;
 
   MemberVoice(MemberProfile profile, String boot, Topics topics, Transport transport) {
@@ -83,25 +85,39 @@ final class MemberVoice {
             topics.observation(id, observation.feature()), wire.encode(observation)));
   }
 
-  /** Something that people should hear of at once. */
+  /**
+   * Something that people should hear of at once, and that must not get lost when there is no
+   * connection just now.
+   */
   void alert(String callId, String message) {
-    observation(new Observation(callId, id, ReservedFeature.ALERT, Map.of("message", message)));
+    Observation alert =
+        new Observation(callId, id, ReservedFeature.ALERT, Map.of("message", message));
+    sendResult(
+        Publication.stream(topics.observation(id, ReservedFeature.ALERT), wire.encode(alert)));
   }
 
   /** Tells the call's holder that the task comes back, before the outcome does. */
   void release(Call call, String reason) {
-    Call release =
+    tellHolder(call, ReservedFeature.RELEASE, new Release(call.id(), reason).parameters());
+  }
+
+  /** Tells the holder of what another is at that this member could do it too. */
+  void offer(Call call, Offer offer) {
+    tellHolder(call, ReservedFeature.OFFER, offer.parameters());
+  }
+
+  private void tellHolder(Call call, String feature, Map<String, Object> parameters) {
+    Call told =
         new Call(
-            id + "-" + boot + "-" + releases.incrementAndGet(),
+            id + "-" + boot + "-" + holderCalls.incrementAndGet(),
             Optional.of(call.from()),
             Optional.empty(),
-            ReservedFeature.RELEASE,
-            Map.of("task", call.id(), "reason", reason),
-            RELEASE_TIMEOUT,
+            feature,
+            parameters,
+            HOLDER_TIMEOUT,
             id,
             call.task());
-    publish(
-        Publication.reliable(topics.call(id), wire.encode(release), Optional.of(RELEASE_TIMEOUT)));
+    publish(Publication.reliable(topics.call(id), wire.encode(told), Optional.of(HOLDER_TIMEOUT)));
   }
 
   void sendUnsent() {

@@ -36,6 +36,8 @@ public final class RatsMember implements AutoCloseable {
   private final MemberVoice voice;
   private final MemberCondition condition;
   private final Reception reception;
+  private final Impatience impatience;
+  private final CallPolicy policy;
   private final ControllerWatch controllers;
   private Optional<Clock.Timer> byTime = Optional.empty();
   private String restedIn;
@@ -67,9 +69,20 @@ public final class RatsMember implements AutoCloseable {
         new TaskQueue(
             profile, voice, condition, answers, this::tellState, this::stateChanged, clock);
     this.controllers = new ControllerWatch(profile.id(), topics, profile.rules(), tasks, clock);
+    this.policy = policy;
+    this.impatience = new Impatience(profile, policy, voice, condition, tasks, clock);
     this.reception =
         new Reception(
-            profile, boot, topics, policy, condition, answers, tasks, this::describe, clock);
+            profile,
+            boot,
+            topics,
+            policy,
+            condition,
+            answers,
+            tasks,
+            impatience,
+            this::describe,
+            clock);
   }
 
   /**
@@ -161,11 +174,19 @@ public final class RatsMember implements AutoCloseable {
   }
 
   private void open() {
+    boolean overhears = Impatience.isOf(profile);
+    if (overhears && !policy.isSecured()) {
+      // On a secured site only controllers read what members say of themselves.
+      transport.subscribe(
+          topics.states(),
+          Transport.RetainedMessages.IGNORE,
+          message -> perform(() -> readStateOfAnother(message)));
+    }
     transport.subscribe(
         topics.calls(),
         Transport.RetainedMessages.IGNORE,
         message -> {
-          if (wire.isForAnother(message.payload(), profile.id())) {
+          if (!overhears && wire.isForAnother(message.payload(), profile.id())) {
             return;
           }
           Duration arrivedAt = clock.now();
@@ -249,6 +270,14 @@ public final class RatsMember implements AutoCloseable {
     }
   }
 
+  private void readStateOfAnother(Message message) {
+    try {
+      impatience.heard(wire.decodeState(message.payload()));
+    } catch (MalformedMessageException malformed) {
+      LOG.debug("{} heard a malformed state: {}", profile.id(), malformed.getMessage());
+    }
+  }
+
   /** Another member of the same id is alive; the one that started later has to go (M9). */
   private void meetTwin(String other) {
     if (boot.compareTo(other) < 0) {
@@ -280,6 +309,7 @@ public final class RatsMember implements AutoCloseable {
       told = Optional.of(now);
       voice.state(now);
     }
+    impatience.reconsider();
   }
 
   /** A state that the member may only rest in for a while is left by itself. */

@@ -36,6 +36,7 @@ final class Reception {
   private final MemberCondition condition;
   private final CallAnswers answers;
   private final TaskQueue tasks;
+  private final Impatience impatience;
   private final Runnable describe;
   private final Clock clock;
   private final WireFormat wire = new WireFormat();
@@ -49,6 +50,7 @@ final class Reception {
       MemberCondition condition,
       CallAnswers answers,
       TaskQueue tasks,
+      Impatience impatience,
       Runnable describe,
       Clock clock) {
     this.profile = profile;
@@ -58,6 +60,7 @@ final class Reception {
     this.condition = condition;
     this.answers = answers;
     this.tasks = tasks;
+    this.impatience = impatience;
     this.describe = describe;
     this.clock = clock;
   }
@@ -71,7 +74,9 @@ final class Reception {
     try {
       call = wire.decodeCall(message.payload());
     } catch (MalformedMessageException malformed) {
-      refuseMalformed(message, malformed);
+      if (!wire.isForAnother(message.payload(), profile.id())) {
+        refuseMalformed(message, malformed);
+      }
       return;
     }
     Optional<String> caller = topics.callerOf(message.topic());
@@ -81,6 +86,8 @@ final class Reception {
       complain(message, "came on the bare topic of a secured site, and is ignored");
     } else if (isForMe(call)) {
       take(call, message.remainingExpiry(), arrivedAt);
+    } else {
+      impatience.overheard(call, arrivedAt);
     }
   }
 
@@ -232,16 +239,20 @@ final class Reception {
       answers.rejected(call, ErrorCode.UNKNOWN_FEATURE, message);
     } else {
       List<CostAnswer> costs =
-          exchange.get().sets().stream().map(set -> cost(feature.get(), set)).toList();
+          exchange.get().sets().stream()
+              .map(set -> cost(profile.id(), feature.get(), set))
+              .toList();
       answers.succeeded(call, CostExchange.values(costs));
     }
   }
 
-  private CostAnswer cost(MemberProfile.Feature feature, Map<String, Object> parameters) {
+  /** What the feature's procedure says that it would cost; a reason when it breaks off. */
+  static CostAnswer cost(
+      String member, MemberProfile.Feature feature, Map<String, Object> parameters) {
     try {
       return feature.procedure().cost(parameters);
     } catch (RuntimeException fault) {
-      LOG.error("The price of {} of {} could not be computed", feature.id(), profile.id(), fault);
+      LOG.error("The price of {} of {} could not be computed", feature.id(), member, fault);
       return new CostAnswer(
           Optional.empty(), Optional.empty(), Optional.of("the price could not be computed"));
     }

@@ -72,13 +72,21 @@ final class TaskQueue implements Task.Keeper {
     }
   }
 
+  /** Whether a call of the feature would begin at once. */
+  boolean couldBegin(MemberProfile.Feature feature) {
+    return !becomesSafe()
+        && all().stream()
+            .noneMatch(
+                task -> task.feature().occupies().stream().anyMatch(feature.occupies()::contains));
+  }
+
   /**
    * The caller asks for a call that waits or runs, perhaps after a life of its own ended: it is
    * told how far the call is.
    */
   void tellAgain(Call call) {
     all().stream()
-        .filter(task -> task.call().equals(call))
+        .filter(task -> task.call().isAgain(call))
         .findFirst()
         .ifPresent(
             task -> {

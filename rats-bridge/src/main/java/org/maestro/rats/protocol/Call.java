@@ -13,6 +13,7 @@ import java.util.Optional;
  * @param timeout t, covers queueing and execution (M59)
  * @param from who calls
  * @param task the goal it serves
+ * @param expects what the caller counts on; whoever could do it for less may offer to (M43)
  */
 public record Call(
     String id,
@@ -22,4 +23,36 @@ public record Call(
     Map<String, Object> parameters,
     Duration timeout,
     String from,
-    Optional<String> task) {}
+    Optional<String> task,
+    Optional<Expectation> expects) {
+
+  /** Of which the caller does not say what it counts on. */
+  public Call(
+      String id,
+      Optional<String> member,
+      Optional<String> boot,
+      String feature,
+      Map<String, Object> parameters,
+      Duration timeout,
+      String from,
+      Optional<String> task) {
+    this(id, member, boot, feature, parameters, timeout, from, task, Optional.empty());
+  }
+
+  /** Whether this is the other one sent again: what its caller counts on may differ by then. */
+  public boolean isAgain(Call other) {
+    return withoutExpectation().equals(other.withoutExpectation());
+  }
+
+  private Call withoutExpectation() {
+    return new Call(id, member, boot, feature, parameters, timeout, from, task);
+  }
+
+  /**
+   * What a caller counts on.
+   *
+   * @param cost in cost units: seconds plus weighted energy
+   * @param seconds simulated seconds from its beginning to its end
+   */
+  public record Expectation(double cost, double seconds) {}
+}

@@ -55,6 +55,15 @@ final class Fields {
     return node.doubleValue();
   }
 
+  double amount(String field) {
+    JsonNode node = object.get(field);
+    boolean fits = node != null && node.isNumber() && Double.isFinite(node.doubleValue());
+    if (!fits || node.doubleValue() < 0) {
+      throw broken(field, "a number from 0", node);
+    }
+    return node.doubleValue();
+  }
+
   boolean truth(String field) {
     JsonNode node = object.get(field);
     if (node == null || !node.isBoolean()) {

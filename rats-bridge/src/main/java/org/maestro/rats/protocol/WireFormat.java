@@ -30,7 +30,7 @@ import java.util.Optional;
 public final class WireFormat {
 
   /** What this codec writes: major, that the topic names too, and minor. */
-  public static final String VERSION = "1.0";
+  public static final String VERSION = "1.1";
 
   /** The longest payload that is read, in bytes. */
   public static final int MOST_BYTES = 256 * 1024;
@@ -61,6 +61,7 @@ public final class WireFormat {
     fields.put("t", Math.max(1, call.timeout().toMillis()));
     fields.put("from", call.from());
     call.task().ifPresent(task -> fields.put("task", task));
+    call.expects().ifPresent(expected -> fields.put("expects", expectation(expected)));
     return bytes(fields);
   }
 
@@ -74,7 +75,21 @@ public final class WireFormat {
         fields.values("p"),
         Duration.ofMillis(fields.integer("t", 1, LONGEST_TIMEOUT_MILLIS)),
         fields.text("from", Rule.NAME),
-        fields.optionalText("task", Rule.TEXT));
+        fields.optionalText("task", Rule.TEXT),
+        fields.has("expects")
+            ? Optional.of(expectation(fields.object("expects")))
+            : Optional.empty());
+  }
+
+  private static Map<String, Object> expectation(Call.Expectation expected) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    fields.put("cost", expected.cost());
+    fields.put("seconds", expected.seconds());
+    return fields;
+  }
+
+  private static Call.Expectation expectation(Fields fields) {
+    return new Call.Expectation(fields.amount("cost"), fields.amount("seconds"));
   }
 
   /**

@@ -158,12 +158,16 @@ public final class InProcessBus {
               clock.schedule(
                   HOP,
                   client.clientId(),
-                  () -> route(Publication.retained(last.topic(), last.payload()), clock.now())));
+                  () ->
+                      route(
+                          client.clientId(),
+                          Publication.retained(last.topic(), last.payload()),
+                          clock.now())));
     }
   }
 
   /** Keeps the message if it is retained, and schedules its deliveries. */
-  void route(Publication publication, Duration publishedAt) {
+  void route(String from, Publication publication, Duration publishedAt) {
     Kept kept = new Kept(publication, publishedAt);
     List<InProcessTransport> receivers;
     synchronized (this) {
@@ -178,7 +182,7 @@ public final class InProcessBus {
       receivers = List.copyOf(connected.values());
     }
     receivers.forEach(
-        receiver -> receiver.deliver(publication.topic(), () -> kept.message(clock.now())));
+        receiver -> receiver.deliver(from, publication.topic(), () -> kept.message(clock.now())));
   }
 
   /** What is retained under the filter, in the order of topics. */

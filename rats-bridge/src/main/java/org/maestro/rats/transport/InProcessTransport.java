@@ -31,7 +31,15 @@ final class InProcessTransport implements Transport {
 
   @Override
   public void subscribe(String filter, RetainedMessages retained, MessageHandler handler) {
-    Subscription subscription = new Subscription(TopicFilter.of(filter), retained, handler);
+    add(new Subscription(TopicFilter.of(filter), retained, handler, false));
+  }
+
+  @Override
+  public void subscribeToOthers(String filter, MessageHandler handler) {
+    add(new Subscription(TopicFilter.of(filter), RetainedMessages.IGNORE, handler, true));
+  }
+
+  private void add(Subscription subscription) {
     synchronized (this) {
       subscriptions.add(subscription);
     }
@@ -62,7 +70,7 @@ final class InProcessTransport implements Transport {
         bus.hop(clientId),
         clientId,
         () -> {
-          bus.route(publication, publishedAt);
+          bus.route(clientId, publication, publishedAt);
           completion.completed(Optional.empty());
         });
   }
@@ -109,9 +117,10 @@ final class InProcessTransport implements Transport {
   }
 
   /** Schedules one action for each subscription that matches. */
-  void deliver(String topic, Supplier<Optional<Message>> message) {
+  void deliver(String from, String topic, Supplier<Optional<Message>> message) {
     for (Subscription subscription : subscriptions()) {
-      if (subscription.filter.matches(topic)) {
+      boolean wanted = !subscription.ofOthers || !from.equals(clientId);
+      if (wanted && subscription.filter.matches(topic)) {
         clock.schedule(
             Duration.ZERO,
             clientId,
@@ -143,5 +152,5 @@ final class InProcessTransport implements Transport {
   }
 
   private record Subscription(
-      TopicFilter filter, RetainedMessages retained, MessageHandler handler) {}
+      TopicFilter filter, RetainedMessages retained, MessageHandler handler, boolean ofOthers) {}
 }

@@ -104,7 +104,15 @@ public final class PahoTransport implements Transport {
 
   @Override
   public void subscribe(String filter, RetainedMessages retained, MessageHandler handler) {
-    PahoSubscription subscription = new PahoSubscription(TopicFilter.of(filter), retained, handler);
+    add(new PahoSubscription(TopicFilter.of(filter), retained, handler, false));
+  }
+
+  @Override
+  public void subscribeToOthers(String filter, MessageHandler handler) {
+    add(new PahoSubscription(TopicFilter.of(filter), RetainedMessages.IGNORE, handler, true));
+  }
+
+  private void add(PahoSubscription subscription) {
     perform(
         () -> {
           subscriptions.add(subscription);

@@ -23,6 +23,12 @@ public interface Transport extends AutoCloseable {
    */
   void subscribe(String filter, RetainedMessages retained, MessageHandler handler);
 
+  /**
+   * The same for what other clients publish from now on: nothing of this client's own comes back to
+   * it, and nothing retained is sent.
+   */
+  void subscribeToOthers(String filter, MessageHandler handler);
+
   /** Starts to connect, and keeps connecting until closed. To be called once. */
   void open(Optional<Will> will, ConnectionListener listener);
 

@@ -121,7 +121,8 @@ class FrozenVersionTest {
             parameters,
             Duration.ofSeconds(15),
             "cca",
-            Optional.of("G12"));
+            Optional.of("G12"),
+            Optional.of(new Call.Expectation(4.5, 4)));
     RatsError error =
         new RatsError(
             ErrorCode.PRECONDITION_NOT_MET,

@@ -86,6 +86,23 @@ abstract class TransportContract {
   }
 
   @Test
+  void deliversWhatOthersSayToWhomWantsOnlyThat() {
+    Inbox inbox = new Inbox();
+    Transport own = client("own");
+    own.subscribeToOthers("site/call/#", inbox);
+    open(own, Optional.empty());
+    Transport other = open("other");
+    publish(own, reliable("site/call/own", "mine"));
+    publish(other, reliable("site/call/other", "theirs"));
+    await(() -> inbox.size() == 1);
+    publish(own, reliable("site/call/own", "mine again"));
+    publish(other, reliable("site/call/other", "theirs again"));
+    await(() -> inbox.size() == 2);
+    assertThat(inbox.text(0)).isEqualTo("site/call/other=theirs");
+    assertThat(inbox.text(1)).isEqualTo("site/call/other=theirs again");
+  }
+
+  @Test
   void tellsWhatIsLeftOfTheExpiry() {
     Inbox inbox = new Inbox();
     open("reader", inbox, "a/#", RetainedMessages.SEND);

@@ -1,0 +1,33 @@
+package org.maestro.agents;
+
+import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.Takeover;
+
+/**
+ * What an agent tells the holder of a contract while its member is at it: {@code (inform (:member
+ * rose) (:feature pick) (:goal G1) (:offer tim) (:cost 4) (:seconds 4))}, or that it comes back by
+ * {@code (:release "...")}.
+ */
+final class ContractWords {
+
+  private ContractWords() {}
+
+  static boolean areIn(Words words) {
+    return words.string("goal").isPresent()
+        && words.string("feature").isPresent()
+        && (words.string("offer").isPresent() || words.string("release").isPresent());
+  }
+
+  static void tell(Words words, Coordinator coordinator) {
+    String goal = words.string("goal").orElseThrow();
+    String member = words.string("member").orElse("");
+    String feature = words.string("feature").orElseThrow();
+    words.string("release").ifPresent(r -> coordinator.givenBack(goal, member, feature, r));
+    double cost = words.number("cost", -1);
+    if (words.string("offer").isPresent() && cost >= 0) {
+      double seconds = words.number("seconds", cost);
+      coordinator.offered(
+          goal, new Takeover(words.string("offer").get(), member, feature, cost, seconds));
+    }
+  }
+}
