@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.maestro.hal.Drivers;
+import org.maestro.hal.MobileBase;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
@@ -48,7 +49,18 @@ public record DeviceMember(MemberProfile profile, MemberProfile.Values values) {
     MemberProfile profile =
         new MemberProfile(device.id(), description, states, STANDBY, Set.of(SAFE), features);
     return new DeviceMember(
-        profile, new SelfReport(new FactTemplates(device.id(), device.reports()), drivers));
+        profile.takingOver(canTakeOver(device, drivers)),
+        new SelfReport(new FactTemplates(device.id(), device.reports()), drivers));
+  }
+
+  /** Who can go where another is at something can do it instead. */
+  private static Set<String> canTakeOver(Device device, Drivers drivers) {
+    return drivers.find(MobileBase.class).isEmpty()
+        ? Set.of()
+        : device.features().stream()
+            .filter(type -> !type.continuous() && !type.occupies().isEmpty())
+            .map(FeatureType::name)
+            .collect(Collectors.toCollection(TreeSet::new));
   }
 
   private static Set<String> required(FeatureType type) {

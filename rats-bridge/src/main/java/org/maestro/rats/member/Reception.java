@@ -37,6 +37,7 @@ final class Reception {
   private final CallAnswers answers;
   private final TaskQueue tasks;
   private final Impatience impatience;
+  private final RightsWatch rights;
   private final Runnable describe;
   private final Clock clock;
   private final WireFormat wire = new WireFormat();
@@ -63,6 +64,7 @@ final class Reception {
     this.impatience = impatience;
     this.describe = describe;
     this.clock = clock;
+    this.rights = new RightsWatch(profile.id(), policy, tasks, clock);
   }
 
   void heard(Message message, Duration arrivedAt) {
@@ -200,6 +202,7 @@ final class Reception {
           call, ErrorCode.QUEUE_FULL, "The queue of " + profile.id() + " is full; try later");
     } else {
       tasks.add(call, feature, limit);
+      rights.begin();
     }
   }
 

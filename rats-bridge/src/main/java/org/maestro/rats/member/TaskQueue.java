@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.Observation;
@@ -69,6 +70,24 @@ final class TaskQueue implements Task.Keeper {
     startWhatCan();
     if (waiting.contains(task)) {
       changing();
+    }
+  }
+
+  boolean isIdle() {
+    return waiting.isEmpty() && running.isEmpty();
+  }
+
+  /** Ends what its caller may not call any more. */
+  void stopForbidden(Predicate<Call> allowed) {
+    for (Task task : all()) {
+      Call call = task.call();
+      if (!allowed.test(call)) {
+        String message =
+            "The rules of the site do not let %s call %s of %s any more"
+                .formatted(call.from(), call.feature(), member);
+        task.stop(
+            Outcome.CANCELED, Optional.of(CallAnswers.error(ErrorCode.NOT_AUTHORISED, message)));
+      }
     }
   }
 

@@ -8,11 +8,13 @@ import java.security.KeyStore;
 import java.security.PrivateKey;
 import java.security.cert.Certificate;
 import java.security.cert.X509Certificate;
+import java.util.List;
 import java.util.Optional;
 import javax.net.ssl.KeyManager;
 import javax.net.ssl.KeyManagerFactory;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.TrustManagerFactory;
+import org.maestro.rats.member.CallPolicy;
 import org.maestro.rats.transport.Credentials;
 
 /** A secured site's files as members, controllers and the embedded broker read them. */
@@ -32,11 +34,11 @@ public final class SiteSecurity {
 
   private final Path directory;
   private final SiteUsers users;
-  private final CallRules rules;
+  private final CallPolicy rules;
   private final X509Certificate authority;
 
   private SiteSecurity(
-      Path directory, SiteUsers users, CallRules rules, X509Certificate authority) {
+      Path directory, SiteUsers users, CallPolicy rules, X509Certificate authority) {
     this.directory = directory;
     this.users = users;
     this.rules = rules;
@@ -57,7 +59,14 @@ public final class SiteSecurity {
     Path usersFile = absolute.resolve(USERS);
     SiteUsers users = SiteUsers.parse(PrivateFiles.text(usersFile), usersFile.toString());
     Path rulesFile = absolute.resolve(RULES);
-    CallRules rules = CallRules.parse(PrivateFiles.text(rulesFile), rulesFile.toString(), users);
+    CallPolicy rules =
+        new SiteRules(
+            List.of(rulesFile, usersFile),
+            () ->
+                CallRules.parse(
+                    PrivateFiles.text(rulesFile),
+                    rulesFile.toString(),
+                    SiteUsers.parse(PrivateFiles.text(usersFile), usersFile.toString())));
     return new SiteSecurity(absolute, users, rules, Pem.certificate(absolute.resolve(AUTHORITY)));
   }
 
@@ -65,8 +74,8 @@ public final class SiteSecurity {
     return users;
   }
 
-  /** Who may call what of whom. */
-  public CallRules rules() {
+  /** Who may call what of whom, as the files say it each time that it is asked. */
+  public CallPolicy rules() {
     return rules;
   }
 

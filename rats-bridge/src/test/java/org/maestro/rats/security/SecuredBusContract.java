@@ -176,6 +176,54 @@ abstract class SecuredBusContract {
     return results.get(0);
   }
 
+  /** A28: no process is started again. */
+  @Test
+  void aRightThatIsTakenAwayIsGoneAtOnceAndEndsWhatRunsByIt() {
+    Path files = SecuredSite.files(directory);
+    allow(files, "allow cca door *");
+    try (SecuredSite site = new SecuredSite(files, byPassword(files))) {
+      site.join(site.security.password("door"));
+      RatsLink cca = site.connect(site.security.password("cca"));
+      await(() -> isReady(cca, "door"));
+      Heard watching = new Heard();
+      call(cca, "watch", Map.of("object", "cup"), watching);
+      assertThat(outcome(cca).outcome()).isEqualTo(Outcome.SUCCEEDED);
+
+      allow(files, "allow cca dor *");
+      assertThat(outcome(cca).outcome())
+          .as("a wrong file leaves the rules as they are")
+          .isEqualTo(Outcome.SUCCEEDED);
+
+      allow(files, "allow lamp door *");
+      Result refused = outcome(cca);
+      assertThat(refused.outcome()).isEqualTo(Outcome.REJECTED);
+      assertThat(refused.error().orElseThrow().code()).isEqualTo(ErrorCode.NOT_AUTHORISED);
+      await(() -> !watching.results.isEmpty());
+      assertThat(watching.results.get(0).outcome()).isEqualTo(Outcome.CANCELED);
+      assertThat(watching.results.get(0).error().orElseThrow().code())
+          .isEqualTo(ErrorCode.NOT_AUTHORISED);
+
+      allow(files, "allow @controllers * echo");
+      assertThat(outcome(cca).outcome()).isEqualTo(Outcome.SUCCEEDED);
+    }
+  }
+
+  private static Result outcome(RatsLink caller) {
+    Heard heard = new Heard();
+    call(caller, "echo", Map.of(), heard);
+    await(() -> !heard.results.isEmpty());
+    return heard.results.get(0);
+  }
+
+  private static void call(
+      RatsLink caller, String feature, Map<String, Object> parameters, Heard heard) {
+    caller.call("door", feature, parameters, Duration.ofSeconds(30), Optional.empty(), heard);
+  }
+
+  private static void allow(Path files, String... lines) {
+    PrivateFiles.write(files.resolve("rules.txt"), String.join("\n", lines) + "\n");
+  }
+
   @Test
   void nobodyElseGetsIn() {
     Path files = SecuredSite.files(directory);

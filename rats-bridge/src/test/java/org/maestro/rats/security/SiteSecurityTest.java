@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.maestro.rats.member.CallPolicy;
 
 /** A site's security files, and what is said when something is wrong with them. */
 class SiteSecurityTest {
@@ -132,13 +133,51 @@ class SiteSecurityTest {
   @Test
   void theUsualRulesLetControllersCallAndMembersAnswerThem() {
     SecuredSite.files(directory);
-    CallRules rules = SiteSecurity.open(directory).rules();
+    CallPolicy rules = SiteSecurity.open(directory).rules();
     assertThat(rules.allows("cca", "door", "open")).isTrue();
     assertThat(rules.allows("lamp", "door", "open")).isFalse();
     assertThat(rules.allows("lamp", "door", "$ping")).isTrue();
     assertThat(rules.allows("lamp", "cca", "$offer")).isTrue();
     assertThat(rules.allows("lamp", "door", "$cancel")).isFalse();
     assertThat(rules.allows("stranger", "door", "$ping")).isFalse();
+  }
+
+  @Test
+  void rulesAreThoseOfTheFileEachTimeAlsoWhenItChangesTwiceInAMoment() {
+    SecuredSite.files(directory);
+    CallPolicy rules = SiteSecurity.open(directory).rules();
+    assertThat(rules.allows("lamp", "door", "wave")).isFalse();
+    for (int round = 0; round < 20; round++) {
+      rules("allow lamp door wave");
+      assertThat(rules.allows("lamp", "door", "wave")).isTrue();
+      rules("allow lamp door grip");
+      assertThat(rules.allows("lamp", "door", "wave")).isFalse();
+    }
+  }
+
+  @Test
+  void aWrongFileLeavesTheRulesAndSaysSoOnceWithItsLine() throws IOException {
+    SecuredSite.files(directory);
+    CallPolicy rules = SiteSecurity.open(directory).rules();
+    try (LogLines log = LogLines.of(SiteRules.class)) {
+      rules("allow lamp door wave\nallow lamp dor *");
+      for (int question = 0; question < 3; question++) {
+        assertThat(rules.allows("cca", "door", "wave")).isTrue();
+        assertThat(rules.allows("lamp", "door", "wave")).isFalse();
+      }
+      Files.delete(directory.resolve("rules.txt"));
+      assertThat(rules.allows("cca", "door", "wave")).isTrue();
+      assertThat(log.lines()).hasSize(2);
+      assertThat(log.lines().get(0)).contains("rules.txt, line 2", "\"dor\"", "stay");
+      assertThat(log.lines().get(1)).contains("rules.txt is missing");
+    }
+    rules("allow lamp door wave");
+    assertThat(rules.allows("lamp", "door", "wave")).isTrue();
+    assertThat(rules.allows("cca", "door", "wave")).isFalse();
+  }
+
+  private void rules(String text) {
+    PrivateFiles.write(directory.resolve("rules.txt"), text + "\n");
   }
 
   @Test
