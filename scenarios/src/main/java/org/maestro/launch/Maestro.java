@@ -22,6 +22,7 @@ import picocli.CommandLine.Spec;
       RunCommand.class,
       ContainerCommand.class,
       DevicesCommand.class,
+      ZigbeeCommand.class,
       GoalCommand.class,
       AgentCommand.class,
       AgentsCommand.class,

@@ -42,6 +42,8 @@ class CommandLineTest {
         "run bob --gui --name tested | 3 | There is no display for the JADE GUI",
         "devices bob --only rose,tim --broker tcp://127.0.0.1:1 | 2 | no device tim",
         "devices bob --broker tcp://127.0.0.1:1 | 3 | No MQTT broker answers",
+        "zigbee bob --gateway tcp://127.0.0.1:1 --broker tcp://127.0.0.1:1 | 3 | No MQTT broker answers",
+        "zigbee bob --lamp porch=lamp-9 --gateway tcp://x:1 --broker tcp://x:1 | 2 | no lamp lamp-9",
         "goal --main nowhere x | 2 | is no address",
         "container --main 127.0.0.1:1 --name lights | 3 | No platform answers at 127.0.0.1:1",
         "container --main 127.0.0.1:1 --name Lights | 2 | is no name for a container",

@@ -1,0 +1,153 @@
+package org.maestro.launch;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.awaitility.Awaitility;
+import org.junit.jupiter.api.Test;
+import org.maestro.rats.broker.EmbeddedBroker;
+import org.maestro.rats.link.BusLink;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.MemberState;
+import org.maestro.rats.protocol.MemberStatus;
+import org.maestro.rats.protocol.Outcome;
+import org.maestro.rats.protocol.Result;
+import org.maestro.rats.time.PacedClock;
+import org.maestro.rats.transport.PahoTransport;
+import org.maestro.rats.transport.Publication;
+import org.maestro.rats.transport.Transport;
+
+/** A gateway's lamps become lamps of a home by one command, on one broker for both. */
+class ZigbeeCommandTest {
+
+  /** As zigbee2mqtt lists them: by their names, one of the home's, one to be told, one of none. */
+  private static final String DEVICES =
+      """
+      [%s, %s, %s]"""
+          .formatted(lamp("0x1", "lamp-b1"), lamp("0x2", "attic/ceiling"), lamp("0x3", "porch"));
+
+  private static String lamp(String address, String name) {
+    return """
+        {"ieee_address": "%s", "friendly_name": "%s", "type": "Router",
+         "definition": {"exposes": [{"type": "light", "features": [
+           {"property": "state", "value_on": "ON", "value_off": "OFF"},
+           {"property": "brightness", "value_min": 0, "value_max": 254}]}]}}"""
+        .formatted(address, name);
+  }
+
+  @Test
+  void lampsOfAGatewayJoinAsTheHomesAndAreSet() throws InterruptedException {
+    try (EmbeddedBroker broker = EmbeddedBroker.start();
+        PacedClock clock = new PacedClock(1)) {
+      Transport gateway = gateway(new PahoTransport(broker.uri(), "gateway"));
+      RatsLink link =
+          BusLink.connect("cca", "attic", new PahoTransport(broker.uri(), "cca"), clock);
+      Thread command = start(broker.uri().toString());
+
+      Awaitility.await().atMost(Duration.ofSeconds(30)).until(() -> ready(link).size() == 2);
+      assertThat(ready(link)).containsExactlyInAnyOrder("lamp-b1", "lamp-a2");
+      assertThat(link.members())
+          .allSatisfy(member -> assertThat(member.description().orElseThrow()).contains("Lamp"));
+
+      List<Result> results = new CopyOnWriteArrayList<>();
+      link.call(
+          "lamp-a2",
+          "adjustLight",
+          Map.of("level", 0.5),
+          Duration.ofSeconds(20),
+          Optional.empty(),
+          results::add);
+      Awaitility.await()
+          .atMost(Duration.ofSeconds(30))
+          .until(() -> !results.isEmpty() && said(link, "lamp-a2").contains("0.5"));
+      assertThat(results.get(0).outcome()).isEqualTo(Outcome.SUCCEEDED);
+      command.interrupt();
+      command.join();
+      link.close();
+      gateway.close();
+    }
+  }
+
+  private static Thread start(String broker) {
+    String[] arguments = {
+      "zigbee",
+      "bob",
+      "--gateway",
+      broker,
+      "--broker",
+      broker,
+      "--site",
+      "attic",
+      "--lamp",
+      "attic/ceiling=lamp-a2"
+    };
+    PrintStream nowhere = new PrintStream(new ByteArrayOutputStream(), true, UTF_8);
+    Thread command =
+        new Thread(() -> Maestro.commandLine(nowhere, nowhere).execute(arguments), "zigbee");
+    command.setDaemon(true);
+    command.start();
+    return command;
+  }
+
+  private static List<String> ready(RatsLink link) {
+    return link.members().stream()
+        .filter(m -> m.phase() == MemberStatus.Phase.READY && m.state().isPresent())
+        .map(RatsLink.Member::id)
+        .toList();
+  }
+
+  private static String said(RatsLink link, String id) {
+    return link.members().stream()
+        .filter(member -> member.id().equals(id))
+        .flatMap(member -> member.state().stream())
+        .map(MemberState::values)
+        .findFirst()
+        .map(Object::toString)
+        .orElse("");
+  }
+
+  /** Says what lamps there are, and that they do what they are told. */
+  private static Transport gateway(Transport transport) {
+    transport.subscribe(
+        "zigbee2mqtt/#",
+        Transport.RetainedMessages.IGNORE,
+        message -> {
+          String topic = message.topic();
+          if (topic.endsWith("/set")) {
+            say(transport, topic.substring(0, topic.length() - 4), message.payload());
+          } else if (topic.endsWith("/get")) {
+            byte[] off = "{\"state\":\"OFF\",\"brightness\":254}".getBytes(UTF_8);
+            say(transport, topic.substring(0, topic.length() - 4), off);
+          }
+        });
+    transport.open(
+        Optional.empty(),
+        new Transport.ConnectionListener() {
+          @Override
+          public void connected() {
+            transport.publish(
+                Publication.retained("zigbee2mqtt/bridge/devices", DEVICES.getBytes(UTF_8)),
+                failure -> assertThat(failure).isEmpty());
+          }
+
+          @Override
+          public void lost(String reason) {
+            // It tries again.
+          }
+        });
+    return transport;
+  }
+
+  private static void say(Transport transport, String topic, byte[] state) {
+    transport.publish(
+        Publication.reliable(topic, state, Optional.empty()),
+        failure -> assertThat(failure).isEmpty());
+  }
+}
