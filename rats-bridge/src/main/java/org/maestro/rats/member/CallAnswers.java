@@ -25,6 +25,7 @@ final class CallAnswers {
 
   private static final Duration SHORTEST_MEMORY = Duration.ofMinutes(10);
   private static final int MOST_REMEMBERED = 4096;
+  private static final Duration BETWEEN_FORGETTING = Duration.ofSeconds(10);
 
   /** What is known of a call that arrived. */
   enum Known {
@@ -42,6 +43,7 @@ final class CallAnswers {
   private final Clock clock;
   private final Map<Key, Remembered> deeds = new LinkedHashMap<>();
   private final Map<Key, Remembered> questions = new LinkedHashMap<>();
+  private Duration nextForgetting = Duration.ZERO;
 
   CallAnswers(String member, MemberVoice voice, MemberCondition condition, Clock clock) {
     this.member = member;
@@ -114,15 +116,23 @@ final class CallAnswers {
         : deeds;
   }
 
+  /** Now and then what is outdated, and as soon as there are too many the oldest. */
   private void forget(Map<Key, Remembered> remembered) {
+    if (clock.now().compareTo(nextForgetting) >= 0) {
+      nextForgetting = clock.now().plus(BETWEEN_FORGETTING);
+      deeds.values().removeIf(this::isOutdated);
+      questions.values().removeIf(this::isOutdated);
+    }
     Iterator<Remembered> oldest = remembered.values().iterator();
-    while (oldest.hasNext()) {
-      Optional<Answer> answer = oldest.next().answer;
-      boolean outdated = answer.filter(a -> a.until.compareTo(clock.now()) < 0).isPresent();
-      if (outdated || answer.isPresent() && remembered.size() >= MOST_REMEMBERED) {
+    while (remembered.size() >= MOST_REMEMBERED && oldest.hasNext()) {
+      if (oldest.next().answer.isPresent()) {
         oldest.remove();
       }
     }
+  }
+
+  private boolean isOutdated(Remembered known) {
+    return known.answer.filter(answer -> answer.until.compareTo(clock.now()) < 0).isPresent();
   }
 
   private static Duration max(Duration one, Duration other) {

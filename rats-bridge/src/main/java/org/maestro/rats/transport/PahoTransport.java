@@ -13,9 +13,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A client of an MQTT 5 broker. One daemon thread of its own does everything, and tells handlers,
- * listeners and completions; it reconnects by itself after 0.2 to 2 s. For paced clocks: messages
- * under way in a real broker hold no ticket of a stepped one.
+ * A client of an MQTT 5 broker, which reconnects by itself after 0.2 to 2 s. It does one thing at a
+ * time, on the thread that asks for it or that Paho tells it on: handlers, listeners and
+ * completions are told there. For paced clocks: messages under way in a real broker hold no ticket
+ * of a stepped one.
  */
 public final class PahoTransport implements Transport {
 
@@ -30,12 +31,12 @@ public final class PahoTransport implements Transport {
   private final String clientId;
   private final Optional<Credentials> credentials;
   private final Duration keepAlive;
-  private final ScheduledThreadPoolExecutor loop;
+  private final ScheduledThreadPoolExecutor timers;
+  private final OneAtATime work = new OneAtATime();
   private final Events events = new Events();
   private final List<PahoSubscription> subscriptions = new ArrayList<>();
   private final PublishQueue queue = new PublishQueue();
   private final CountDownLatch goodbye = new CountDownLatch(1);
-  private volatile Thread loopThread;
   private Optional<Will> will = Optional.empty();
   private ConnectionListener listener;
   private PahoConnection connection;
@@ -84,17 +85,16 @@ public final class PahoTransport implements Transport {
     this.broker = broker;
     this.clientId = clientId;
     this.credentials = credentials;
-    loop =
+    timers =
         new ScheduledThreadPoolExecutor(
             1,
             runnable -> {
               Thread thread = new Thread(runnable, "rats-transport-" + clientId);
               thread.setDaemon(true);
-              loopThread = thread;
               return thread;
             },
             (task, stopped) -> LOG.debug("The transport of {} is closed", clientId));
-    loop.setRemoveOnCancelPolicy(true);
+    timers.setRemoveOnCancelPolicy(true);
   }
 
   @Override
@@ -131,12 +131,12 @@ public final class PahoTransport implements Transport {
           listener = connectionListener;
           attempt();
         });
-    loop.scheduleWithFixedDelay(() -> guarded(this::showLife), 1, 1, TimeUnit.SECONDS);
+    timers.scheduleWithFixedDelay(() -> perform(this::showLife), 1, 1, TimeUnit.SECONDS);
   }
 
   @Override
   public void publish(Publication publication, Completion completion) {
-    if (loop.isShutdown()) {
+    if (timers.isShutdown()) {
       PublishQueue.refuse(publication, completion, "the transport is closed");
       return;
     }
@@ -157,11 +157,11 @@ public final class PahoTransport implements Transport {
           leaving = true;
           sayGoodbyeWhenDone();
         });
-    if (Thread.currentThread() != loopThread) {
+    if (!work.isWithin()) {
       awaitGoodbye();
       end();
     } else {
-      loop.schedule(this::end, GOODBYE_MILLIS, TimeUnit.MILLISECONDS);
+      timers.schedule(this::end, GOODBYE_MILLIS, TimeUnit.MILLISECONDS);
     }
   }
 
@@ -178,8 +178,8 @@ public final class PahoTransport implements Transport {
 
   private void end() {
     perform(() -> drop("the transport is closed"));
-    loop.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
-    loop.shutdown();
+    timers.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
+    timers.shutdown();
   }
 
   private void awaitGoodbye() {
@@ -199,7 +199,9 @@ public final class PahoTransport implements Transport {
     if (connection == null || !ready) {
       goodbye.countDown();
     } else {
-      connection.disconnect(goodbye::countDown);
+      PahoConnection last = connection;
+      // Paho refuses to disconnect on the threads of its callbacks.
+      timers.execute(() -> last.disconnect(goodbye::countDown));
     }
   }
 
@@ -209,7 +211,7 @@ public final class PahoTransport implements Transport {
           new PahoConnection(broker, clientId, keepAlive, will, credentials, events);
       connection = tried;
       tried.connect();
-      loop.schedule(() -> guarded(() -> giveUp(tried)), ATTEMPT_SECONDS, TimeUnit.SECONDS);
+      later(() -> giveUp(tried), ATTEMPT_SECONDS * 1_000);
     }
   }
 
@@ -256,7 +258,7 @@ public final class PahoTransport implements Transport {
     long ceiling =
         Math.min(LONGEST_RETRY_MILLIS, (2 * SHORTEST_RETRY_MILLIS) << Math.min(attempts++, 4));
     long delay = ThreadLocalRandom.current().nextLong(SHORTEST_RETRY_MILLIS, ceiling + 1);
-    loop.schedule(() -> guarded(this::attempt), delay, TimeUnit.MILLISECONDS);
+    later(this::attempt, delay);
     LOG.debug(
         "{} has no connection to {} ({}); next try in {} ms", clientId, broker, reason, delay);
     listener.lost(reason);
@@ -314,7 +316,11 @@ public final class PahoTransport implements Transport {
   }
 
   private void perform(Runnable action) {
-    loop.execute(() -> guarded(action));
+    work.run(() -> guarded(action));
+  }
+
+  private void later(Runnable action, long millis) {
+    timers.schedule(() -> perform(action), millis, TimeUnit.MILLISECONDS);
   }
 
   private void guarded(Runnable action) {
