@@ -9,10 +9,13 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Locale;
 
-/** Title above, what the symbols mean and the scale bar below. */
+/** Title and scale bar above, what the symbols mean below. */
 final class Legend {
   private static final int COLUMN = 380;
   private static final int ROW = 48;
+
+  /** Height of the scale bar, beside the title. */
+  private static final double BAR = 48;
 
   private interface Symbol {
     void draw(Graphics2D canvas, Point2D at);
@@ -90,12 +93,12 @@ final class Legend {
   private void bar(Graphics2D canvas) {
     double length = scale.pixels(1);
     double x = scale.width() - Scale.MARGIN - length;
-    double y = scale.heightPixels() - Scale.LEGEND + 70.0 + ROW - 6;
+    double y = BAR;
     canvas.setColor(Palette.INK);
     canvas.setStroke(new BasicStroke(4));
     canvas.draw(new Line2D.Double(x, y, x + length, y));
     canvas.draw(new Line2D.Double(x, y - 9, x, y + 9));
     canvas.draw(new Line2D.Double(x + length, y - 9, x + length, y + 9));
-    Texts.draw(canvas, "1 m", x + length / 2 - 20, y + 34, Texts.SMALL, Palette.INK);
+    Texts.draw(canvas, "1 m", x - 62, y + 9, Texts.SMALL, Palette.INK);
   }
 }
