@@ -45,7 +45,7 @@ final class BudgetedSearch {
   private final int mostStates;
   private final Effort effort;
   private final boolean weighingSearches;
-  private Optional<GroundProblem> solved = Optional.empty();
+  private Optional<Ground> solved = Optional.empty();
 
   /**
    * @param grounder of that task
@@ -63,7 +63,28 @@ final class BudgetedSearch {
 
   /** The problem of which the plan found is; empty when none was found, or it is not proven. */
   Optional<GroundProblem> solved() {
-    return solved;
+    return solved.map(Ground::problem);
+  }
+
+  /**
+   * What was grounded for the plan found, to be asked again when members left.
+   *
+   * @param cost of that plan, the cheapest
+   */
+  Optional<KeptGround> kept(double cost) {
+    return solved.flatMap(
+        ground ->
+            ground
+                .bounds()
+                .map(
+                    bounds ->
+                        new KeptGround(
+                            ground.problem(),
+                            bounds,
+                            ground.beyond(),
+                            cost,
+                            grounder.featuresThere(),
+                            task)));
   }
 
   /**
@@ -80,7 +101,7 @@ final class BudgetedSearch {
       if (round.outcome() instanceof OptimalSearch.Outcome.Found found) {
         Optional<PlanningResult> result = result(round, found.operators());
         if (result.isPresent()) {
-          solved = Optional.of(ground.problem());
+          solved = Optional.of(ground);
           return result.get();
         }
       } else if (round.outcome() instanceof OptimalSearch.Outcome.BoundReached) {

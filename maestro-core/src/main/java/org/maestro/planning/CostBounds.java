@@ -1,6 +1,7 @@
 package org.maestro.planning;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -44,6 +45,18 @@ final class CostBounds {
   /** The cuts, ready for other states. */
   LandmarkCut cuts() {
     return cuts;
+  }
+
+  /** Of each of the problem's operators what a plan costs at least that uses it. */
+  double[] costsWith() {
+    Map<Operator, Double> restOf = new HashMap<>();
+    for (int i = 0; i < rests.length; i++) {
+      restOf.put(problem.operators().get(i), rests[i]);
+    }
+    ChainCosts chains = problem.chains(restOf::get, Double.POSITIVE_INFINITY);
+    double[] costs = new double[rests.length];
+    Arrays.setAll(costs, i -> least + before[i] + chains.of(problem.operators().get(i)));
+    return costs;
   }
 
   Useful useful(double limit) {

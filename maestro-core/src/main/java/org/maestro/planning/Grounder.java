@@ -1,6 +1,7 @@
 package org.maestro.planning;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
@@ -138,6 +139,13 @@ final class Grounder {
   /** Numbers of the task's features, which equal ones keep in other tasks. */
   Set<Integer> featuresThere() {
     return offers.there();
+  }
+
+  /** The task's features, as they are in operators: compared by identity. */
+  Set<PricedFeature> present() {
+    Set<PricedFeature> present = Collections.newSetFromMap(new IdentityHashMap<>());
+    offers.there().forEach(number -> present.add(offers.feature(number)));
+    return present;
   }
 
   GroundGoal goal() {

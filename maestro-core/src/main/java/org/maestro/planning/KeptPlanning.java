@@ -1,6 +1,8 @@
 package org.maestro.planning;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -13,6 +15,12 @@ import java.util.Set;
  */
 final class KeptPlanning {
   private static final double SAME_COST = 1e-6;
+
+  /** Some take many megabytes. */
+  private static final int MOST_GROUNDS = 2;
+
+  /** How many times as much a plan may cost at first than what was searched in vain. */
+  private static final double MORE = 1.2;
 
   /**
    * A plan that is proven to be the cheapest.
@@ -34,6 +42,9 @@ final class KeptPlanning {
   private final Set<Object> changed = new LinkedHashSet<>();
 
   private Optional<Proven> proven = Optional.empty();
+
+  /** For those who were there at different times, the newest first. */
+  private final Deque<KeptGround> grounds = new ArrayDeque<>();
 
   KeptPlanning(PlanningTask task) {
     this.task = task;
@@ -58,19 +69,44 @@ final class KeptPlanning {
       return new PlanningResult.Found(still.get(), OptionalDouble.empty(), contenders());
     }
     Optional<Plan> rest = proven.flatMap(this::rest);
-    double budget =
-        rest.map(Plan::cost).orElse(proven.map(before -> before.plan().cost()).orElse(0.0));
+    if (!changed.isEmpty()) {
+      grounds.clear();
+    }
+    for (KeptGround ground : grounds) {
+      Optional<PlanningResult.Found> again = ground.cheapest(task, grounder, mostStates);
+      if (again.isPresent()) {
+        return keeping(again.get(), rest, ground.problem());
+      }
+    }
+    double budget = rest.map(Plan::cost).orElseGet(this::withoutRest);
     BudgetedSearch search = new BudgetedSearch(task, grounder, mostStates, true);
     PlanningResult result = search.run(budget);
     changed.clear();
     proven = Optional.empty();
     if (result instanceof PlanningResult.Found found && isProof(found, search)) {
-      Plan plan =
-          rest.filter(old -> old.cost() <= found.plan().cost() + SAME_COST).orElse(found.plan());
-      proven = search.solved().flatMap(problem -> proven(plan, problem.placed()));
-      return new PlanningResult.Found(plan, OptionalDouble.empty(), found.contenders());
+      search.kept(found.plan().cost()).ifPresent(grounds::addFirst);
+      if (grounds.size() > MOST_GROUNDS) {
+        grounds.removeLast();
+      }
+      return keeping(found, rest, search.solved().orElseThrow().placed());
     }
     return result;
+  }
+
+  /** Where the old plan is of no use, one is likely to cost some more than what was searched. */
+  private double withoutRest() {
+    return grounds.isEmpty() || grounds.getFirst().beyond() == Double.POSITIVE_INFINITY
+        ? proven.map(before -> before.plan().cost()).orElse(0.0)
+        : MORE * grounds.getFirst().beyond();
+  }
+
+  /** The rest of the old plan stays the plan while none is cheaper. */
+  private PlanningResult keeping(
+      PlanningResult.Found found, Optional<Plan> rest, GroundProblem problem) {
+    Plan plan =
+        rest.filter(old -> old.cost() <= found.plan().cost() + SAME_COST).orElse(found.plan());
+    proven = proven(plan, problem);
+    return new PlanningResult.Found(plan, OptionalDouble.empty(), found.contenders());
   }
 
   /** A plan that weighs where to look is not the cheapest of those that count on finding. */

@@ -59,8 +59,11 @@ final class LimitedSearch {
           outcome instanceof OptimalSearch.Outcome.TooDear dear
               ? Math.min(dear.atLeast(), useful.beyond())
               : useful.beyond();
+      if (next > mostCost + ROUNDING) {
+        return new OptimalSearch.Outcome.TooDear(next);
+      }
       double step = Math.max(GROWTH * (limit - bounds.least()), FIRST_STEP * bounds.least());
-      limit = Math.max(next, bounds.least() + step);
+      limit = Math.max(next, Math.min(bounds.least() + step, mostCost));
     }
     return new OptimalSearch.Outcome.TooDear(limit);
   }

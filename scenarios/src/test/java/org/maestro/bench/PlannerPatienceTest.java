@@ -69,7 +69,7 @@ class PlannerPatienceTest {
 
   private static Solution plan(LiftedTask task, BooleanSupplier cancelled) {
     Patience patience = Patience.seconds(Double.POSITIVE_INFINITY, cancelled);
-    return new AnytimePlanner(Grounder.ground(task, patience), MEMORY, line -> {}).solve(patience);
+    return new AnytimePlanner(Grounder.growing(task, patience), MEMORY, line -> {}).solve(patience);
   }
 
   @Test

@@ -12,6 +12,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.ShrinkingMode;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.Grounder;
+import org.maestro.planning.ground.GrowingTask;
 import org.maestro.planning.ground.Patience;
 import org.maestro.planning.search.AnytimePlanner;
 import org.maestro.planning.search.Solution;
@@ -33,9 +34,11 @@ class RandomPddlTest {
     if (expected.filter(cost -> cost.signum() < 0).isPresent()) {
       return;
     }
-    GroundTask task =
-        Grounder.ground(PddlReader.parse("d", domain, "p", problem), Patience.endless());
-    Solution solution = new AnytimePlanner(task, 100_000_000, line -> {}).solve(Patience.endless());
+    GrowingTask growing =
+        Grounder.growing(PddlReader.parse("d", domain, "p", problem), Patience.endless());
+    Solution solution =
+        new AnytimePlanner(growing, 100_000_000, line -> {}).solve(Patience.endless());
+    GroundTask task = growing.task();
     if (expected.isEmpty()) {
       assertThat(solution.verdict()).isEqualTo(Verdict.UNSOLVABLE);
       return;
