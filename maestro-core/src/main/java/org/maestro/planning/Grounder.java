@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -55,18 +56,22 @@ final class Grounder {
   private PlanningTask task;
 
   Grounder(PlanningTask task) {
-    this(task, false);
+    this(task, task.features(), task.features(), false);
   }
 
-  private Grounder(PlanningTask task, boolean forExplanation) {
+  /**
+   * @param changing features that tell what may change at all
+   * @param offered those of which instances are made
+   */
+  private Grounder(
+      PlanningTask task,
+      List<PricedFeature> changing,
+      List<PricedFeature> offered,
+      boolean forExplanation) {
     this.task = task;
     this.forExplanation = forExplanation;
-    List<PricedFeature> features = new ArrayList<>(task.features());
-    if (forExplanation) {
-      task.unavailable().forEach(missing -> features.add(missing.feature()));
-    }
-    this.signature = new Signature(task.vocabulary(), features);
-    this.offers = new Offers(features);
+    this.signature = new Signature(task.vocabulary(), changing);
+    this.offers = new Offers(offered);
     this.facts = new StaticFacts(task.facts());
     this.variables = new Variables(signature, facts);
     ConditionCompiler conditions = new ConditionCompiler(signature, facts, variables);
@@ -126,7 +131,20 @@ final class Grounder {
    * impossible by what is stated, with conditions that say what is wrong.
    */
   static Grounder forExplanation(PlanningTask task) {
-    return new Grounder(task, true);
+    List<PricedFeature> features = new ArrayList<>(task.features());
+    task.unavailable().forEach(missing -> features.add(missing.feature()));
+    return new Grounder(task, features, features, true);
+  }
+
+  /** One that makes these steps only. */
+  static Grounder forSteps(PlanningTask task, List<Step> steps) {
+    Set<List<String>> used = new HashSet<>();
+    steps.forEach(step -> used.add(List.of(step.member(), step.feature().name())));
+    List<PricedFeature> offered =
+        task.features().stream()
+            .filter(feature -> used.contains(List.of(feature.member(), feature.type().name())))
+            .toList();
+    return new Grounder(task, task.features(), offered, false);
   }
 
   /** What the atom or fluent, that was asked before, says something of; empty when it is static. */

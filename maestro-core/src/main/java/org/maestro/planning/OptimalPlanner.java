@@ -71,7 +71,7 @@ public final class OptimalPlanner implements Planner {
 
   @Override
   public Optional<Plan> revalidate(PlanningTask task, List<Step> steps) {
-    return revalidate(new Grounder(task), steps);
+    return revalidate(Grounder.forSteps(task, steps), steps);
   }
 
   static Optional<Plan> revalidate(Grounder grounder, List<Step> steps) {

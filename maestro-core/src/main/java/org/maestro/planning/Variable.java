@@ -5,6 +5,7 @@ import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
@@ -34,6 +35,12 @@ final class Variable {
   private final Map<BitSet, Integer> indexOfExclusion = new HashMap<>();
   private int index = -1;
   private int initial = UNASKED;
+
+  /** Of how many values, in their order, the facts were asked, none of which is the one. */
+  private int asked;
+
+  private final BitSet foundFalse = new BitSet();
+  private boolean noneElsewhere;
 
   /**
    * A state variable.
@@ -74,6 +81,9 @@ final class Variable {
   /** The facts may have changed. */
   void renew() {
     initial = UNASKED;
+    asked = 0;
+    foundFalse.clear();
+    noneElsewhere = false;
   }
 
   /** Without the value, if functional. */
@@ -97,7 +107,9 @@ final class Variable {
     }
     values.add(value);
     indexOfValue.put(value, values.size() - 1);
-    initial = UNASKED;
+    if (initial < 0) {
+      initial = UNASKED;
+    }
     return values.size() - 1;
   }
 
@@ -123,28 +135,36 @@ final class Variable {
   /** The code given by the facts. */
   int initialCode() {
     if (initial == UNASKED) {
-      for (Term value : possibleValues) {
-        if (!indexOfValue.containsKey(value) && truthOf(value) == Truth.TRUE) {
-          indexOf(value);
-        }
-      }
-      initial = askInitialCode();
+      int among = codeAmongMet();
+      initial = among < 0 ? otherThanMet().map(this::indexOf).orElse(among) : among;
     }
     return initial;
   }
 
-  private int askInitialCode() {
-    BitSet excluded = new BitSet();
-    for (int i = 0; i < values.size(); i++) {
-      Truth truth = facts.truth(atom(i));
+  private int codeAmongMet() {
+    for (; asked < values.size(); asked++) {
+      Truth truth = facts.truth(atom(asked));
       if (truth == Truth.TRUE) {
-        return i;
+        return asked;
       }
       if (truth == Truth.FALSE) {
-        excluded.set(i);
+        foundFalse.set(asked);
       }
     }
-    return observable ? intern(excluded) : NONE;
+    return observable ? intern((BitSet) foundFalse.clone()) : NONE;
+  }
+
+  /** The value at first, if it is one that was not met yet: there is no more than one. */
+  private Optional<Term> otherThanMet() {
+    if (noneElsewhere) {
+      return Optional.empty();
+    }
+    Optional<Term> other =
+        possibleValues.stream()
+            .filter(value -> !indexOfValue.containsKey(value) && truthOf(value) == Truth.TRUE)
+            .findFirst();
+    noneElsewhere = other.isEmpty();
+    return other;
   }
 
   private Truth truthOf(Term value) {
