@@ -19,6 +19,7 @@ import org.maestro.knowledge.Snapshot;
 import org.maestro.knowledge.Source;
 import org.maestro.ontology.home.AccessList;
 import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.sl.Content;
@@ -55,6 +56,8 @@ public final class KnowledgeAgent extends MaestroAgent {
   private final transient BiFunction<String, String, Device> describedBy;
   private final transient KnowledgeSubscriptions subscriptions =
       new KnowledgeSubscriptions(this::inform);
+
+  private transient Optional<AccessRead> accessRead = Optional.empty();
 
   public KnowledgeAgent(
       AgentTime time, KnowledgeBase knowledge, BiFunction<String, String, Device> describedBy) {
@@ -110,7 +113,7 @@ public final class KnowledgeAgent extends MaestroAgent {
       Device device =
           describedBy.apply(words.string("description").get(), words.string("member").orElse(""));
       knowledge.describe(device);
-      answer.addAll(Rights.words(AccessList.of(knowledge.home()), device));
+      answer.addAll(Rights.words(access(), device));
     } else if (words.find("facts").isPresent()) {
       knowledge.state(
           new Source(Source.Kind.STATED, words.string("source").orElse("unnamed")),
@@ -122,6 +125,17 @@ public final class KnowledgeAgent extends MaestroAgent {
       reply(message, ACLMessage.INFORM, new Content("inform", answer));
     }
   }
+
+  /** To look through a home for permissions takes long where many devices come at once. */
+  private AccessList access() {
+    Home now = knowledge.home();
+    if (accessRead.isEmpty() || accessRead.get().home() != now) {
+      accessRead = Optional.of(new AccessRead(now, AccessList.of(now)));
+    }
+    return accessRead.get().list();
+  }
+
+  private record AccessRead(Home home, AccessList list) {}
 
   /** Where it is proven who speaks, nobody but its own agent speaks for a device. */
   private Optional<String> spokenFor(ACLMessage message, Words words) {

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -48,7 +49,7 @@ public final class JoinedContainer implements AutoCloseable {
   private final AgentContainer container;
   private final DeskAgent desk;
   private final AgentTime time;
-  private Optional<AgentContainer> forAgents = Optional.empty();
+  private final List<AgentContainer> forAgents = new ArrayList<>();
 
   private JoinedContainer(
       BiFunction<String, Host, AgentContainer> newContainer,
@@ -171,7 +172,8 @@ public final class JoinedContainer implements AutoCloseable {
   }
 
   /**
-   * Starts the container for agents; the platform has them begin or come there. To be called once.
+   * Starts a container for agents; the platform has them begin or come there. To be called once for
+   * each container of this process.
    *
    * @param start as it was asked for
    * @return the agents that live there, or are on their way
@@ -180,7 +182,7 @@ public final class JoinedContainer implements AutoCloseable {
       ContainerStart start, RatsLink link, BiFunction<String, String, Device> describedBy) {
     AgentContainer home = named(start.name(), new Host(new Surroundings(time, link, describedBy)));
     synchronized (this) {
-      forAgents = Optional.of(home);
+      forAgents.add(home);
     }
     if (!name(home).equals(start.name())) {
       throw new PlatformStartException(
@@ -236,8 +238,10 @@ public final class JoinedContainer implements AutoCloseable {
       BiFunction<String, String, Device> describedBy) {
     AgentContainer home;
     synchronized (this) {
-      home = forAgents.orElseGet(() -> named(name, new Host()));
-      forAgents = Optional.of(home);
+      if (forAgents.isEmpty()) {
+        forAgents.add(named(name, new Host()));
+      }
+      home = forAgents.get(0);
     }
     CompletableFuture<Links> bus = new CompletableFuture<>();
     HostAgent host =
@@ -312,7 +316,7 @@ public final class JoinedContainer implements AutoCloseable {
   /** Ends what is of no use any more, beside the caller, and waits for nobody. */
   public void abandon() {
     synchronized (this) {
-      forAgents.ifPresent(JadeRuntime::abandon);
+      forAgents.forEach(JadeRuntime::abandon);
     }
     JadeRuntime.abandon(container);
   }
@@ -320,7 +324,7 @@ public final class JoinedContainer implements AutoCloseable {
   @Override
   public void close() {
     synchronized (this) {
-      forAgents.ifPresent(JadeRuntime::end);
+      forAgents.forEach(JadeRuntime::end);
     }
     JadeRuntime.end(container);
   }

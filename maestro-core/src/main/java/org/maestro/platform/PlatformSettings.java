@@ -81,6 +81,23 @@ public record PlatformSettings(
         premises);
   }
 
+  /** Of a platform whose containers are given up sooner or later than usual. */
+  public PlatformSettings with(HeartbeatSettings other) {
+    return new PlatformSettings(
+        name,
+        port,
+        gui,
+        brokerUri,
+        site,
+        decisionTime,
+        storyDirectory,
+        dataDirectory,
+        patience,
+        guard,
+        other,
+        premises);
+  }
+
   /** Of a platform that can be reached elsewhere. */
   public PlatformSettings at(Premises other) {
     return new PlatformSettings(

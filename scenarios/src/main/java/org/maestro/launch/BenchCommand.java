@@ -11,6 +11,7 @@ import java.util.function.Function;
 import org.maestro.bench.AgentsBench;
 import org.maestro.bench.BenchReport;
 import org.maestro.bench.BusBench;
+import org.maestro.bench.ContainersBench;
 import org.maestro.bench.CoordinationBench;
 import org.maestro.bench.LargeHome;
 import org.maestro.bench.PlannerBench;
@@ -25,7 +26,7 @@ import picocli.CommandLine.Spec;
 /** Runs a benchmark and prints its figures. */
 @Command(
     name = "bench",
-    description = "Run a benchmark: agents, bus, coordination, planner or sim.")
+    description = "Run a benchmark: agents, bus, containers, coordination, planner or sim.")
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
 
@@ -36,6 +37,8 @@ final class BenchCommand implements Callable<Integer> {
               progress -> new AgentsBench(AGENTS, progress).run(),
               "bus",
               progress -> new BusBench(progress).run(),
+              "containers",
+              progress -> new ContainersBench(20, 200, 1_000, 1, progress).run(),
               "coordination",
               progress -> new CoordinationBench(new LargeHome(20, 20, 5), 100, progress).run(),
               "planner",
