@@ -66,7 +66,7 @@ final class KeptGround {
    *
    * @return empty when more than this is needed to know
    */
-  Optional<PlanningResult.Found> cheapest(PlanningTask now, Grounder grounder, int mostStates) {
+  Optional<PlanningResult.Found> cheapest(PlanningTask now, Grounder grounder, Effort effort) {
     if (now.objective() != Objective.CHEAPEST
         || !features.containsAll(grounder.featuresThere())
         || !now.barred().containsAll(task.barred())) {
@@ -96,7 +96,7 @@ final class KeptGround {
           next = Math.min(next, leastOf.get(i));
         }
       }
-      OptimalSearch.Outcome outcome = among(useful, limit + ROUNDING, mostStates);
+      OptimalSearch.Outcome outcome = among(useful, limit + ROUNDING, effort);
       if (outcome instanceof OptimalSearch.Outcome.Found found) {
         return Optional.of(found(found.operators(), there));
       } else if (outcome instanceof OptimalSearch.Outcome.BoundReached) {
@@ -110,14 +110,14 @@ final class KeptGround {
     return Optional.empty();
   }
 
-  private OptimalSearch.Outcome among(List<Operator> useful, double limit, int mostStates) {
+  private OptimalSearch.Outcome among(List<Operator> useful, double limit, Effort effort) {
     Pruning.Pruned pruned = Pruning.pruned(problem.with(useful));
     if (!pruned.isSolvable()) {
       return new OptimalSearch.Outcome.Exhausted(1);
     }
     OptimalSearch.Outcome outcome =
         new OptimalSearch(
-                pruned.problem().placed(), new LandmarkCut(pruned.relaxed()), mostStates, limit)
+                pruned.problem().placed(), new LandmarkCut(pruned.relaxed()), effort, limit)
             .run();
     problem.placed();
     return outcome instanceof OptimalSearch.Outcome.Found found

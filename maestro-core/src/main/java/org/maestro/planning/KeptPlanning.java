@@ -72,8 +72,9 @@ final class KeptPlanning {
     if (!changed.isEmpty()) {
       grounds.clear();
     }
+    Effort effort = Effort.forBestPlan(mostStates);
     for (KeptGround ground : grounds) {
-      Optional<PlanningResult.Found> again = ground.cheapest(task, grounder, mostStates);
+      Optional<PlanningResult.Found> again = ground.cheapest(task, grounder, effort);
       if (again.isPresent()) {
         return keeping(again.get(), rest, ground.problem());
       }
