@@ -1,5 +1,6 @@
 package org.maestro.rats.transport;
 
+import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -16,19 +17,26 @@ final class OneAtATime {
   private volatile Thread atWork;
 
   /**
-   * @param action that blocks nowhere and throws nothing
+   * @param action that blocks nowhere, and throws nothing but what ends the thread
    */
   void run(Runnable action) {
     waiting.add(action);
-    if (open.getAndIncrement() == 0) {
-      do {
-        atWork = Thread.currentThread();
-        try {
-          waiting.remove().run();
-        } finally {
-          atWork = null;
-        }
-      } while (open.decrementAndGet() != 0);
+    if (open.getAndIncrement() > 0) {
+      return;
+    }
+    Optional<Error> fatal = Optional.empty();
+    do {
+      atWork = Thread.currentThread();
+      try {
+        waiting.remove().run();
+      } catch (Error error) {
+        // Others rely on theirs being done.
+        fatal = Optional.of(error);
+      }
+      atWork = null;
+    } while (open.decrementAndGet() > 0);
+    if (fatal.isPresent()) {
+      throw fatal.get();
     }
   }
 
