@@ -13,6 +13,7 @@ import java.time.Duration;
 import java.util.Date;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.maestro.agents.pulse.Pulse;
 import org.maestro.agents.pulse.PulseService;
@@ -41,6 +42,7 @@ public abstract class MaestroAgent extends Agent {
   public static final String ONTOLOGY = "WorldModel";
 
   private transient volatile Equipment equipment;
+  private transient volatile boolean forsaken;
   private transient volatile Optional<Pulse> pulse = Optional.empty();
 
   protected MaestroAgent(AgentTime time) {
@@ -143,7 +145,7 @@ public abstract class MaestroAgent extends Agent {
   private Optional<Pulse> joinPulse() {
     try {
       Pulse its = (Pulse) getHelper(PulseService.NAME);
-      its.enlist(getLocalName(), this::tell, clock());
+      its.enlist(getLocalName(), this::tell, () -> forsaken = true, clock());
       return Optional.of(its);
     } catch (ServiceException e) {
       LOG.debug("{} lives in a container without heartbeats", getLocalName(), e);
@@ -165,11 +167,11 @@ public abstract class MaestroAgent extends Agent {
   }
 
   /**
-   * Whether another may act in this agent's place, as its container has not been heard of for long:
-   * nothing may be begun.
+   * Whether another may act in this agent's place, as it hung, or its container has not been heard
+   * of for long: nothing may be begun.
    */
   final boolean isCutOff() {
-    return pulse.filter(Pulse::isCutOff).isPresent();
+    return forsaken || pulse.filter(Pulse::isCutOff).isPresent();
   }
 
   /** Goes to another container; what comes in meanwhile is done there. Agent thread only. */
@@ -202,6 +204,12 @@ public abstract class MaestroAgent extends Agent {
 
   @Override
   protected void takeDown() {
+    // Another has this agent's name: JADE would take that one out at the end of this one.
+    while (forsaken) {
+      LockSupport.park();
+      // JADE interrupts those that are to end, and who was interrupted is not parked.
+      Thread.interrupted();
+    }
     leave();
   }
 

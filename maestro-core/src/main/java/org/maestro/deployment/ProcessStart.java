@@ -39,7 +39,8 @@ public record ProcessStart(String machine, long pid, String directory, String co
     return String.join(" ", words);
   }
 
-  private static String machineName() {
+  /** What this machine calls itself. */
+  public static String machineName() {
     try {
       return InetAddress.getLocalHost().getHostName();
     } catch (UnknownHostException e) {

@@ -208,6 +208,10 @@ final class Deployer {
     synchronized (this) {
       starts = handedOver.getOrDefault(container, List.of());
     }
+    awaitEnds(starts);
+  }
+
+  private void awaitEnds(List<AgentStart> starts) {
     long end = System.nanoTime() + ENDS_WITHIN.toNanos();
     while (starts.stream().anyMatch(start -> lives.test(start.agent()))
         && System.nanoTime() < end) {
@@ -346,6 +350,19 @@ final class Deployer {
   void rescued(String agent, String container, String controller) {
     moved(agent, container);
     heirOf.put(agent, controller);
+  }
+
+  /**
+   * Another takes the place of an agent that hangs, in the same container. Waits for JADE.
+   *
+   * @param end takes it out of its container
+   */
+  synchronized void replace(String agent, Consumer<String> end) {
+    AgentStart start = deployment.require(agent);
+    ending.add(agent);
+    end.accept(start.container());
+    awaitEnds(List.of(start));
+    begin(start);
   }
 
   /** An agent that was started by other means. */

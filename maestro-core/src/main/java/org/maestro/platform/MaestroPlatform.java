@@ -390,6 +390,27 @@ public final class MaestroPlatform implements AutoCloseable {
     }
   }
 
+  /** An agent hangs in a container that lives: another takes its place. */
+  private void replaceHung(Pulse pulse, String agent) {
+    if (closing || deployer.deployment().find(agent).isEmpty()) {
+      return;
+    }
+    LOG.warn("The agent of {} hangs; another takes its place", agent);
+    Thread replacing =
+        new Thread(
+            () -> {
+              coordinator.agentMoves(agent);
+              try {
+                deployer.replace(agent, container -> pulse.end(container, agent));
+              } catch (RuntimeException e) {
+                LOG.warn("The agent of {} gets no other: {}", agent, e.getMessage());
+              }
+            },
+            "agent-starter");
+    replacing.setDaemon(true);
+    replacing.start();
+  }
+
   private void accept(String name, MaestroAgent agent) {
     JadeRuntime.start(main, name, agent);
   }
@@ -559,7 +580,8 @@ public final class MaestroPlatform implements AutoCloseable {
             pulse.watch(
                 time.clock(),
                 settings.heartbeats(),
-                new Vigil(pulse, wires, deployer, () -> coordinator));
+                new Vigil(
+                    pulse, wires, deployer, () -> coordinator, agent -> replaceHung(pulse, agent)));
           }
         });
   }

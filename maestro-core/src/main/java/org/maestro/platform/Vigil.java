@@ -3,6 +3,7 @@ package org.maestro.platform;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.pulse.Condition;
@@ -24,8 +25,18 @@ final class Vigil implements Watcher {
   private final Wires wires;
   private final Deployer deployer;
   private final Supplier<CoordinatorAgent> coordinator;
+  private final Consumer<String> hung;
 
-  Vigil(Pulse pulse, Wires wires, Deployer deployer, Supplier<CoordinatorAgent> coordinator) {
+  /**
+   * @param hung is told of agents that do nothing any more; it must not wait
+   */
+  Vigil(
+      Pulse pulse,
+      Wires wires,
+      Deployer deployer,
+      Supplier<CoordinatorAgent> coordinator,
+      Consumer<String> hung) {
+    this.hung = hung;
     this.pulse = pulse;
     this.wires = wires;
     this.deployer = deployer;
@@ -59,7 +70,8 @@ final class Vigil implements Watcher {
   public void agent(String agent, Condition now, Duration silence) {
     switch (now) {
       case ALIVE -> coordinator.get().agentTrusted(agent);
-      case SUSPECTED, LOST -> {
+      case LOST -> hung.accept(agent);
+      case SUSPECTED -> {
         String reason =
             "the agent of %s has done nothing for %s".formatted(agent, seconds(silence));
         LOG.warn("Nothing is asked of it until it does: {}", reason);

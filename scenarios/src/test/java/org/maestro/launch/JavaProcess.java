@@ -49,7 +49,10 @@ public final class JavaProcess implements AutoCloseable {
    * @param environment what differs from this process's; an empty value removes the variable
    */
   public static JavaProcess start(
-      List<String> before, String mainClass, List<String> arguments, Map<String, String> environment)
+      List<String> before,
+      String mainClass,
+      List<String> arguments,
+      Map<String, String> environment)
       throws IOException {
     List<String> command = new ArrayList<>(before);
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());

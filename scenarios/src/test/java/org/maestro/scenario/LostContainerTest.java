@@ -10,6 +10,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -22,6 +23,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledForJreRange;
+import org.junit.jupiter.api.condition.JRE;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.agents.pulse.Condition;
@@ -122,6 +125,49 @@ class LostContainerTest {
         assertThat(loft.isAlive()).isTrue();
       }
     }
+  }
+
+  /** Its thread is stopped, which Java can do up to 19; at the end it comes to life again. */
+  @Test
+  @Tag("full")
+  @EnabledForJreRange(max = JRE.JAVA_19)
+  @SuppressWarnings("removal")
+  void anAgentThatHangsIsReplacedAndDoesNothingWhenItComesToLifeAgain() throws Exception {
+    name = "hung-" + Long.toString(System.nanoTime(), Character.MAX_RADIX);
+    try (EmbeddedBroker broker = EmbeddedBroker.start();
+        LocalSite site = LocalSite.paced(settings(broker), SPEED);
+        BusWitness witness = BusWitness.listen(new PahoTransport(broker.uri(), "witness"), name)) {
+      Thread hung = threadsOf(ROBOT).get(0);
+      Pursued pursued = pursue(site);
+      until(pursued.atWork()::isDone);
+      until(() -> hung.getState() == Thread.State.WAITING);
+      long began = System.nanoTime();
+      hung.suspend();
+      try {
+        until(() -> threadsOf(ROBOT).size() == 2);
+        System.out.printf("agent hung, another begun after %.2f s%n", secondsSince(began));
+        until(pursued.ended()::isDone);
+        assertThat(pursued.ended().join().reached()).as(told(pursued.story())).isTrue();
+      } finally {
+        hung.resume();
+      }
+      until(
+          () ->
+              Arrays.stream(hung.getStackTrace())
+                  .anyMatch(frame -> frame.getMethodName().equals("takeDown")));
+      Pursued again = pursue(site, "(in %s zone-a)".formatted(ROBOT));
+      until(again.ended()::isDone);
+      assertThat(again.ended().join().reached()).as(told(again.story())).isTrue();
+      assertThat(site.platform().directory().find(ROBOT)).isPresent();
+      assertThat(witness.executedTwice()).isEmpty();
+      assertThat(witness.doneTwice(DEEDS)).isEmpty();
+    }
+  }
+
+  private static List<Thread> threadsOf(String agent) {
+    return Thread.getAllStackTraces().keySet().stream()
+        .filter(thread -> thread.getName().equals(agent))
+        .toList();
   }
 
   private static String placeOf(LocalSite site) {

@@ -19,15 +19,25 @@ final class Census {
 
   private static final class Asked {
     private final Consumer<Runnable> tell;
+    private final Runnable forsake;
     private volatile long unansweredSinceMillis = -1;
 
-    private Asked(Consumer<Runnable> tell) {
+    private Asked(Consumer<Runnable> tell, Runnable forsake) {
       this.tell = tell;
+      this.forsake = forsake;
     }
   }
 
-  void enlist(String name, Consumer<Runnable> tell) {
-    agents.put(name, new Asked(tell));
+  void enlist(String name, Consumer<Runnable> tell, Runnable forsake) {
+    agents.put(name, new Asked(tell, forsake));
+  }
+
+  /** Another takes the agent's place. */
+  void forsake(String name) {
+    Asked hung = agents.remove(name);
+    if (hung != null) {
+      hung.forsake.run();
+    }
   }
 
   void leave(String name) {

@@ -55,9 +55,13 @@ final class OwnPulse {
     this.road = road;
   }
 
-  void enlist(String name, Consumer<Runnable> tell, Clock its) {
-    census.enlist(name, tell);
+  void enlist(String name, Consumer<Runnable> tell, Runnable forsake, Clock its) {
+    census.enlist(name, tell, forsake);
     begin(its);
+  }
+
+  void forsake(String name) {
+    census.forsake(name);
   }
 
   void leave(String name) {

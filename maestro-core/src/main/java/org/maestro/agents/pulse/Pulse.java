@@ -14,8 +14,9 @@ public interface Pulse extends ServiceHelper {
    *
    * @param name the agent's local name
    * @param tell has the agent do something on its own thread
+   * @param forsake told when another takes its place as it hangs: from then on it must do nothing
    */
-  void enlist(String name, Consumer<Runnable> tell, Clock clock);
+  void enlist(String name, Consumer<Runnable> tell, Runnable forsake, Clock clock);
 
   /** The agent ends as it should. */
   void leave(String name);
@@ -40,6 +41,14 @@ public interface Pulse extends ServiceHelper {
    * nothing is known of it.
    */
   List<String> addresses(String container);
+
+  /**
+   * Takes an agent that hangs out of its container, so that another can begin under its name. Waits
+   * for JADE. In the main container only.
+   *
+   * @throws IllegalStateException when the container cannot be asked
+   */
+  void end(String container, String agent);
 
   /** What is known of each container; empty where nobody watches. */
   SortedMap<String, Condition> containers();

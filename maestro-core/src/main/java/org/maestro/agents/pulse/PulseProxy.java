@@ -10,6 +10,19 @@ public final class PulseProxy extends SliceProxy implements PulseSlice {
   private static final long serialVersionUID = 1L;
 
   @Override
+  public void end(String agent) throws IMTPException {
+    GenericCommand command = new GenericCommand(END, PulseService.NAME, null);
+    command.addParam(agent);
+    try {
+      if (getNode().accept(command) instanceof Throwable problem) {
+        throw new IMTPException("The agent " + agent + " is not taken out", problem);
+      }
+    } catch (ServiceException e) {
+      throw new IMTPException("The container has no heartbeats", e);
+    }
+  }
+
+  @Override
   public String beat(String container, String life, String report) throws IMTPException {
     GenericCommand command = new GenericCommand(BEAT, PulseService.NAME, null);
     command.addParam(container);

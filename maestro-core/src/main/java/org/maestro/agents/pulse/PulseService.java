@@ -1,9 +1,11 @@
 package org.maestro.agents.pulse;
 
+import jade.core.AID;
 import jade.core.Agent;
 import jade.core.AgentContainer;
 import jade.core.BaseService;
 import jade.core.Filter;
+import jade.core.GenericCommand;
 import jade.core.HorizontalCommand;
 import jade.core.IMTPException;
 import jade.core.Node;
@@ -14,6 +16,7 @@ import jade.core.Service;
 import jade.core.ServiceException;
 import jade.core.ServiceHelper;
 import jade.core.VerticalCommand;
+import jade.core.management.AgentManagementSlice;
 import jade.mtp.TransportAddress;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -120,6 +123,30 @@ public final class PulseService extends BaseService {
     return Stream.of(container.getMain().containerIDs()).anyMatch(id -> id.getName().equals(name));
   }
 
+  /**
+   * The agent's own thread may come to life again at any time; what it does then is nothing, and
+   * JADE is not told of its end a second time.
+   */
+  private void takeOut(String agent) {
+    AID id = new AID(agent + "@" + container.getPlatformID(), AID.ISGUID);
+    Agent hung = container.acquireLocalAgent(id);
+    if (hung == null) {
+      return;
+    }
+    container.releaseLocalAgent(id);
+    own.forsake(agent);
+    hung.doDelete();
+    GenericCommand killed =
+        new GenericCommand(AgentManagementSlice.INFORM_KILLED, AgentManagementSlice.NAME, null);
+    killed.addParam(id);
+    try {
+      // Only the service whose command it is may give it.
+      container.getServiceFinder().findService(AgentManagementSlice.NAME).submit(killed);
+    } catch (IMTPException | ServiceException e) {
+      throw new IllegalStateException("The agent " + agent + " cannot be taken out", e);
+    }
+  }
+
   private final class Helper implements Pulse {
     @Override
     public void init(Agent agent) {
@@ -127,8 +154,21 @@ public final class PulseService extends BaseService {
     }
 
     @Override
-    public void enlist(String name, Consumer<Runnable> tell, Clock clock) {
-      own.enlist(name, tell, clock);
+    public void enlist(String name, Consumer<Runnable> tell, Runnable forsake, Clock clock) {
+      own.enlist(name, tell, forsake, clock);
+    }
+
+    @Override
+    public void end(String name, String agent) {
+      try {
+        PulseSlice there = (PulseSlice) getSlice(name);
+        if (there == null) {
+          throw new IllegalStateException("There is no container " + name + " any more");
+        }
+        there.end(agent);
+      } catch (ServiceException | IMTPException e) {
+        throw new IllegalStateException("The container " + name + " cannot be asked", e);
+      }
     }
 
     @Override
@@ -201,6 +241,13 @@ public final class PulseService extends BaseService {
 
     @Override
     public VerticalCommand serve(HorizontalCommand command) {
+      if (command.getName().equals(END)) {
+        try {
+          takeOut((String) command.getParam(0));
+        } catch (IllegalStateException e) {
+          command.setReturnValue(e);
+        }
+      }
       if (command.getName().equals(BEAT)) {
         try {
           command.setReturnValue(
@@ -219,6 +266,11 @@ public final class PulseService extends BaseService {
     @Override
     public String beat(String name, String life, String report) {
       return heard(name, life, report);
+    }
+
+    @Override
+    public void end(String agent) {
+      takeOut(agent);
     }
   }
 }

@@ -3,11 +3,11 @@ package org.maestro.agents.pulse;
 import jade.core.IMTPException;
 import jade.core.Service;
 
-/** What the service of one container asks of that of the main container. */
+/** What the services of containers ask of each other. */
 public interface PulseSlice extends Service.Slice {
 
-  /** The only thing that is asked. */
   String BEAT = "beat";
+  String END = "end";
 
   /**
    * A sign of life.
@@ -18,4 +18,7 @@ public interface PulseSlice extends Service.Slice {
    * @return as {@link Confirmation} writes it
    */
   String beat(String container, String life, String report) throws IMTPException;
+
+  /** Takes an agent that hangs out of the container. */
+  void end(String agent) throws IMTPException;
 }

@@ -87,7 +87,7 @@ class OwnPulseTest {
   }
 
   private void enlist(String name, Consumer<Runnable> tell) {
-    pulse.enlist(name, tell, clock);
+    pulse.enlist(name, tell, () -> {}, clock);
     pass(Duration.ofMillis(1));
     await().pollInterval(Duration.ofMillis(2)).until(pulse::isQuiet);
   }
