@@ -37,7 +37,7 @@ final class FailureMemory {
    * @param taught what it teaches
    */
   void note(StepKey step, String facts, String problem, List<FeatureRun.Learnt> taught) {
-    String said = problem.endsWith(".") ? problem.substring(0, problem.length() - 1) : problem;
+    String said = Sentences.withoutFullStop(problem);
     JournalEntry.Failed before = failures.get(step);
     remember(
         before != null && before.facts().equals(facts)

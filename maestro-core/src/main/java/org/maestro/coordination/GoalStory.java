@@ -236,7 +236,7 @@ final class GoalStory {
         StoryEntry.Kind.FAILED,
         "That failed: "
             + (problem.startsWith(step.member() + " ") ? "" : step.member() + " says ")
-            + problem
+            + Sentences.withoutFullStop(problem)
             + (change.facts().isEmpty() ? "" : " (so " + facts(change) + ")")
             + ".");
   }

@@ -35,7 +35,7 @@ public final class Sentences {
 
   /** A fact as it stands in a belief or a change. */
   public String fact(String slText) {
-    return fact(SlParser.formula(slText));
+    return fact(SlParser.formula(slText, vocabulary::isFluent));
   }
 
   public String fact(Formula formula) {
@@ -124,6 +124,11 @@ public final class Sentences {
         .flatMap(PredicateDeclaration::unit)
         .map(unit -> " " + UNIT_SYMBOLS.getOrDefault(unit, unit))
         .orElse("");
+  }
+
+  /** A sentence to stand within another one. */
+  static String withoutFullStop(String sentence) {
+    return sentence.endsWith(".") ? sentence.substring(0, sentence.length() - 1) : sentence;
   }
 
   static String value(Expression expression) {
