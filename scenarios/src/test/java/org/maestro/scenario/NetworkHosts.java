@@ -88,7 +88,7 @@ final class NetworkHosts implements AutoCloseable {
    * @param rate as {@code tc} writes it, such as {@code 256kbit}
    */
   void slow(String name, String rate) {
-    List<String> limit = List.of("root", "tbf", "rate", rate, "burst", "8kbit", "latency", "2s");
+    List<String> limit = List.of("root", "tbf", "rate", rate, "burst", "32kbit", "latency", "2s");
     List<String> here = new ArrayList<>(List.of("tc", "qdisc", "add", "dev", link(name)));
     here.addAll(limit);
     run(here.toArray(String[]::new));
