@@ -68,18 +68,20 @@ final class ZigbeeCommand implements Callable<Integer> {
     HomeLamps role = role();
     URI zigbee = Endpoint.broker(gateway);
     SiteBus bus = new SiteBus(Endpoint.broker(broker), site, security.files());
-    ZigbeeBridge bridge =
-        ZigbeeBridge.start(
-            base,
-            new PahoTransport(zigbee, site + "-zigbee"),
-            new ZigbeeBridge.Site(site, bus.transports(), bus.policy()),
-            role,
-            new PacedClock(1));
-    UntilStopped.run(
-        spec.commandLine().getOut(),
-        "Lamps of %s that may be %s join %s."
-            .formatted(zigbee, String.join(", ", role.ids()), broker),
-        bridge::close);
+    try (PacedClock clock = new PacedClock(1)) {
+      ZigbeeBridge bridge =
+          ZigbeeBridge.start(
+              base,
+              new PahoTransport(zigbee, site + "-zigbee"),
+              new ZigbeeBridge.Site(site, bus.transports(), bus.policy()),
+              role,
+              clock);
+      UntilStopped.run(
+          spec.commandLine().getOut(),
+          "Lamps of %s that may be %s join %s."
+              .formatted(zigbee, String.join(", ", role.ids()), broker),
+          bridge::close);
+    }
     return ExitCode.DONE;
   }
 
