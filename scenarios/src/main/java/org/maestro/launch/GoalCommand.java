@@ -40,6 +40,9 @@ final class GoalCommand implements Callable<Integer> {
   /** A platform that stands by has taken over by then, if there is one. */
   private static final Duration RETURN = Duration.ofSeconds(20);
 
+  /** By then the agents of one that has taken over are there, also on a busy machine. */
+  private static final Duration SETTLED = Duration.ofSeconds(60);
+
   private static final Duration ANSWER_WITHIN = Duration.ofSeconds(10);
   private static final Duration BETWEEN_LOOKS = Duration.ofMillis(250);
 
@@ -70,6 +73,7 @@ final class GoalCommand implements Callable<Integer> {
   private Optional<Double> deadlineSeconds = Optional.empty();
 
   private volatile String id = "";
+  private volatile boolean agreed;
   private boolean resumes;
   private long goneSince;
 
@@ -98,7 +102,7 @@ final class GoalCommand implements Callable<Integer> {
         resumes = true;
       } catch (PlatformStartException e) {
         // Who has just taken over listens a moment before its agents are there.
-        if (!resumes || isGoneForGood()) {
+        if (!resumes || isGoneFor(SETTLED)) {
           throw e;
         }
         LockSupport.parkNanos(BETWEEN_LOOKS.toNanos());
@@ -119,13 +123,13 @@ final class GoalCommand implements Callable<Integer> {
     private static final long serialVersionUID = 1L;
   }
 
-  private boolean isGoneForGood() {
-    return System.nanoTime() - goneSince > RETURN.toNanos();
+  private boolean isGoneFor(Duration time) {
+    return System.nanoTime() - goneSince > time.toNanos();
   }
 
   private void awaitReturn(Endpoint endpoint) {
     while (id.isEmpty() || !platform.isStillAt(endpoint) || !endpoint.answers()) {
-      if (id.isEmpty() || isGoneForGood()) {
+      if (id.isEmpty() || isGoneFor(RETURN)) {
         throw CommandException.outside(
             "The platform has ended before the goal did; if it keeps its goals (run --data), start it again, and ./maestro goal --follow %s tells how it ends."
                 .formatted(id.isEmpty() ? "GOAL" : id));
@@ -139,6 +143,7 @@ final class GoalCommand implements Callable<Integer> {
 
   private int ask(Endpoint endpoint) {
     CompletableFuture<ACLMessage> ended = new CompletableFuture<>();
+    agreed = false;
     JoinedContainer container = platform.join();
     try {
       container.whenGivenUp(() -> ended.completeExceptionally(new PlatformGoneException()));
@@ -148,6 +153,7 @@ final class GoalCommand implements Callable<Integer> {
           NO_END,
           reply -> {
             if (reply.getPerformative() == ACLMessage.AGREE) {
+              agreed = true;
               follow(container, reply);
             } else if (reply.getPerformative() == ACLMessage.CONFIRM || DeskAgent.isEnd(reply)) {
               ended.complete(reply);
@@ -208,12 +214,17 @@ final class GoalCommand implements Callable<Integer> {
 
   private ACLMessage reply(
       CompletableFuture<ACLMessage> ended, Endpoint endpoint, JoinedContainer container) {
+    long asked = System.nanoTime();
     while (true) {
       try {
         return ended.get(LOOK_AGAIN_SECONDS, TimeUnit.SECONDS);
       } catch (TimeoutException e) {
         if (!platform.isStillAt(endpoint)) {
           throw new PlatformGoneException();
+        }
+        if (resumes && !agreed && System.nanoTime() - asked > ANSWER_WITHIN.toNanos()) {
+          // What was sent while it was just taking over may have gone to nobody.
+          throw new PlatformStartException("The platform that has taken over does not answer.");
         }
         if (other.isPresent()) {
           look(container, ended);
