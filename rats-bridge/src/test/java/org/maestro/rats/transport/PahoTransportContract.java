@@ -10,6 +10,7 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInfo;
 import org.maestro.rats.broker.TestBroker;
 
 /** What {@link PahoTransport} must do over each broker. */
@@ -30,20 +31,26 @@ abstract class PahoTransportContract extends TransportContract {
     broker.stop();
   }
 
+  /** Other classes run beside this one: only its own clients count. */
   @AfterAll
-  static void leavesNoThread() {
+  static void leavesNoThread(TestInfo test) {
+    String own = prefix(test.getTestClass().orElseThrow());
     Awaitility.await()
         .atMost(Duration.ofSeconds(5))
         .untilAsserted(
             () ->
                 assertThat(Thread.getAllStackTraces().keySet())
                     .extracting(Thread::getName)
-                    .noneMatch(name -> name.startsWith("rats-") || name.contains("MQTT")));
+                    .noneMatch(name -> name.contains(own)));
+  }
+
+  private static String prefix(Class<?> test) {
+    return test.getSimpleName() + "-";
   }
 
   @Override
   Transport client(String id) {
-    return new PahoTransport(broker.uri(), id);
+    return new PahoTransport(broker.uri(), prefix(getClass()) + id);
   }
 
   @Override
