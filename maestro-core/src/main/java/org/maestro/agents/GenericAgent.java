@@ -3,6 +3,7 @@ package org.maestro.agents;
 import jade.core.AID;
 import jade.core.ServiceException;
 import jade.core.behaviours.Behaviour;
+import jade.core.behaviours.OneShotBehaviour;
 import jade.lang.acl.ACLMessage;
 import java.io.IOException;
 import java.io.ObjectInputStream;
@@ -35,8 +36,6 @@ import org.slf4j.LoggerFactory;
  * then goes as soon as nothing is under way.
  */
 public final class GenericAgent extends MaestroAgent {
-  private static final Duration SETTLING = Duration.ofSeconds(3);
-  private static final Duration LOOK_AGAIN = Duration.ofMillis(50);
   private static final long serialVersionUID = 1L;
   private static final Logger LOG = LoggerFactory.getLogger(GenericAgent.class);
   static final Duration ANSWER_WITHIN = Duration.ofSeconds(30);
@@ -51,11 +50,11 @@ public final class GenericAgent extends MaestroAgent {
 
   private boolean registered;
   private Movement movement;
-  private Duration settlesUntil = Duration.ZERO;
 
   private transient Optional<Surroundings> here = Optional.empty();
   private transient Map<String, Voice> voices = Map.of();
   private transient PriceResponder prices;
+  private transient Settling settling;
   private transient Once objections = new Once();
 
   /** Made by JADE, which has its arguments. */
@@ -115,6 +114,12 @@ public final class GenericAgent extends MaestroAgent {
     Optional<String> mark = all.size() > 1 ? Optional.of(getLocalName()) : Optional.empty();
     prices =
         new PriceResponder(this, words -> voice(words).map(Voice::view), this::objection, mark);
+    settling =
+        new Settling(
+            clock(),
+            clock().isStepped() ? Duration.ZERO : patience(Settling.LONGEST),
+            () -> all.values().stream().allMatch(voice -> voice.view().isReady()),
+            this::tell);
     all.values().forEach(Voice::begin);
   }
 
@@ -229,7 +234,23 @@ public final class GenericAgent extends MaestroAgent {
 
   @Override
   protected Optional<Behaviour> session(ACLMessage message) {
-    return prices.session(message);
+    Optional<Behaviour> session = prices.session(message);
+    return settling.isOver() ? session : session.map(Later::new);
+  }
+
+  /** Who has just taken over from one that was lost would refuse for want of its members. */
+  private final class Later extends OneShotBehaviour {
+    private static final long serialVersionUID = 1L;
+    private final transient Behaviour session;
+
+    Later(Behaviour session) {
+      this.session = session;
+    }
+
+    @Override
+    public void action() {
+      settling.once(() -> addBehaviour(session));
+    }
   }
 
   @Override
@@ -238,7 +259,7 @@ public final class GenericAgent extends MaestroAgent {
       Words words = Words.of(content);
       switch (content.operator()) {
         case "perform" ->
-            onceSettled(() -> when(message, ACLMessage.REQUEST, () -> perform(message, words)));
+            settling.once(() -> when(message, ACLMessage.REQUEST, () -> perform(message, words)));
         case "cost" ->
             when(
                 message,
@@ -260,16 +281,6 @@ public final class GenericAgent extends MaestroAgent {
                     + Replies.shortened(content.operator())
                     + "; it knows perform, cost, cancel, subscribe and query-ref.");
       }
-    }
-  }
-
-  /** Where it has just moved to, its members make themselves known a little later than orders. */
-  private void onceSettled(Runnable deed) {
-    if (clock().now().compareTo(settlesUntil) >= 0
-        || voices.values().stream().allMatch(voice -> voice.view().isReady())) {
-      deed.run();
-    } else {
-      clock().schedule(patience(LOOK_AGAIN), getLocalName(), () -> tell(() -> onceSettled(deed)));
     }
   }
 
@@ -403,7 +414,6 @@ public final class GenericAgent extends MaestroAgent {
   @Override
   protected void afterMove() {
     super.afterMove();
-    settlesUntil = clock().now().plus(patience(SETTLING));
     ACLMessage asked = movement.request();
     movement = null;
     if (asked.getSender() != null) {
