@@ -68,14 +68,14 @@ final class ZigbeeCommand implements Callable<Integer> {
     HomeLamps role = role();
     URI zigbee = Endpoint.broker(gateway);
     SiteBus bus = new SiteBus(Endpoint.broker(broker), site, security.files());
-    try (PacedClock clock = new PacedClock(1)) {
-      ZigbeeBridge bridge =
-          ZigbeeBridge.start(
-              base,
-              new PahoTransport(zigbee, site + "-zigbee"),
-              new ZigbeeBridge.Site(site, bus.transports(), bus.policy()),
-              role,
-              clock);
+    try (PacedClock clock = new PacedClock(1);
+        ZigbeeBridge bridge =
+            ZigbeeBridge.start(
+                base,
+                new PahoTransport(zigbee, site + "-zigbee"),
+                new ZigbeeBridge.Site(site, bus.transports(), bus.policy()),
+                role,
+                clock)) {
       UntilStopped.run(
           spec.commandLine().getOut(),
           "Lamps of %s that may be %s join %s."

@@ -43,15 +43,19 @@ class ZigbeeCommandTest {
   }
 
   @Test
-  void lampsOfAGatewayJoinAsTheHomesAndAreSet() throws InterruptedException {
+  void lampsOfAGatewayJoinAsTheHomesAndAreSet() {
     try (EmbeddedBroker broker = EmbeddedBroker.start();
-        PacedClock clock = new PacedClock(1)) {
-      Transport gateway = gateway(new PahoTransport(broker.uri(), "gateway"));
-      RatsLink link =
-          BusLink.connect("cca", "attic", new PahoTransport(broker.uri(), "cca"), clock);
-      Thread command = start(broker.uri().toString());
+        PacedClock clock = new PacedClock(1);
+        Transport gateway = new PahoTransport(broker.uri(), "gateway");
+        RatsLink link =
+            BusLink.connect("cca", "attic", new PahoTransport(broker.uri(), "cca"), clock);
+        RunningCommand command = new RunningCommand(broker.uri().toString())) {
+      speakAsGateway(gateway);
 
-      Awaitility.await().atMost(Duration.ofSeconds(30)).until(() -> ready(link).size() == 2);
+      Awaitility.await()
+          .atMost(Duration.ofSeconds(60))
+          .untilAsserted(
+              () -> assertThat(ready(link)).as(() -> command.said()).hasSizeGreaterThan(1));
       assertThat(ready(link)).containsExactlyInAnyOrder("lamp-b1", "lamp-a2");
       assertThat(link.members())
           .allSatisfy(member -> assertThat(member.description().orElseThrow()).contains("Lamp"));
@@ -68,32 +72,43 @@ class ZigbeeCommandTest {
           .atMost(Duration.ofSeconds(30))
           .until(() -> !results.isEmpty() && said(link, "lamp-a2").contains("0.5"));
       assertThat(results.get(0).outcome()).isEqualTo(Outcome.SUCCEEDED);
-      command.interrupt();
-      command.join();
-      link.close();
-      gateway.close();
+      assertThat(command.said()).as("what it says").contains("lamp-a2").doesNotContain("rror");
     }
   }
 
-  private static Thread start(String broker) {
-    String[] arguments = {
-      "zigbee",
-      "bob",
-      "--gateway",
-      broker,
-      "--broker",
-      broker,
-      "--site",
-      "attic",
-      "--lamp",
-      "attic/ceiling=lamp-a2"
-    };
-    PrintStream nowhere = new PrintStream(new ByteArrayOutputStream(), true, UTF_8);
-    Thread command =
-        new Thread(() -> Maestro.commandLine(nowhere, nowhere).execute(arguments), "zigbee");
-    command.setDaemon(true);
-    command.start();
-    return command;
+  /** The command on a thread of its own, until it is closed, also when the test has failed. */
+  private static final class RunningCommand implements AutoCloseable {
+    private final ByteArrayOutputStream words = new ByteArrayOutputStream();
+    private final Thread thread;
+
+    RunningCommand(String broker) {
+      String[] arguments = {
+        "zigbee",
+        "bob",
+        "--gateway",
+        broker,
+        "--broker",
+        broker,
+        "--site",
+        "attic",
+        "--lamp",
+        "attic/ceiling=lamp-a2"
+      };
+      PrintStream out = new PrintStream(words, true, UTF_8);
+      thread = new Thread(() -> Maestro.commandLine(out, out).execute(arguments), "zigbee");
+      thread.setDaemon(true);
+      thread.start();
+    }
+
+    String said() {
+      return words.toString(UTF_8);
+    }
+
+    @Override
+    public void close() {
+      thread.interrupt();
+      Awaitility.await().atMost(Duration.ofSeconds(60)).until(() -> !thread.isAlive());
+    }
   }
 
   private static List<String> ready(RatsLink link) {
@@ -114,7 +129,7 @@ class ZigbeeCommandTest {
   }
 
   /** Says what lamps there are, and that they do what they are told. */
-  private static Transport gateway(Transport transport) {
+  private static void speakAsGateway(Transport transport) {
     transport.subscribe(
         "zigbee2mqtt/#",
         Transport.RetainedMessages.IGNORE,
@@ -142,7 +157,6 @@ class ZigbeeCommandTest {
             // It tries again.
           }
         });
-    return transport;
   }
 
   private static void say(Transport transport, String topic, byte[] state) {

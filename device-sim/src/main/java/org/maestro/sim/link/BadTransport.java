@@ -31,6 +31,11 @@ final class BadTransport implements Transport {
     transport.subscribeToOthers(filter, message -> arrived(message, handler));
   }
 
+  @Override
+  public void askForRetained(String filter) {
+    transport.askForRetained(filter);
+  }
+
   private void arrived(Message message, MessageHandler handler) {
     for (int copy = link.copies(); copy > 0; copy--) {
       link.pass(() -> handler.arrived(message));

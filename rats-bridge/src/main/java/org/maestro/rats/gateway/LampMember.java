@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Consumer;
 import org.maestro.rats.member.CallPolicy;
 import org.maestro.rats.member.Execution;
 import org.maestro.rats.member.MemberProfile;
@@ -31,39 +30,53 @@ final class LampMember implements Procedure {
   /** ZigBee sends again for some seconds; after that the lamp does not hear. */
   private static final Duration ANSWERS_WITHIN = Duration.ofSeconds(10);
 
+  private static final Duration ASKS_AGAIN_AFTER = Duration.ofSeconds(2);
+  private static final Duration ASKS_AT_LEAST_EVERY = Duration.ofMinutes(5);
+
   private final ZigbeeLamp lamp;
   private final String id;
   private final LampRole role;
-  private final Consumer<JsonNode> orders;
+  private final Gateway gateway;
   private final Clock clock;
+  private final Insistence asking;
   private Optional<Double> level = Optional.empty();
+
+  /** Whether it was heard since it can be reached. */
+  private boolean heard;
+
   private Optional<Underway> underway = Optional.empty();
   private RatsMember member;
 
   private record Underway(Execution execution, double level) {}
 
-  private LampMember(
-      ZigbeeLamp lamp, String id, LampRole role, Consumer<JsonNode> orders, Clock clock) {
+  /** What the gateway is told for this lamp. */
+  interface Gateway {
+    void set(JsonNode order);
+
+    /** To say what light the lamp gives. */
+    void ask();
+  }
+
+  private LampMember(ZigbeeLamp lamp, String id, LampRole role, Gateway gateway, Clock clock) {
     this.lamp = lamp;
     this.id = id;
     this.role = role;
-    this.orders = orders;
+    this.gateway = gateway;
     this.clock = clock;
+    this.asking = new Insistence(id, gateway::ask, ASKS_AGAIN_AFTER, ASKS_AT_LEAST_EVERY, clock);
   }
 
-  /**
-   * @param orders takes what the gateway is to be told for this lamp
-   */
+  /** Joins the site; it is unknown yet whether the lamp can be reached. */
   static LampMember start(
       ZigbeeLamp lamp,
       String id,
       LampRole role,
-      Consumer<JsonNode> orders,
+      Gateway gateway,
       Transport transport,
       String site,
       CallPolicy policy,
       Clock clock) {
-    LampMember started = new LampMember(lamp, id, role, orders, clock);
+    LampMember started = new LampMember(lamp, id, role, gateway, clock);
     MemberProfile.Feature feature =
         new MemberProfile.Feature(
             role.feature(),
@@ -93,6 +106,8 @@ final class LampMember implements Procedure {
     lamp.level(state)
         .ifPresent(
             said -> {
+              heard = true;
+              asking.end();
               level = Optional.of(said);
               member.stateChanged();
               underway
@@ -109,12 +124,27 @@ final class LampMember implements Procedure {
    * @param why empty: it can be reached
    */
   void reachable(Optional<String> why) {
-    why.ifPresentOrElse(
-        reason -> member.disable(role.feature(), reason), () -> member.enable(role.feature()));
-    why.ifPresent(this::giveUp);
+    why.ifPresentOrElse(this::away, this::back);
   }
 
+  private void away(String reason) {
+    heard = false;
+    asking.end();
+    member.disable(role.feature(), reason);
+    giveUp(reason);
+  }
+
+  /** What it said while it was away, or this bridge was, nobody heard. */
+  private void back() {
+    member.enable(role.feature());
+    if (!heard) {
+      asking.begin();
+    }
+  }
+
+  /** Any thread. */
   void leave() {
+    clock.schedule(Duration.ZERO, id, asking::end);
     member.close();
   }
 
@@ -133,7 +163,7 @@ final class LampMember implements Procedure {
           underway = underway.filter(now -> now != order);
           safe.run();
         });
-    orders.accept(lamp.order(wanted.get()));
+    gateway.set(lamp.order(wanted.get()));
     clock.schedule(
         ANSWERS_WITHIN,
         id,

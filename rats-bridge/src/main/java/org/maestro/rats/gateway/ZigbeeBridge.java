@@ -11,6 +11,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.function.Function;
 import org.maestro.rats.member.CallPolicy;
 import org.maestro.rats.protocol.Complaints;
@@ -30,6 +31,8 @@ public final class ZigbeeBridge implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(ZigbeeBridge.class);
   private static final String OWNER = "zigbee";
+  private static final Duration LIST_COMES_WITHIN = Duration.ofSeconds(2);
+  private static final Duration ASKS_FOR_LIST_AT_LEAST_EVERY = Duration.ofMinutes(1);
 
   private final String base;
   private final Transport zigbee;
@@ -38,10 +41,12 @@ public final class ZigbeeBridge implements AutoCloseable {
   private final Clock clock;
   private final ObjectMapper json = new ObjectMapper();
   private final Complaints complaints = new Complaints();
-  private final Map<String, LampMember> byAddress = new LinkedHashMap<>();
+  private final Map<String, LampMember> byAddress = new ConcurrentSkipListMap<>();
   private final Map<String, JsonNode> saidByName = new LinkedHashMap<>();
   private final Map<String, Boolean> onlineByName = new LinkedHashMap<>();
+  private final Insistence askingForList;
   private boolean bridgeOnline = true;
+  private volatile boolean closed;
 
   /**
    * Where the members join.
@@ -56,6 +61,13 @@ public final class ZigbeeBridge implements AutoCloseable {
     this.site = site;
     this.role = role;
     this.clock = clock;
+    this.askingForList =
+        new Insistence(
+            OWNER,
+            () -> zigbee.askForRetained(all()),
+            LIST_COMES_WITHIN,
+            ASKS_FOR_LIST_AT_LEAST_EVERY,
+            clock);
   }
 
   /**
@@ -71,21 +83,19 @@ public final class ZigbeeBridge implements AutoCloseable {
     return bridge;
   }
 
+  /** The lamps leave the site; waits some seconds at most for what they say last. */
   @Override
   public void close() {
-    clock.schedule(
-        Duration.ZERO,
-        OWNER,
-        () -> {
-          byAddress.values().forEach(LampMember::leave);
-          byAddress.clear();
-        });
+    closed = true;
+    clock.schedule(Duration.ZERO, OWNER, askingForList::end);
+    byAddress.values().forEach(LampMember::leave);
+    byAddress.clear();
     zigbee.close();
   }
 
   private void open() {
     zigbee.subscribe(
-        base + "/#",
+        all(),
         Transport.RetainedMessages.SEND,
         message -> clock.schedule(Duration.ZERO, OWNER, () -> heard(message)));
     zigbee.open(
@@ -93,14 +103,28 @@ public final class ZigbeeBridge implements AutoCloseable {
         new Transport.ConnectionListener() {
           @Override
           public void connected() {
-            clock.schedule(Duration.ZERO, OWNER, () -> bridge(true));
+            clock.schedule(Duration.ZERO, OWNER, () -> connection(true));
           }
 
           @Override
           public void lost(String reason) {
-            clock.schedule(Duration.ZERO, OWNER, () -> bridge(false));
+            clock.schedule(Duration.ZERO, OWNER, () -> connection(false));
           }
         });
+  }
+
+  private String all() {
+    return base + "/#";
+  }
+
+  private void connection(boolean stands) {
+    askingForList.end();
+    if (stands) {
+      askingForList.beginAfterPause();
+    } else {
+      saidByName.clear();
+    }
+    bridge(stands);
   }
 
   private void heard(Message message) {
@@ -138,6 +162,7 @@ public final class ZigbeeBridge implements AutoCloseable {
   }
 
   private void devices(JsonNode list) {
+    askingForList.end();
     Map<String, ZigbeeLamp> present = new LinkedHashMap<>();
     list.forEach(
         device -> ZigbeeLamp.of(device).ifPresent(lamp -> present.put(lamp.address(), lamp)));
@@ -161,24 +186,33 @@ public final class ZigbeeBridge implements AutoCloseable {
                       lamp,
                       id,
                       role,
-                      order -> send(lamp, order),
+                      gateway(lamp),
                       site.transports().apply(id),
                       site.name(),
                       site.policy(),
                       clock);
               byAddress.put(lamp.address(), member);
-              Optional.ofNullable(saidByName.get(lamp.name()))
-                  .ifPresentOrElse(member::heard, () -> ask(lamp));
+              if (closed) {
+                member.leave();
+              }
+              Optional.ofNullable(saidByName.get(lamp.name())).ifPresent(member::heard);
               tellReachable(member);
             });
   }
 
-  private void ask(ZigbeeLamp lamp) {
-    publish(base + "/" + lamp.name() + "/get", json.createObjectNode().put("state", ""));
-  }
+  private LampMember.Gateway gateway(ZigbeeLamp lamp) {
+    String topic = base + "/" + lamp.name();
+    return new LampMember.Gateway() {
+      @Override
+      public void set(JsonNode order) {
+        publish(topic + "/set", order);
+      }
 
-  private void send(ZigbeeLamp lamp, JsonNode order) {
-    publish(base + "/" + lamp.name() + "/set", order);
+      @Override
+      public void ask() {
+        publish(topic + "/get", json.createObjectNode().put("state", ""));
+      }
+    };
   }
 
   private void publish(String topic, JsonNode payload) {

@@ -49,6 +49,15 @@ final class InProcessTransport implements Transport {
   }
 
   @Override
+  public void askForRetained(String filter) {
+    if (bus.holds(this)) {
+      subscriptions().stream()
+          .filter(subscription -> subscription.filter.text().equals(filter))
+          .forEach(this::sendRetained);
+    }
+  }
+
+  @Override
   public void open(Optional<Will> lastWill, ConnectionListener connectionListener) {
     synchronized (this) {
       will = lastWill;

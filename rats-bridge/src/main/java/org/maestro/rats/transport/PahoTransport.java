@@ -124,6 +124,22 @@ public final class PahoTransport implements Transport {
   }
 
   @Override
+  public void askForRetained(String filter) {
+    perform(
+        () -> {
+          List<PahoSubscription> asked =
+              subscriptions.stream()
+                  .filter(known -> known.retained() == RetainedMessages.SEND)
+                  .filter(known -> known.filter().text().equals(filter))
+                  .toList();
+          if (ready && !leaving && !asked.isEmpty()) {
+            PahoConnection current = connection;
+            current.subscribe(asked, failure -> subscribed(current, failure));
+          }
+        });
+  }
+
+  @Override
   public void open(Optional<Will> lastWill, ConnectionListener connectionListener) {
     perform(
         () -> {

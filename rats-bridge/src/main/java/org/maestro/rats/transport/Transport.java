@@ -29,6 +29,15 @@ public interface Transport extends AutoCloseable {
    */
   void subscribeToOthers(String filter, MessageHandler handler);
 
+  /**
+   * Asks the broker once more for what is retained under a subscription that wanted it, since a
+   * broker may lose a retained message to a subscriber that comes at the very moment of its
+   * publication (seen with Artemis). Nothing happens while there is no connection.
+   *
+   * @param filter as it was subscribed
+   */
+  void askForRetained(String filter);
+
   /** Starts to connect, and keeps connecting until closed. To be called once. */
   void open(Optional<Will> will, ConnectionListener listener);
 

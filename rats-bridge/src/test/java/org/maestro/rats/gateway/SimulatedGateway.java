@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.Message;
@@ -29,6 +30,13 @@ final class SimulatedGateway {
   final Map<String, ObjectNode> lamps = new LinkedHashMap<>();
   final Set<String> deaf = new TreeSet<>();
   final List<String> orders = new ArrayList<>();
+
+  /** When it was asked for a lamp's state. */
+  final Map<String, List<Duration>> questions = new TreeMap<>();
+
+  /** So many of the next questions get lost, as before its own subscription stands. */
+  int missing;
+
   private final ObjectMapper json = new ObjectMapper();
   private final ArrayNode devices = json.createArrayNode();
   private final Transport transport;
@@ -124,6 +132,12 @@ final class SimulatedGateway {
     publish("bridge/state", json.createObjectNode().put("state", state), true);
   }
 
+  /** Somebody presses the lamp's own switch. */
+  void byHand(String name, String state) {
+    lamps.get(name).put("state", state);
+    publish(name, lamps.get(name), false);
+  }
+
   void garbage(String name) {
     transport.publish(
         Publication.reliable("zigbee2mqtt/" + name, "{no json".getBytes(UTF_8), Optional.empty()),
@@ -140,7 +154,12 @@ final class SimulatedGateway {
         clock.schedule(RADIO, name, () -> applied(name, tree(message.payload())));
       }
     } else if (topic.endsWith("/get") && lamps.containsKey(name)) {
-      clock.schedule(RADIO, name, () -> publish(name, lamps.get(name), false));
+      questions.computeIfAbsent(name, lamp -> new ArrayList<>()).add(clock.now());
+      if (missing > 0) {
+        missing--;
+      } else {
+        clock.schedule(RADIO, name, () -> publish(name, lamps.get(name), false));
+      }
     }
   }
 

@@ -102,6 +102,73 @@ class ZigbeeBridgeTest {
   }
 
   @Test
+  void asksAgainEverMoreSeldomUntilItHears() {
+    int before = gateway.questions.get("porch").size();
+    zigbee.cut("bridge");
+    clock.run(Duration.ofSeconds(1));
+    gateway.byHand("porch", "ON");
+    gateway.missing = Integer.MAX_VALUE;
+    zigbee.mend("bridge");
+    clock.run(Duration.ofHours(1));
+    List<Duration> asked = gateway.questions.get("porch");
+    assertThat(facts("porch")).containsExactly("(= (glow porch) 0.0)");
+    assertThat(asked).as("in the hour").hasSizeBetween(before + 15, before + 20);
+    assertThat(asked.get(before + 1).minus(asked.get(before))).isEqualTo(Duration.ofSeconds(2));
+
+    gateway.missing = 0;
+    clock.run(Duration.ofMinutes(6));
+    assertThat(facts("porch")).containsExactly("(= (glow porch) 1.0)");
+    int answered = gateway.questions.get("porch").size();
+    clock.run(Duration.ofHours(1));
+    assertThat(gateway.questions.get("porch")).hasSize(answered);
+  }
+
+  @Test
+  void asksWhenALampOrItsGatewayIsBack() {
+    for (boolean ofTheGateway : List.of(true, false)) {
+      int before = gateway.questions.get("porch").size();
+      away(ofTheGateway, "offline");
+      clock.run(Duration.ofMinutes(10));
+      assertThat(gateway.questions.get("porch")).as("nobody would hear").hasSize(before);
+      gateway.missing = ofTheGateway ? 2 : 0;
+      gateway.lamps.get("porch").put("state", ofTheGateway ? "ON" : "OFF");
+      away(ofTheGateway, "online");
+      clock.run(Duration.ofSeconds(7));
+      assertThat(facts("porch"))
+          .containsExactly("(= (glow porch) %s)".formatted(ofTheGateway ? "1.0" : "0.0"));
+    }
+  }
+
+  private void away(boolean gatewayItself, String state) {
+    if (gatewayItself) {
+      gateway.bridgeState(state);
+    } else {
+      gateway.availability("porch", state);
+    }
+  }
+
+  @Test
+  void asksForTheListThatTheBrokerLost() {
+    InProcessBus others = new InProcessBus(clock);
+    LosesRetainedOnce late = new LosesRetainedOnce(zigbee.client("late"));
+    ZigbeeBridge.start(
+        "zigbee2mqtt",
+        late,
+        new ZigbeeBridge.Site("annex", others::client, CallPolicy.OPEN),
+        new Role(),
+        clock);
+    RatsLink annex = BusLink.connect("cca", "annex", others.client("cca"), clock);
+    clock.run(Duration.ofSeconds(1));
+    assertThat(annex.members()).isEmpty();
+    clock.run(Duration.ofSeconds(3));
+    assertThat(annex.members())
+        .extracting(RatsLink.Member::id)
+        .containsExactlyInAnyOrder("kitchen-ceiling", "porch");
+    clock.run(Duration.ofHours(1));
+    assertThat(late.asked()).isEqualTo(1);
+  }
+
+  @Test
   void followsTheListOfDevicesAndLeavesWithIt() {
     gateway.remove("porch");
     clock.run(Duration.ofSeconds(1));

@@ -86,6 +86,31 @@ abstract class TransportContract {
   }
 
   @Test
+  void sendsWhatIsRetainedOnceMoreToWhoAsks() {
+    Transport publisher = open("publisher");
+    publish(publisher, Publication.retained("m/rose/status", bytes("ready")));
+    Inbox inbox = new Inbox();
+    Inbox ignored = new Inbox();
+    Transport wanting = client("wanting");
+    wanting.subscribe("m/#", RetainedMessages.SEND, inbox);
+    wanting.subscribe("n/#", RetainedMessages.IGNORE, ignored);
+    open(wanting, Optional.empty());
+    await(() -> inbox.size() == 1);
+    publish(publisher, Publication.retained("n/rose", bytes("kept")));
+    await(() -> ignored.size() == 1);
+    wanting.askForRetained("m/#");
+    wanting.askForRetained("n/#");
+    wanting.askForRetained("never/subscribed");
+    await(() -> inbox.size() == 2);
+    publish(publisher, reliable("m/rose/state", "moving"));
+    publish(publisher, reliable("n/rose", "once"));
+    await(() -> inbox.size() >= 3 && ignored.size() >= 2);
+    assertThat(inbox.text(1)).isEqualTo("m/rose/status=ready");
+    assertThat(inbox.text(2)).isEqualTo("m/rose/state=moving");
+    assertThat(ignored.text(1)).as("no retained one, as it wanted").isEqualTo("n/rose=once");
+  }
+
+  @Test
   void deliversWhatOthersSayToWhomWantsOnlyThat() {
     Inbox inbox = new Inbox();
     Transport own = client("own");
