@@ -1,6 +1,7 @@
 package org.maestro.rats.member;
 
 import java.time.Duration;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,10 +15,14 @@ import org.maestro.rats.time.Clock;
 
 /**
  * The member's impatience with what others are at (ALLIANCE, M43). It remembers calls to others of
- * features that it has too, and offers their holder to take one over, once, in two cases: it has
- * become cheaper than what the holder still counts on, which it was not when the call was made; or
- * the other is late by longer than the member would need for all of it. It never begins anything by
- * itself: the holder decides. Clock thread only.
+ * features that it has too, and offers their holder to take one over, once, in two cases: something
+ * about this member has changed since, and it is cheaper than what the holder still counts on and
+ * than what it told the holder before the call; or the other is late by longer than the member
+ * would need for all of it. It never begins anything by itself: the holder decides. Clock thread
+ * only.
+ *
+ * <p>Many members overhear each call, and a price can be a search for a way: nothing is priced
+ * before it could lead to an offer.
  */
 final class Impatience {
 
@@ -26,6 +31,9 @@ final class Impatience {
   /** So much less it must cost than what is left of the other's; a change of hands costs, too. */
   private static final double LEAST_SAVING = 0.1;
 
+  /** Nobody looks at what takes a little longer than expected; a factor. */
+  private static final double USUAL_DELAY = 1.1;
+
   private final MemberProfile profile;
   private final CallPolicy policy;
   private final MemberVoice voice;
@@ -33,6 +41,7 @@ final class Impatience {
   private final TaskQueue tasks;
   private final Clock clock;
   private final Map<Key, Watched> watched = new LinkedHashMap<>();
+  private final Map<Question, Double> told = new LinkedHashMap<>();
 
   Impatience(
       MemberProfile profile,
@@ -77,9 +86,35 @@ final class Impatience {
     if (watched.size() >= MOST_WATCHED) {
       forget(watched.keySet().iterator().next());
     }
-    Watched one = new Watched(call, since, price(call).flatMap(CostAnswer::cost));
+    Watched one = new Watched(call, since, toldBefore(call));
     watched.put(key, one);
     one.end = clock.schedule(call.timeout(), profile.id(), () -> forget(key));
+  }
+
+  /** The member has said what that would cost. */
+  void told(
+      String caller, MemberProfile.Feature feature, Map<String, Object> set, CostAnswer answer) {
+    if (profile.takesOver().contains(feature.id()) && answer.cost().isPresent()) {
+      Question question = question(caller, feature, set);
+      told.remove(question);
+      if (told.size() >= MOST_WATCHED) {
+        told.remove(told.keySet().iterator().next());
+      }
+      told.put(question, answer.cost().get());
+    }
+  }
+
+  private Optional<Double> toldBefore(Call call) {
+    MemberProfile.Feature feature = profile.features().get(call.feature());
+    return Optional.ofNullable(told.get(question(call.from(), feature, call.parameters())));
+  }
+
+  /** A call may say more than what it was asked for, such as where its plan goes on. */
+  private static Question question(
+      String caller, MemberProfile.Feature feature, Map<String, Object> parameters) {
+    Map<String, Object> required = new HashMap<>(parameters);
+    required.keySet().retainAll(feature.required());
+    return new Question(caller, feature.id(), required);
   }
 
   private void forget(Key key) {
@@ -101,7 +136,7 @@ final class Impatience {
       boolean runs = other.running().contains(id);
       if (runs && !one.seenRunning) {
         one.seenRunning = true;
-        waitUntilLate(one);
+        wakeAfter(one, one.expected().seconds() * USUAL_DELAY - passed(one));
       } else if (!runs && !other.queue().contains(id) && one.seenRunning) {
         forget(entry.getKey());
       }
@@ -109,42 +144,49 @@ final class Impatience {
   }
 
   /** Nothing else may happen that makes this member look at it again. */
-  private void waitUntilLate(Watched one) {
-    double own = price(one.call).flatMap(CostAnswer::seconds).orElse(one.expected().seconds());
-    double left = one.expected().seconds() + own - passed(one);
+  private void wakeAfter(Watched one, double seconds) {
+    one.late.ifPresent(Clock.Timer::cancel);
     one.late =
         Optional.of(
             clock.schedule(
-                Duration.ofMillis((long) Math.ceil(Math.max(0, left) * 1_000)),
+                Duration.ofMillis((long) Math.ceil(Math.max(0, seconds) * 1_000)),
                 profile.id(),
-                this::reconsider));
+                () -> reconsider(one, false)));
   }
 
-  /** Something about this member has changed, and perhaps its prices, or time has passed. */
-  void reconsider() {
-    watched.values().stream().filter(one -> !one.offered).forEach(this::reconsider);
+  /** Something about this member has changed, and perhaps its prices. */
+  void changed() {
+    watched.values().forEach(one -> reconsider(one, true));
   }
 
-  private void reconsider(Watched one) {
+  private void reconsider(Watched one, boolean changed) {
+    if (one.offered || !changed && !isOverdue(one)) {
+      return;
+    }
     Optional<CostAnswer> price = price(one.call);
     Optional<Double> cost = price.flatMap(CostAnswer::cost);
-    if (cost.isPresent()) {
-      double seconds = price.get().seconds().orElse(cost.get());
-      if (hasBecomeCheaper(one, cost.get()) || isLateBy(one, seconds)) {
-        one.offered = true;
-        voice.offer(one.call, new Offer(one.call.id(), one.call.feature(), cost.get(), seconds));
-      }
+    if (cost.isEmpty()) {
+      return;
+    }
+    double seconds = price.get().seconds().orElse(cost.get());
+    double left = one.expected().seconds() + seconds - passed(one);
+    if (changed && isCheaper(one, cost.get()) || isOverdue(one) && left <= 0) {
+      one.offered = true;
+      voice.offer(one.call, new Offer(one.call.id(), one.call.feature(), cost.get(), seconds));
+    } else if (isOverdue(one)) {
+      wakeAfter(one, left);
     }
   }
 
-  private boolean hasBecomeCheaper(Watched one, double cost) {
+  private boolean isCheaper(Watched one, double cost) {
     double share = 1 - passed(one) / Math.max(one.expected().seconds(), Double.MIN_VALUE);
     double left = one.expected().cost() * Math.max(0, share);
-    return one.priceThen.filter(then -> cost >= then).isEmpty() && cost < left * (1 - LEAST_SAVING);
+    return one.toldBefore.filter(then -> cost >= then).isEmpty()
+        && cost < left * (1 - LEAST_SAVING);
   }
 
-  private boolean isLateBy(Watched one, double seconds) {
-    return one.seenRunning && passed(one) >= one.expected().seconds() + seconds;
+  private boolean isOverdue(Watched one) {
+    return one.seenRunning && passed(one) >= one.expected().seconds();
   }
 
   private double passed(Watched one) {
@@ -165,19 +207,21 @@ final class Impatience {
 
   private record Key(String from, String id) {}
 
+  private record Question(String caller, String feature, Map<String, Object> required) {}
+
   private static final class Watched {
     private final Call call;
     private final Duration since;
-    private final Optional<Double> priceThen;
+    private final Optional<Double> toldBefore;
     private Clock.Timer end = () -> {};
     private Optional<Clock.Timer> late = Optional.empty();
     private boolean seenRunning;
     private boolean offered;
 
-    private Watched(Call call, Duration since, Optional<Double> priceThen) {
+    private Watched(Call call, Duration since, Optional<Double> toldBefore) {
       this.call = call;
       this.since = since;
-      this.priceThen = priceThen;
+      this.toldBefore = toldBefore;
     }
 
     private Call.Expectation expected() {

@@ -308,8 +308,8 @@ public final class RatsMember implements AutoCloseable {
     if (connected && told.filter(now::equals).isEmpty()) {
       told = Optional.of(now);
       voice.state(now);
+      impatience.changed();
     }
-    impatience.reconsider();
   }
 
   /** A state that the member may only rest in for a while is left by itself. */

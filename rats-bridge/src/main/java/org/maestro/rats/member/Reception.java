@@ -243,10 +243,17 @@ final class Reception {
     } else {
       List<CostAnswer> costs =
           exchange.get().sets().stream()
-              .map(set -> cost(profile.id(), feature.get(), set))
+              .map(set -> tellCost(call.from(), feature.get(), set))
               .toList();
       answers.succeeded(call, CostExchange.values(costs));
     }
+  }
+
+  private CostAnswer tellCost(
+      String caller, MemberProfile.Feature feature, Map<String, Object> parameters) {
+    CostAnswer answer = cost(profile.id(), feature, parameters);
+    impatience.told(caller, feature, parameters, answer);
+    return answer;
   }
 
   /** What the feature's procedure says that it would cost; a reason when it breaks off. */

@@ -55,10 +55,19 @@ class TakeoverTest {
 
   private void begin() {
     rose.join();
-    tim.join();
+    if (tim.member == null) {
+      tim.join();
+    }
     run(2);
     call("rose", Optional.of(new Call.Expectation(10, 10)));
     run(2);
+  }
+
+  private void ask(String member) {
+    List<CostAnswer> answers = new ArrayList<>();
+    link.cost(member, "carry", List.of(Map.of("object", "cup")), answers::addAll);
+    run(1);
+    assertThat(answers).hasSize(1);
   }
 
   @Test
@@ -75,18 +84,26 @@ class TakeoverTest {
   }
 
   @Test
-  void whatWasKnownWhenItWasAwardedIsNotOffered() {
+  void whatItsHolderWasToldBeforeIsNotOffered() {
     tim.price = 4;
+    tim.join();
+    run(1);
+    ask("tim");
 
     begin();
+    tim.tells();
+    assertThat(heard.offers).as("4 it was said to cost, and 4 it is").isEmpty();
     tim.costs(3.9);
     assertThat(heard.offers).as("a little cheaper than it was: still news").hasSize(1);
+  }
 
-    tim.costs(4);
-    call("rose", Optional.of(new Call.Expectation(10, 10)));
-    run(1);
-    tim.tells();
-    assertThat(heard.offers).as("4 it was at the award, and 4 it is").hasSize(1);
+  @Test
+  void nothingIsPricedForACallThatGoesWell() {
+    begin();
+    run(40);
+
+    assertThat(heard.results).hasSize(1);
+    assertThat(tim.priced).isZero();
   }
 
   @Test
@@ -260,6 +277,7 @@ class TakeoverTest {
     private double price;
     private int begun;
     private int told;
+    private int priced;
     private boolean neverEnds;
     private Optional<Integer> jamsAfterSeconds = Optional.empty();
     private RatsMember member;
@@ -332,6 +350,7 @@ class TakeoverTest {
 
     @Override
     public CostAnswer cost(Map<String, Object> parameters) {
+      priced++;
       return new CostAnswer(Optional.of(price), Optional.of(price), Optional.empty());
     }
   }
