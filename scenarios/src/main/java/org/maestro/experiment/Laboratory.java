@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.SplittableRandom;
+import java.util.stream.Collectors;
 import org.maestro.experiment.setting.Setting;
 import org.maestro.experiment.setting.Settings;
 import org.maestro.hal.Position;
@@ -22,6 +23,7 @@ final class Laboratory {
   static final double WIDTH = 8.4;
   static final double DEPTH = 3;
   static final String ROBOT = "rose";
+  static final List<String> CAMERAS = List.of("cam-1", "cam-2", "cam-3");
   static final List<String> THINGS = List.of("GreenObject", "RedObject1", "RedObject2");
 
   /** Minden, where the papers' laboratory stands; degrees. */
@@ -62,9 +64,16 @@ final class Laboratory {
 
   /**
    * @param carried what may be carried; everything else stands for Bob, whom nobody carries
+   * @param noticesGlare whether its cameras notice that something is over-lit
    */
-  static Home home(String carried) {
-    return Shipped.home("arena-windows", "home:" + carried + " a :Item .");
+  static Home home(String carried, boolean noticesGlare) {
+    String cameras =
+        noticesGlare
+            ? ""
+            : CAMERAS.stream()
+                .map("home:%s a :TrustingCamera ."::formatted)
+                .collect(Collectors.joining("\n"));
+    return Shipped.home("arena-windows", "home:" + carried + " a :Item .", cameras);
   }
 
   /** The hour of solar time at which a run, counted from 1, begins. */

@@ -56,7 +56,6 @@ record MoveRun(
   /** The agent that sees to the light has done so when the goal comes. */
   private static final Duration SETTLED = Duration.ofSeconds(20);
 
-  private static final String CAMERA = "cam-1";
   private static final double MOVED_METRES = 0.2;
 
   private static final String SOONEST = "platform.soonest";
@@ -87,8 +86,8 @@ record MoveRun(
    */
   static MoveRun carryOut(
       int number, long seed, Job job, Settings settings, OptionalDouble pace, boolean drawn) {
-    Home home = Laboratory.home(job.carried());
     PhysicalParameters physics = Physics.of(settings);
+    Home home = Laboratory.home(job.carried(), physics.camera().noticesGlare());
     Trial trial =
         new Trial(
             "move-" + number,
@@ -159,7 +158,7 @@ record MoveRun(
     return Figure.of(
         "camera-" + number,
         "What camera 1 shows when run %d begins.".formatted(number),
-        site.simulated().photo(CAMERA));
+        site.simulated().photo(Laboratory.CAMERAS.get(0)));
   }
 
   static Figure picture(TopView view, int number) {

@@ -3,8 +3,13 @@ package org.maestro.experiment;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.maestro.coordination.StoryEntry;
+import org.maestro.experiment.setting.Setting;
+import org.maestro.experiment.setting.Settings;
 
 /** One run in clear sunshine under each condition. */
 class OverExposureTest {
@@ -22,5 +27,28 @@ class OverExposureTest {
         .containsExactly("paper false true", "noticing false false", "shutters true false");
     assertThat(findings.tables().get("runs").rows())
         .allMatch(row -> row.get(3).equals("true") == row.get(7).isEmpty());
+  }
+
+  /**
+   * The sun shines into both zones beside the one in the middle: the camera there refuses because
+   * of them, and is not asked again while that is so.
+   */
+  @Test
+  void aRefusalForANeighbouringZoneIsNotRepeated() {
+    List<Setting> settings = new MoveObject().settings();
+    Settings withoutShutters = new Settings(settings, Map.of("world.shutters", "false"));
+
+    MoveRun run =
+        MoveRun.carryOut(
+            8, 100_008, MoveObject.SECOND, withoutShutters, OptionalDouble.empty(), false);
+
+    List<String> failures =
+        run.ending().story().stream()
+            .map(StoryEntry::text)
+            .filter(text -> text.startsWith("That failed: cam-2"))
+            .toList();
+    assertThat(failures).singleElement().asString().contains("zone-1 is glare, zone-3 is glare");
+    assertThat(run.ending().replans()).isLessThan(6);
+    assertThat(run.failure()).contains("shutter-west").contains("never joined");
   }
 }
