@@ -339,9 +339,17 @@ final class Deployer {
     }
     deployment.ended(agent);
     heirOf.put(agent, controller);
-    begin(
-        lost.get()
-            .in(deployment.containerFor(Optional.empty(), lost.get().topic(), lost.get().needs())));
+    try {
+      begin(
+          lost.get()
+              .in(
+                  deployment.containerFor(
+                      Optional.empty(), lost.get().topic(), lost.get().needs())));
+    } catch (RuntimeException e) {
+      // How it was started is needed the next time.
+      deployment.placed(lost.get());
+      throw e;
+    }
   }
 
   /**

@@ -22,6 +22,7 @@ import java.util.concurrent.locks.LockSupport;
 import org.maestro.agents.Host;
 import org.maestro.agents.HostService;
 import org.maestro.agents.MaestroAgent;
+import org.maestro.agents.pulse.ProcessPulse;
 import org.maestro.agents.pulse.PulseService;
 import org.maestro.agents.stepping.SteppedMailService;
 import org.maestro.platform.guard.Guard;
@@ -29,7 +30,6 @@ import org.maestro.platform.guard.SerialFilter;
 import org.maestro.platform.letters.EnvelopeReader;
 import org.maestro.platform.threads.AgentThreads;
 import org.maestro.platform.wires.WiredProfile;
-import org.maestro.platform.wires.Wires;
 
 /**
  * Starts and ends JADE containers with safe defaults: loopback only, no multicast, no MTP, no files
@@ -67,13 +67,19 @@ final class JadeRuntime {
   static AgentContainer main(
       String platformName, int port, Path fileDirectory, Optional<Guard> guard) {
     return main(
-        platformName, port, fileDirectory, new Host(), guard, new Wires(), Premises.usual());
+        platformName,
+        port,
+        fileDirectory,
+        new Host(),
+        guard,
+        SharedParts.fresh(),
+        Premises.usual());
   }
 
   /**
    * @param host what the container gives to its agents
    * @param guard of a secured site; empty: whoever reaches the port may join
-   * @param wires shared by the platform's containers of this process
+   * @param shared by the platform's containers of this process
    * @param premises where it listens, without ports that are still to be chosen
    */
   static AgentContainer main(
@@ -82,12 +88,12 @@ final class JadeRuntime {
       Path fileDirectory,
       Host host,
       Optional<Guard> guard,
-      Wires wires,
+      SharedParts shared,
       Premises premises) {
     // JADE reads it when its first class loads; without it a process has room for one platform
     // only.
     System.setProperty("jade.enable.multiple.platforms", "true");
-    Properties properties = common(fileDirectory, host, premises.host());
+    Properties properties = common(fileDirectory, host, premises.host(), shared);
     premises.letters().ifPresent(box -> exchange(properties, box));
     properties.setProperty(Profile.MAIN, "true");
     properties.setProperty(Profile.PLATFORM_ID, platformName);
@@ -98,7 +104,8 @@ final class JadeRuntime {
     guard.ifPresent(own -> own.listen(properties));
     AgentContainer container;
     synchronized (ONE_AT_A_TIME) {
-      container = Runtime.instance().createMainContainer(new WiredProfile(properties, wires));
+      container =
+          Runtime.instance().createMainContainer(new WiredProfile(properties, shared.wires()));
     }
     if (container == null) {
       throw new PlatformStartException(
@@ -116,7 +123,14 @@ final class JadeRuntime {
       Path fileDirectory,
       Entry entry) {
     return join(
-        platformName, host, mainPort, containerName, fileDirectory, entry, new Host(), new Wires());
+        platformName,
+        host,
+        mainPort,
+        containerName,
+        fileDirectory,
+        entry,
+        new Host(),
+        SharedParts.fresh());
   }
 
   /**
@@ -126,7 +140,7 @@ final class JadeRuntime {
    *     container tells it
    * @param entry how it is let in
    * @param jadeHost what the container gives to its agents
-   * @param wires shared by the platform's containers of this process
+   * @param shared by the platform's containers of this process
    */
   static AgentContainer join(
       Optional<String> platformName,
@@ -136,8 +150,8 @@ final class JadeRuntime {
       Path fileDirectory,
       Entry entry,
       Host jadeHost,
-      Wires wires) {
-    Properties properties = common(fileDirectory, jadeHost, entry.from());
+      SharedParts shared) {
+    Properties properties = common(fileDirectory, jadeHost, entry.from(), shared);
     properties.setProperty(Profile.MAIN, "false");
     platformName.ifPresent(name -> properties.setProperty(Profile.PLATFORM_ID, name));
     properties.setProperty(Profile.MAIN_HOST, host);
@@ -148,7 +162,8 @@ final class JadeRuntime {
     entry.guard().filter(own -> entry.first()).ifPresent(own -> own.listen(properties));
     AgentContainer container;
     synchronized (ONE_AT_A_TIME) {
-      container = Runtime.instance().createAgentContainer(new WiredProfile(properties, wires));
+      container =
+          Runtime.instance().createAgentContainer(new WiredProfile(properties, shared.wires()));
     }
     if (container == null) {
       throw new PlatformStartException(
@@ -354,8 +369,9 @@ final class JadeRuntime {
     properties.setProperty("jade_mtp_http_parser", EnvelopeReader.class.getName());
   }
 
-  private static Properties common(Path fileDirectory, Host host, String from) {
+  private static Properties common(Path fileDirectory, Host host, String from, SharedParts shared) {
     Properties properties = new Properties();
+    properties.put(ProcessPulse.KEY, shared.pulse());
     properties.put(HostService.KEY, host);
     properties.setProperty(Profile.LOCAL_HOST, from);
     properties.setProperty(Profile.DETECT_MAIN, "false");

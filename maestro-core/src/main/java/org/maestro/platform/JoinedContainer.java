@@ -31,7 +31,6 @@ import org.maestro.deployment.ContainerStart;
 import org.maestro.deployment.ProcessStart;
 import org.maestro.ontology.home.Device;
 import org.maestro.platform.guard.Guard;
-import org.maestro.platform.wires.Wires;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
@@ -108,6 +107,7 @@ public final class JoinedContainer implements AutoCloseable {
       Clock clock,
       Optional<Guard> guard) {
     String from = JadeRuntime.requirePlatform(host, port, guard);
+    SharedParts shared = SharedParts.fresh();
     Joining joining =
         (called, its, first) ->
             JadeRuntime.join(
@@ -118,7 +118,7 @@ public final class JoinedContainer implements AutoCloseable {
                 temporaryDirectory(),
                 new JadeRuntime.Entry(guard, first, from),
                 its,
-                new Wires());
+                shared);
     BiFunction<String, Host, AgentContainer> newContainer =
         (called, its) -> joining.join(called, its, false);
     AgentContainer container = joining.join(name, new Host(), true);

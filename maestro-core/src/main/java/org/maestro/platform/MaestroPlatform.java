@@ -109,7 +109,7 @@ public final class MaestroPlatform implements AutoCloseable {
       Path fileDirectory,
       int port,
       Host host,
-      Wires wires,
+      SharedParts shared,
       AgentContainer main) {
     this.settings = settings;
     this.time = AgentTime.of(clock, settings.patience());
@@ -119,7 +119,7 @@ public final class MaestroPlatform implements AutoCloseable {
     this.memory = memory;
     this.fileDirectory = fileDirectory;
     this.port = port;
-    this.wires = wires;
+    this.wires = shared.wires();
     this.main = main;
     this.knowledge = knowledge;
     this.host = host;
@@ -142,7 +142,7 @@ public final class MaestroPlatform implements AutoCloseable {
                     fileDirectory,
                     new JadeRuntime.Entry(settings.guard(), false, settings.premises().host()),
                     its,
-                    wires),
+                    shared),
             heirs,
             agent -> directory.find(agent).isPresent(),
             settings.premises().provides());
@@ -186,9 +186,9 @@ public final class MaestroPlatform implements AutoCloseable {
     PlatformMemory memory = PlatformMemory.open(settings, knowledge, clock);
     Path files = temporaryDirectory();
     Host host = new Host();
-    Wires wires = new Wires();
+    SharedParts shared = SharedParts.fresh();
     AgentContainer main =
-        JadeRuntime.main(settings.name(), port, files, host, settings.guard(), wires, premises);
+        JadeRuntime.main(settings.name(), port, files, host, settings.guard(), shared, premises);
     MaestroPlatform platform =
         new MaestroPlatform(
             settings.at(premises),
@@ -202,7 +202,7 @@ public final class MaestroPlatform implements AutoCloseable {
             files,
             port,
             host,
-            wires,
+            shared,
             main);
     platform.boot();
     return platform;

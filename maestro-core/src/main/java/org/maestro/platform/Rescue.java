@@ -91,16 +91,23 @@ final class Rescue {
    * @param controller under whose name it has called
    */
   void lost(String member, String controller) {
-    Duration delay;
     synchronized (this) {
       controllerByMember.putIfAbsent(member, controller);
       hostByMember.remove(member);
+    }
+    later(member);
+  }
+
+  private void later(String member) {
+    Duration delay;
+    synchronized (this) {
       delay = backoff.died(member, wallTime());
     }
     if (delay.isZero()) {
       settle(member);
     } else {
-      LOG.warn("The agent of {} was lost again; it is started in {} s", member, delay.toSeconds());
+      LOG.warn(
+          "The agent of {} has no place again; one is sought in {} s", member, delay.toSeconds());
       clock.schedule(
           Duration.ofMillis(Math.round(delay.toMillis() * clock.speed())),
           member,
@@ -143,30 +150,39 @@ final class Rescue {
   private void settle(String member, Set<String> tried) {
     Provision needs = ways.needs(member);
     Optional<Placing.Host> chosen = Placing.choose(needs, hosts(tried));
-    if (chosen.isEmpty()) {
+    if (chosen.isEmpty() && tried.isEmpty()) {
       stayAway(member, needs);
       return;
     }
+    if (chosen.isEmpty()) {
+      // All that fit have failed just now, perhaps as its name was not free yet.
+      later(member);
+      return;
+    }
     String host = chosen.get().name();
-    String controller = reserve(member, host);
+    Reservation reserved = reserve(member, host);
     try {
       if (chosen.get().own()) {
-        ways.beginHere(member, controller);
+        ways.beginHere(member, reserved.controller());
       } else {
         ways.beginThere(
-            host, member, controller, problem -> begun(member, host, problem, needs, tried));
+            host, member, reserved.controller(), problem -> begun(reserved, problem, needs, tried));
       }
     } catch (RuntimeException e) {
       LOG.warn("{} gets no agent here: {}", member, e.getMessage());
+      release(reserved);
       tried.add(host);
       settle(member, tried);
     }
   }
 
   private void begun(
-      String member, String host, Optional<String> problem, Provision needs, Set<String> tried) {
+      Reservation reserved, Optional<String> problem, Provision needs, Set<String> tried) {
+    String member = reserved.member();
+    String host = reserved.host();
     if (problem.isPresent()) {
       LOG.warn("{} does not start the agent of {}: {}", host, member, problem.get());
+      release(reserved);
       tried.add(host);
       Thread next = new Thread(() -> settle(member, tried), "agent-starter");
       next.setDaemon(true);
@@ -192,15 +208,33 @@ final class Rescue {
    * Calls go on under the name under which they began, unless another host has taken that name: on
    * the bus one has a name at a time.
    */
-  private synchronized String reserve(String member, String host) {
+  private synchronized Reservation reserve(String member, String host) {
     homeless.remove(member);
     hostByMember.put(member, host);
+    Optional<String> before = Optional.ofNullable(controllerByMember.get(member));
     String usual = HeirLinks.controller(host.equals(OWN) ? "here" : host);
-    String former = controllerByMember.getOrDefault(member, usual);
-    String controller =
-        holderByController.computeIfAbsent(former, name -> host).equals(host) ? former : usual;
+    String former = before.orElse(usual);
+    boolean isNew = holderByController.putIfAbsent(former, host) == null;
+    String controller = holderByController.get(former).equals(host) ? former : usual;
     controllerByMember.put(member, controller);
-    return controller;
+    return new Reservation(member, host, controller, before, isNew);
+  }
+
+  /**
+   * @param before under which name the member's agent called before
+   * @param isNew whether nobody had that name
+   */
+  private record Reservation(
+      String member, String host, String controller, Optional<String> before, boolean isNew) {}
+
+  /** It was not begun there. */
+  private synchronized void release(Reservation reserved) {
+    hostByMember.remove(reserved.member());
+    controllerByMember.remove(reserved.member());
+    reserved.before().ifPresent(name -> controllerByMember.put(reserved.member(), name));
+    if (reserved.isNew()) {
+      holderByController.remove(reserved.before().orElse(reserved.controller()), reserved.host());
+    }
   }
 
   private void stayAway(String member, Provision needs) {

@@ -21,7 +21,6 @@ import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
-import org.maestro.agents.pulse.HeartbeatSettings;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.KnowledgeSettings;
 import org.maestro.ontology.home.DescriptionReader;
@@ -128,23 +127,10 @@ public final class ContainersBench {
     return BusLink.connect(controller, SITE, new PahoTransport(broker, controller), clock);
   }
 
-  /**
-   * So many processes on a few cores are slow to give signs of life; who is killed is noticed
-   * without.
-   */
   private static MaestroPlatform platform(Home home, URI broker, RatsLink link, Clock clock) {
     return MaestroPlatform.start(
         new PlatformSettings(
-                SITE,
-                0,
-                false,
-                Optional.of(broker.toString()),
-                SITE,
-                Duration.ZERO,
-                Optional.empty())
-            .with(
-                new HeartbeatSettings(
-                    Duration.ofMillis(500), Duration.ofSeconds(20), Duration.ofSeconds(40))),
+            SITE, 0, false, Optional.of(broker.toString()), SITE, Duration.ZERO, Optional.empty()),
         CollectiveKnowledge.open(home, clock, KnowledgeSettings.inMemory()),
         new OptimalPlanner(),
         link,

@@ -53,7 +53,7 @@ public final class ManyContainers {
       String container, SupervisorAgent.Handover handover, PacedClock clock) {
     String controller = "container-" + container;
     SiteBus bus = new SiteBus(URI.create(handover.brokerUri()), handover.site(), Optional.empty());
-    return BusLink.connect(
+    return BusLink.connectForWatched(
         controller, handover.site(), bus.transports().apply(controller), clock, bus.kind());
   }
 }

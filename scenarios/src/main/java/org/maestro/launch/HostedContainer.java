@@ -87,7 +87,7 @@ final class HostedContainer implements AutoCloseable {
       making =
           Optional.of(
               name ->
-                  BusLink.connect(
+                  BusLink.connectForWatched(
                       name, handover.site(), bus.transports().apply(name), clock, bus.kind()));
       return this;
     }

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 
 /**
@@ -20,7 +21,7 @@ final class Census {
   private static final class Asked {
     private final Consumer<Runnable> tell;
     private final Runnable forsake;
-    private volatile long unansweredSinceMillis = -1;
+    private final AtomicLong unansweredSinceMillis = new AtomicLong(-1);
 
     private Asked(Consumer<Runnable> tell, Runnable forsake) {
       this.tell = tell;
@@ -58,10 +59,19 @@ final class Census {
   }
 
   private static void ask(Asked agent, Duration now) {
-    if (agent != null && agent.unansweredSinceMillis < 0) {
-      agent.unansweredSinceMillis = now.toMillis();
-      agent.tell.accept(() -> agent.unansweredSinceMillis = -1);
+    if (agent != null && agent.unansweredSinceMillis.compareAndSet(-1, now.toMillis())) {
+      agent.tell.accept(() -> agent.unansweredSinceMillis.set(-1));
     }
+  }
+
+  /** So long nobody could have answered. */
+  void excuse(Duration lateness) {
+    agents
+        .values()
+        .forEach(
+            agent ->
+                agent.unansweredSinceMillis.updateAndGet(
+                    since -> since < 0 ? since : since + lateness.toMillis()));
   }
 
   /** Those who have been silent for the period or longer, and for how long. */
@@ -78,7 +88,7 @@ final class Census {
   }
 
   private static Duration silence(Asked agent, Duration now) {
-    long since = agent.unansweredSinceMillis;
+    long since = agent.unansweredSinceMillis.get();
     return since < 0 ? Duration.ZERO : now.minusMillis(since);
   }
 }

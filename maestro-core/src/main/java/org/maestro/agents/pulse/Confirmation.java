@@ -1,33 +1,42 @@
 package org.maestro.agents.pulse;
 
 import java.time.Duration;
+import java.util.Collection;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * The answer to a sign of life.
  *
- * @param welcome false when the container was given up, and has to join again
  * @param period until the next one
- * @param lease for so long the container may act
+ * @param lease for so long the containers of the process may act
+ * @param givenUp lives of containers that were given up, and have to join again
  */
-record Confirmation(boolean welcome, Duration period, Duration lease) {
+record Confirmation(Duration period, Duration lease, Set<String> givenUp) {
 
-  static Confirmation of(HeartbeatSettings settings, boolean welcome) {
-    return new Confirmation(welcome, settings.period(), settings.lease());
+  static Confirmation of(HeartbeatSettings settings, Collection<String> givenUp) {
+    return new Confirmation(settings.period(), settings.lease(), Set.copyOf(givenUp));
   }
 
   String write() {
-    return "%b %d %d".formatted(welcome, period.toMillis(), lease.toMillis());
+    return Stream.concat(
+            Stream.of(String.valueOf(period.toMillis()), String.valueOf(lease.toMillis())),
+            givenUp.stream().sorted())
+        .collect(Collectors.joining(" "));
   }
 
   /**
    * @throws IllegalArgumentException when it is none
    */
   static Confirmation read(String text) {
-    String[] words = text.split(" ");
-    if (words.length != 3) {
+    List<String> words = List.of(text.split(" "));
+    if (words.size() < 2) {
       throw new IllegalArgumentException("\"" + text + "\" confirms no sign of life.");
     }
-    return new Confirmation(Boolean.parseBoolean(words[0]), millis(words[1]), millis(words[2]));
+    return new Confirmation(
+        millis(words.get(0)), millis(words.get(1)), Set.copyOf(words.subList(2, words.size())));
   }
 
   private static Duration millis(String word) {

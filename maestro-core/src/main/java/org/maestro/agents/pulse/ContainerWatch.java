@@ -4,9 +4,10 @@ import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.maestro.rats.time.Clock;
 
 /** The watch of a main container over all containers. Any thread may call. */
@@ -20,7 +21,8 @@ final class ContainerWatch {
   private final Map<String, String> lifeByContainer = new TreeMap<>();
   private final Map<String, Duration> silenceByAgent = new TreeMap<>();
   private final SortedMap<String, Condition> conditionByAgent = new TreeMap<>();
-  private final Map<String, Report> reportByContainer = new TreeMap<>();
+  private final Map<String, List<String>> addressesByContainer = new TreeMap<>();
+  private final Map<String, Beat> beatByContainer = new TreeMap<>();
   private final Map<String, String> givenUp =
       new LinkedHashMap<>() {
         private static final long serialVersionUID = 1L;
@@ -32,11 +34,14 @@ final class ContainerWatch {
       };
   private volatile boolean ended;
 
-  ContainerWatch(Clock clock, HeartbeatSettings settings, Watcher watcher) {
+  /**
+   * @param own the container that watches
+   */
+  ContainerWatch(Clock clock, HeartbeatSettings settings, String own, Watcher watcher) {
     this.clock = clock;
     this.settings = settings;
     this.watcher = watcher;
-    this.containers = new Heartbeats(settings, now());
+    this.containers = new Heartbeats(settings, own, now());
   }
 
   void begin() {
@@ -63,9 +68,30 @@ final class ContainerWatch {
         });
   }
 
-  synchronized Confirmation heard(String container, String life, Report report) {
+  /**
+   * A process gives a sign of life.
+   *
+   * @param joined names of the containers of this platform
+   */
+  synchronized Confirmation heard(Beat beat, Set<String> joined) {
+    Set<String> unwelcome = new TreeSet<>();
+    for (Beat.Living container : beat.containers()) {
+      if (!joined.contains(container.name()) || !isWelcome(container)) {
+        unwelcome.add(container.life());
+      } else {
+        beatByContainer.put(container.name(), beat);
+        addressesByContainer.put(container.name(), container.addresses());
+      }
+    }
+    return new Confirmation(
+        settings.period(), containers.lostAfter().minus(settings.period()), unwelcome);
+  }
+
+  private boolean isWelcome(Beat.Living living) {
+    String container = living.name();
+    String life = living.life();
     if (givenUp.containsKey(life)) {
-      return Confirmation.of(settings, false);
+      return false;
     }
     String before = lifeByContainer.get(container);
     if (before != null
@@ -73,7 +99,7 @@ final class ContainerWatch {
         && containers.conditions().get(container) == Condition.ALIVE) {
       // JADE gives a name once; whoever else uses it joined a platform that is no more.
       givenUp.put(life, container);
-      return Confirmation.of(settings, false);
+      return false;
     }
     lifeByContainer.put(container, life);
     if (!life.equals(before)) {
@@ -83,8 +109,7 @@ final class ContainerWatch {
       }
     }
     containers.heard(container, now());
-    reportByContainer.put(container, report);
-    return Confirmation.of(settings, true);
+    return true;
   }
 
   /** JADE says that the container is no more; it may have ended as it should. */
@@ -94,7 +119,8 @@ final class ContainerWatch {
       givenUp.put(life, container);
     }
     containers.forget(container);
-    reportByContainer.remove(container);
+    beatByContainer.remove(container);
+    addressesByContainer.remove(container);
   }
 
   private void check() {
@@ -120,10 +146,10 @@ final class ContainerWatch {
     Map<String, Condition> changed = new TreeMap<>();
     synchronized (this) {
       silenceByAgent.clear();
-      reportByContainer.forEach(
-          (container, report) -> {
+      beatByContainer.forEach(
+          (container, beat) -> {
             if (lifeByContainer.containsKey(container)) {
-              silenceByAgent.putAll(report.silences());
+              silenceByAgent.putAll(beat.silences());
             }
           });
       for (Map.Entry<String, Duration> entry : silenceByAgent.entrySet()) {
@@ -151,19 +177,17 @@ final class ContainerWatch {
   }
 
   private Condition condition(Duration silence) {
-    if (silence.compareTo(settings.lostAfter()) >= 0) {
+    if (silence.compareTo(containers.lostAfter()) >= 0) {
       return Condition.LOST;
     }
-    return silence.compareTo(settings.suspectedAfter()) >= 0
+    return silence.compareTo(containers.suspectedAfter()) >= 0
         ? Condition.SUSPECTED
         : Condition.ALIVE;
   }
 
   /** Where the container's process was reached, as it said itself. */
   synchronized List<String> addresses(String container) {
-    return Optional.ofNullable(reportByContainer.get(container))
-        .map(Report::addresses)
-        .orElse(List.of());
+    return addressesByContainer.getOrDefault(container, List.of());
   }
 
   SortedMap<String, Condition> containers() {

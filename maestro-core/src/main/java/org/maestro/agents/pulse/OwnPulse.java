@@ -3,61 +3,47 @@ package org.maestro.agents.pulse;
 import jade.core.IMTPException;
 import jade.core.ServiceException;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.UUID;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import org.maestro.rats.time.Clock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/**
- * The signs of life of one container, given on a thread of their own, as the network may hold them
- * up. Any thread may call.
- */
+/** The part of one container in the signs of life of its process. Any thread may call. */
 final class OwnPulse {
   private static final Logger LOG = LoggerFactory.getLogger(OwnPulse.class);
 
-  /** Nobody answers any more: the platform has ended, or another main container has taken over. */
-  private static final int LEASES_UNTIL_ORPHANED = 2;
-
-  /** How a sign of life gets to the main container. */
+  /** How a sign of life gets to the main container, and what it says of this one. */
   interface Road {
-    String beat(String life, SortedMap<String, Duration> silent)
-        throws IMTPException, ServiceException;
+    String beat(String beat) throws IMTPException, ServiceException;
+
+    String container();
+
+    List<String> addresses();
   }
 
   private final String life = UUID.randomUUID().toString();
   private final Census census = new Census();
+  private final ProcessPulse process;
   private final Road road;
-  private final AtomicBoolean onItsWay = new AtomicBoolean();
   private final AtomicBoolean givenUp = new AtomicBoolean();
-  private final ExecutorService sender =
-      Executors.newSingleThreadExecutor(
-          beat -> {
-            Thread thread = new Thread(beat, "maestro-pulse");
-            thread.setDaemon(true);
-            return thread;
-          });
-  private volatile Optional<Clock> clock = Optional.empty();
-  private volatile HeartbeatSettings settings = HeartbeatSettings.standard();
-  private volatile Duration lease = settings.lease();
-  private volatile Duration confirmed = Duration.ZERO;
   private volatile Optional<Runnable> listener = Optional.empty();
-  private volatile boolean refused;
   private volatile boolean ended;
 
-  OwnPulse(Road road) {
+  OwnPulse(ProcessPulse process, Road road) {
+    this.process = process;
     this.road = road;
   }
 
-  void enlist(String name, Consumer<Runnable> tell, Runnable forsake, Clock its) {
+  void enlist(String name, Consumer<Runnable> tell, Runnable forsake, Clock clock) {
     census.enlist(name, tell, forsake);
-    begin(its);
+    if (!ended && !givenUp.get()) {
+      process.begin(this, clock);
+    }
   }
 
   void forsake(String name) {
@@ -68,17 +54,9 @@ final class OwnPulse {
     census.leave(name);
   }
 
-  private synchronized void begin(Clock its) {
-    if (clock.isEmpty() && !ended) {
-      clock = Optional.of(its);
-      confirmed = now();
-      tick(Duration.ZERO);
-    }
-  }
-
   void end() {
     ended = true;
-    sender.shutdownNow();
+    process.leave(this);
   }
 
   void whenGivenUp(Runnable told) {
@@ -89,74 +67,38 @@ final class OwnPulse {
   }
 
   boolean isCutOff() {
-    return givenUp.get() || silence().compareTo(lease) > 0;
+    return givenUp.get() || process.isOverdue();
   }
 
-  /** Whether no sign of life is on its way. */
-  boolean isQuiet() {
-    return !onItsWay.get();
-  }
-
-  private Duration silence() {
-    return clock.isEmpty() ? Duration.ZERO : now().minus(confirmed);
-  }
-
-  /** Wall time. */
-  private Duration now() {
-    Clock its = clock.orElseThrow();
-    return Duration.ofNanos(Math.round(its.now().toNanos() / its.speed()));
-  }
-
-  private void tick(Duration delay) {
-    Clock its = clock.orElseThrow();
-    its.schedule(
-        Duration.ofNanos(Math.round(delay.toNanos() * its.speed())), "pulse", this::beatOnce);
-  }
-
-  private void beatOnce() {
-    if (ended || givenUp.get()) {
-      return;
-    }
-    census.ask(now());
-    if (silence().compareTo(refused ? lease : lease.multipliedBy(LEASES_UNTIL_ORPHANED)) > 0) {
-      giveUp("The platform has not been heard of for " + silence().toSeconds() + " s");
-      return;
-    }
-    if (onItsWay.compareAndSet(false, true)) {
-      try {
-        sender.execute(this::send);
-      } catch (RejectedExecutionException e) {
-        LOG.debug("The container ends: no sign of life is given any more");
-        return;
-      }
-    }
-    tick(settings.period());
-  }
-
-  private void send() {
-    Duration sent = now();
-    try {
-      Confirmation answer =
-          Confirmation.read(road.beat(life, census.silent(sent, settings.period())));
-      lease = answer.lease();
-      refused = false;
-      if (answer.welcome()) {
-        confirmed = sent;
-      } else {
-        giveUp("The platform has given this container up");
-      }
-    } catch (IMTPException | ServiceException | IllegalArgumentException e) {
-      refused = true;
-      LOG.debug("A sign of life did not get through", e);
-    } finally {
-      onItsWay.set(false);
-    }
-  }
-
-  private void giveUp(String why) {
+  void giveUp(String why) {
+    process.leave(this);
     if (!ended && givenUp.compareAndSet(false, true)) {
-      LOG.warn("{}; its agents begin nothing any more.", why);
+      LOG.warn("{}; the agents in {} begin nothing any more.", why, road.container());
       listener.ifPresent(Runnable::run);
     }
+  }
+
+  String life() {
+    return life;
+  }
+
+  Beat.Living living() {
+    return new Beat.Living(road.container(), life, road.addresses());
+  }
+
+  void ask(Duration now) {
+    census.ask(now);
+  }
+
+  void excuse(Duration lateness) {
+    census.excuse(lateness);
+  }
+
+  SortedMap<String, Duration> silent(Duration now, Duration period) {
+    return census.silent(now, period);
+  }
+
+  String beat(String beat) throws IMTPException, ServiceException {
+    return road.beat(beat);
   }
 }

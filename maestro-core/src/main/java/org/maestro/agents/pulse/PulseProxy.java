@@ -23,11 +23,9 @@ public final class PulseProxy extends SliceProxy implements PulseSlice {
   }
 
   @Override
-  public String beat(String container, String life, String report) throws IMTPException {
+  public String beat(String beat) throws IMTPException {
     GenericCommand command = new GenericCommand(BEAT, PulseService.NAME, null);
-    command.addParam(container);
-    command.addParam(life);
-    command.addParam(report);
+    command.addParam(beat);
     try {
       Object answer = getNode().accept(command);
       if (answer instanceof String text) {

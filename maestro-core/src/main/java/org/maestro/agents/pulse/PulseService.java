@@ -4,6 +4,7 @@ import jade.core.AID;
 import jade.core.Agent;
 import jade.core.AgentContainer;
 import jade.core.BaseService;
+import jade.core.ContainerID;
 import jade.core.Filter;
 import jade.core.GenericCommand;
 import jade.core.HorizontalCommand;
@@ -12,20 +13,22 @@ import jade.core.Node;
 import jade.core.NodeDescriptor;
 import jade.core.Profile;
 import jade.core.ProfileException;
+import jade.core.ProfileImpl;
 import jade.core.Service;
 import jade.core.ServiceException;
 import jade.core.ServiceHelper;
 import jade.core.VerticalCommand;
 import jade.core.management.AgentManagementSlice;
 import jade.mtp.TransportAddress;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.maestro.rats.time.Clock;
 import org.slf4j.Logger;
@@ -43,7 +46,7 @@ public final class PulseService extends BaseService {
 
   private final PulseSlice slice = new Local();
   private final Filter nodes = new Nodes();
-  private final OwnPulse own = new OwnPulse(this::beat);
+  private volatile OwnPulse own;
   private volatile Optional<ContainerWatch> watch = Optional.empty();
   private volatile AgentContainer container;
 
@@ -56,6 +59,15 @@ public final class PulseService extends BaseService {
   public void init(AgentContainer its, Profile profile) throws ProfileException {
     super.init(its, profile);
     container = its;
+    boolean shared =
+        profile instanceof ProfileImpl all
+            && all.getProperties().get(ProcessPulse.KEY) instanceof ProcessPulse;
+    own =
+        new OwnPulse(
+            shared
+                ? (ProcessPulse) ((ProfileImpl) profile).getProperties().get(ProcessPulse.KEY)
+                : new ProcessPulse(),
+            new Road());
   }
 
   @Override
@@ -85,14 +97,26 @@ public final class PulseService extends BaseService {
     super.shutdown();
   }
 
-  private String beat(String life, SortedMap<String, Duration> silent)
-      throws IMTPException, ServiceException {
-    PulseSlice main = (PulseSlice) getSlice(MAIN_SLICE);
-    if (main == null) {
-      throw new ServiceException("There is no main container");
+  /** From this container to the main one. */
+  private final class Road implements OwnPulse.Road {
+    @Override
+    public String beat(String beat) throws IMTPException, ServiceException {
+      PulseSlice main = (PulseSlice) getSlice(MAIN_SLICE);
+      if (main == null) {
+        throw new ServiceException("There is no main container");
+      }
+      return main.beat(beat);
     }
-    return main.beat(
-        container.getID().getName(), life, new Report(localAddresses(), silent).write());
+
+    @Override
+    public String container() {
+      return container.getID().getName();
+    }
+
+    @Override
+    public List<String> addresses() {
+      return localAddresses();
+    }
   }
 
   private List<String> localAddresses() {
@@ -108,19 +132,19 @@ public final class PulseService extends BaseService {
     return addresses;
   }
 
-  private String heard(String name, String life, String report) {
-    if (watch.isPresent() && !isOfThisPlatform(name)) {
-      return Confirmation.of(HeartbeatSettings.standard(), false).write();
-    }
+  private String heard(String text) {
+    Beat beat = Beat.read(text);
     return watch
-        .map(watching -> watching.heard(name, life, Report.read(report)))
-        .orElseGet(() -> Confirmation.of(HeartbeatSettings.standard(), true))
+        .map(watching -> watching.heard(beat, joined()))
+        .orElseGet(() -> Confirmation.of(HeartbeatSettings.standard(), List.of()))
         .write();
   }
 
   /** A platform that has taken over does not know the containers of the one before it. */
-  private boolean isOfThisPlatform(String name) {
-    return Stream.of(container.getMain().containerIDs()).anyMatch(id -> id.getName().equals(name));
+  private Set<String> joined() {
+    return Stream.of(container.getMain().containerIDs())
+        .map(ContainerID::getName)
+        .collect(Collectors.toSet());
   }
 
   /**
@@ -188,7 +212,8 @@ public final class PulseService extends BaseService {
 
     @Override
     public void watch(Clock clock, HeartbeatSettings settings, Watcher watcher) {
-      ContainerWatch watching = new ContainerWatch(clock, settings, watcher);
+      ContainerWatch watching =
+          new ContainerWatch(clock, settings, container.getID().getName(), watcher);
       watch = Optional.of(watching);
       watching.begin();
     }
@@ -250,11 +275,7 @@ public final class PulseService extends BaseService {
       }
       if (command.getName().equals(BEAT)) {
         try {
-          command.setReturnValue(
-              heard(
-                  (String) command.getParam(0),
-                  (String) command.getParam(1),
-                  (String) command.getParam(2)));
+          command.setReturnValue(heard((String) command.getParam(0)));
         } catch (IllegalArgumentException e) {
           LOG.debug("A sign of life cannot be read", e);
           command.setReturnValue(e);
@@ -264,8 +285,8 @@ public final class PulseService extends BaseService {
     }
 
     @Override
-    public String beat(String name, String life, String report) {
-      return heard(name, life, report);
+    public String beat(String beat) {
+      return heard(beat);
     }
 
     @Override

@@ -12,12 +12,10 @@ public interface PulseSlice extends Service.Slice {
   /**
    * A sign of life.
    *
-   * @param container its name
-   * @param life tells it apart from other containers that have had or will have the name
-   * @param report in the words of {@link Report}
+   * @param beat in the words of {@link Beat}
    * @return as {@link Confirmation} writes it
    */
-  String beat(String container, String life, String report) throws IMTPException;
+  String beat(String beat) throws IMTPException;
 
   /** Takes an agent that hangs out of the container. */
   void end(String agent) throws IMTPException;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.maestro.rats.time.SteppedClock;
@@ -12,11 +13,10 @@ import org.maestro.rats.time.SteppedClock;
 class ContainerWatchTest {
   private static final HeartbeatSettings SETTINGS = HeartbeatSettings.standard();
 
-  private static final Report NOTHING = Report.read("");
-
   private final SteppedClock clock = new SteppedClock();
   private final List<String> told = new ArrayList<>();
-  private final ContainerWatch watch = new ContainerWatch(clock, SETTINGS, new Told());
+  private final ContainerWatch watch =
+      new ContainerWatch(clock, SETTINGS, "Main-Container", new Told());
 
   private final class Told implements Watcher {
     @Override
@@ -41,7 +41,7 @@ class ContainerWatchTest {
     pass(Duration.ofSeconds(6));
 
     assertThat(told).containsExactly("lights SUSPECTED after 2000 ms", "lights LOST after 4000 ms");
-    assertThat(watch.heard("lights", "first life", NOTHING).welcome()).isFalse();
+    assertThat(hear("lights", "first life", "")).isFalse();
   }
 
   @Test
@@ -49,8 +49,8 @@ class ContainerWatchTest {
     beat("lights", "first life", 3);
     pass(Duration.ofSeconds(6));
 
-    assertThat(watch.heard("lights", "second life", NOTHING).welcome()).isTrue();
-    assertThat(watch.heard("lights", "first life", NOTHING).welcome()).isFalse();
+    assertThat(hear("lights", "second life", "")).isTrue();
+    assertThat(hear("lights", "first life", "")).isFalse();
     beat("lights", "second life", 20);
     assertThat(watch.containers()).containsEntry("lights", Condition.ALIVE);
   }
@@ -63,29 +63,55 @@ class ContainerWatchTest {
     pass(Duration.ofSeconds(10));
 
     assertThat(told).isEmpty();
-    assertThat(watch.heard("lights", "first life", NOTHING).welcome()).isFalse();
+    assertThat(hear("lights", "first life", "")).isFalse();
   }
 
   @Test
   void anAgentThatHangsInALivingContainerIsSuspected() {
     for (int beats = 0; beats < 12; beats++) {
-      watch.heard("lights", "life", report(beats < 2 ? "" : "\n" + beats * 500 + " lamp one"));
+      hear("lights", "life", beats < 2 ? "" : beats * 500 + " lamp one");
       pass(SETTINGS.period());
     }
-    watch.heard("lights", "life", NOTHING);
+    hear("lights", "life", "");
     pass(SETTINGS.period());
 
     assertThat(told)
         .containsExactly("agent lamp one SUSPECTED", "agent lamp one LOST", "agent lamp one ALIVE");
   }
 
-  private static Report report(String text) {
-    return Report.read(text);
+  /** A platform that has taken over does not know it. */
+  @Test
+  void aContainerOfAnotherPlatformIsNotWelcome() {
+    Beat beat = Beat.read("a-life - lights\nb-life - robots\n");
+
+    assertThat(watch.heard(beat, Set.of("robots")).givenUp()).containsExactly("a-life");
+    assertThat(watch.containers()).containsOnlyKeys("robots");
+  }
+
+  /** They have been promised that nobody acts in their place before. */
+  @Test
+  void whereAllAreSlowTheyMayActForLonger() {
+    Beat beat = Beat.read("a-life - lights\nb-life - robots\n");
+    Duration usual = watch.heard(beat, Set.of("lights", "robots")).lease();
+    for (int beats = 0; beats < 4; beats++) {
+      pass(Duration.ofMillis(1_500));
+      watch.heard(beat, Set.of("lights", "robots"));
+    }
+    pass(SETTINGS.period());
+
+    assertThat(usual).isEqualTo(SETTINGS.lease());
+    assertThat(watch.heard(beat, Set.of("lights", "robots")).lease()).isGreaterThan(usual);
+  }
+
+  private boolean hear(String container, String life, String silences) {
+    String name = life.replace(' ', '-');
+    Beat beat = Beat.read("%s 127.0.0.1:1099 %s\n\n%s".formatted(name, container, silences));
+    return !watch.heard(beat, Set.of(container)).givenUp().contains(name);
   }
 
   private void beat(String container, String life, int times) {
     for (int beats = 0; beats < times; beats++) {
-      watch.heard(container, life, NOTHING);
+      hear(container, life, "");
       if (beats < times - 1) {
         pass(SETTINGS.period());
       }

@@ -2,6 +2,7 @@ package org.maestro.agents.pulse;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.tuple;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -12,7 +13,7 @@ class HeartbeatsTest {
   private static final HeartbeatSettings SETTINGS =
       new HeartbeatSettings(millis(500), millis(2_000), millis(4_000));
 
-  private final Heartbeats heartbeats = new Heartbeats(SETTINGS, Duration.ZERO);
+  private final Heartbeats heartbeats = new Heartbeats(SETTINGS, "main", Duration.ZERO);
   private final List<Heartbeats.Change> changes = new ArrayList<>();
 
   @Test
@@ -63,6 +64,75 @@ class HeartbeatsTest {
     assertThat(changes)
         .extracting(Heartbeats.Change::now)
         .containsExactly(Condition.SUSPECTED, Condition.LOST);
+  }
+
+  /** Its clock runs, but what brings signs of life to it, its own included, gets no time. */
+  @Test
+  void whoDoesNotHearItselfBlamesNobody() {
+    heartbeats.heard("main", Duration.ZERO);
+    heartbeats.heard("lights", Duration.ZERO);
+    check(0, 30_000);
+    assertThat(changes).isEmpty();
+
+    for (long at = 30_500; at <= 36_000; at += 500) {
+      heartbeats.heard("main", millis(at));
+      changes.addAll(heartbeats.check(millis(at)));
+    }
+    assertThat(changes)
+        .extracting(Heartbeats.Change::name, Heartbeats.Change::now)
+        .containsExactly(tuple("lights", Condition.SUSPECTED), tuple("lights", Condition.LOST));
+  }
+
+  /** Twenty processes on two cores: whoever listens, or the network, is slow. */
+  @Test
+  void whereMostAreSlowNobodyIsGivenUpForIt() {
+    List<String> slow = List.of("a", "b", "c", "d");
+    for (long at = 0; at <= 30_000; at += 500) {
+      long pauses = at < 6_000 ? 1_500 : 3_500;
+      if (at % pauses == 0) {
+        for (String name : slow) {
+          heartbeats.heard(name, millis(at));
+        }
+      }
+      changes.addAll(heartbeats.check(millis(at)));
+    }
+
+    assertThat(changes).extracting(Heartbeats.Change::now).doesNotContain(Condition.LOST);
+    changes.clear();
+    check(30_500, 31_000);
+    assertThat(changes).isEmpty();
+  }
+
+  /** One that is slow among others that are not has itself to blame. */
+  @Test
+  void oneThatIsSlowAmongOthersIsSuspected() {
+    for (long at = 0; at <= 9_000; at += 500) {
+      heartbeats.heard("a", millis(at));
+      heartbeats.heard("b", millis(at));
+      if (at % 3_000 == 0) {
+        heartbeats.heard("slow", millis(at));
+      }
+      changes.addAll(heartbeats.check(millis(at)));
+    }
+
+    assertThat(changes)
+        .extracting(Heartbeats.Change::name, Heartbeats.Change::now)
+        .startsWith(tuple("slow", Condition.SUSPECTED), tuple("slow", Condition.ALIVE));
+  }
+
+  @Test
+  void thatAllFallSilentAtOnceGivesThemNoTime() {
+    for (long at = 0; at <= 5_000; at += 500) {
+      heartbeats.heard("a", millis(at));
+      heartbeats.heard("b", millis(at));
+      changes.addAll(heartbeats.check(millis(at)));
+    }
+    check(5_500, 9_000);
+
+    assertThat(changes)
+        .filteredOn(change -> change.now() == Condition.LOST)
+        .extracting(Heartbeats.Change::silence)
+        .containsExactly(millis(4_000), millis(4_000));
   }
 
   @Test

@@ -5,8 +5,8 @@ import static org.awaitility.Awaitility.await;
 
 import jade.core.IMTPException;
 import java.time.Duration;
-import java.util.SortedMap;
-import java.util.TreeMap;
+import java.util.List;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
@@ -21,23 +21,50 @@ class OwnPulseTest {
   private final AtomicInteger beats = new AtomicInteger();
   private final AtomicInteger givenUp = new AtomicInteger();
   private volatile boolean cut;
-  private volatile boolean welcome = true;
-  private volatile SortedMap<String, Duration> lastSilent = new TreeMap<>();
+  private volatile Set<String> givenUpContainers = Set.of();
+  private volatile Beat last = Beat.read("");
 
-  private final OwnPulse pulse =
-      new OwnPulse(
-          (life, silent) -> {
-            beats.incrementAndGet();
-            lastSilent = silent;
-            if (cut) {
-              throw new IMTPException("The link is cut");
-            }
-            return Confirmation.of(SETTINGS, welcome).write();
-          });
+  private final ProcessPulse process = new ProcessPulse();
+  private final OwnPulse pulse = new OwnPulse(process, new Road("lights"));
+  private final OwnPulse other = new OwnPulse(process, new Road("robots"));
+
+  private final class Road implements OwnPulse.Road {
+    private final String container;
+
+    private Road(String container) {
+      this.container = container;
+    }
+
+    @Override
+    public String beat(String text) throws IMTPException {
+      beats.incrementAndGet();
+      last = Beat.read(text);
+      if (cut) {
+        throw new IMTPException("The link is cut");
+      }
+      List<String> unwelcome =
+          last.containers().stream()
+              .filter(living -> givenUpContainers.contains(living.name()))
+              .map(Beat.Living::life)
+              .toList();
+      return Confirmation.of(SETTINGS, unwelcome).write();
+    }
+
+    @Override
+    public String container() {
+      return container;
+    }
+
+    @Override
+    public List<String> addresses() {
+      return List.of("127.0.0.1:1099");
+    }
+  }
 
   @AfterEach
   void end() {
     pulse.end();
+    other.end();
   }
 
   @Test
@@ -58,7 +85,7 @@ class OwnPulseTest {
     pulse.whenGivenUp(givenUp::incrementAndGet);
     enlist("lamp", Runnable::run);
     beat(2);
-    welcome = false;
+    givenUpContainers = Set.of("lights");
     pass(SETTINGS.period());
     await().until(() -> givenUp.get() == 1);
 
@@ -83,13 +110,50 @@ class OwnPulseTest {
     enlist("rose", work -> {});
     beat(6);
 
-    assertThat(lastSilent).containsOnlyKeys("rose");
+    assertThat(last.silences()).containsOnlyKeys("rose");
+  }
+
+  @Test
+  void theContainersOfAProcessGiveOneSignOfLifeTogether() {
+    enlist("lamp", Runnable::run);
+    other.enlist("rose", Runnable::run, () -> {}, clock);
+    int before = beats.get();
+    beat(4);
+
+    assertThat(beats.get() - before).isEqualTo(4);
+    assertThat(last.containers()).extracting(Beat.Living::name).containsExactly("lights", "robots");
+    assertThat(last.containers().get(0).addresses()).containsExactly("127.0.0.1:1099");
+  }
+
+  @Test
+  void oneContainerThatIsGivenUpOrEndsLeavesTheOthersAlive() {
+    enlist("lamp", Runnable::run);
+    other.enlist("rose", Runnable::run, () -> {}, clock);
+    givenUpContainers = Set.of("lights");
+    beat(2);
+
+    assertThat(pulse.isCutOff()).isTrue();
+    assertThat(other.isCutOff()).isFalse();
+    assertThat(last.containers()).extracting(Beat.Living::name).containsExactly("robots");
+  }
+
+  /** The whole process was frozen: who was asked before could not answer meanwhile. */
+  @Test
+  void whoThawsDoesNotTakeItsAgentsForThoseThatHang() {
+    Duration asked = Duration.ofSeconds(10);
+    Census census = new Census();
+    census.enlist("rose", work -> {}, () -> {});
+    census.ask(asked);
+    census.excuse(Duration.ofSeconds(30));
+
+    assertThat(census.silent(asked.plusSeconds(31), SETTINGS.period()))
+        .containsEntry("rose", Duration.ofSeconds(1));
   }
 
   private void enlist(String name, Consumer<Runnable> tell) {
     pulse.enlist(name, tell, () -> {}, clock);
     pass(Duration.ofMillis(1));
-    await().pollInterval(Duration.ofMillis(2)).until(pulse::isQuiet);
+    await().pollInterval(Duration.ofMillis(2)).until(process::isQuiet);
   }
 
   /** The beats go out on a thread of their own; each has arrived before time passes on. */
@@ -98,7 +162,7 @@ class OwnPulseTest {
       int before = beats.get();
       pass(SETTINGS.period());
       await().pollInterval(Duration.ofMillis(2)).until(() -> beats.get() > before);
-      await().pollInterval(Duration.ofMillis(2)).until(pulse::isQuiet);
+      await().pollInterval(Duration.ofMillis(2)).until(process::isQuiet);
     }
   }
 

@@ -61,12 +61,14 @@ public final class BusLink implements RatsLink {
   private final Roster roster;
   private final OpenCalls calls;
   private final Watchers watchers = new Watchers();
+  private final Hearing hearing;
   private final AtomicLong callCount = new AtomicLong();
   private final AtomicBoolean closed = new AtomicBoolean();
   private Optional<Clock.Timer> doubtEnds = Optional.empty();
   private boolean wasConnected;
 
-  private BusLink(String controller, Topics topics, Transport transport, Clock clock) {
+  private BusLink(
+      String controller, Topics topics, Transport transport, Clock clock, boolean ofAll) {
     this.controller = controller;
     this.boot = Long.toString(clock.instant().toEpochMilli(), 36);
     this.topics = topics;
@@ -74,6 +76,13 @@ public final class BusLink implements RatsLink {
     this.clock = clock;
     this.calls = new OpenCalls(controller, topics, transport, clock, complaints);
     this.roster = new Roster(topics, complaints, new RosterWatcher());
+    Hearing.Handlers handlers =
+        new Hearing.Handlers(
+            roster::statusHeard,
+            roster::descriptionHeard,
+            roster::stateHeard,
+            this::observationHeard);
+    this.hearing = new Hearing(ofAll, topics, handlers, this::subscribe);
   }
 
   /**
@@ -89,7 +98,18 @@ public final class BusLink implements RatsLink {
   /** The same, for a site that may be secured. */
   public static BusLink connect(
       String controller, String site, Transport transport, Clock clock, SiteKind kind) {
-    BusLink link = new BusLink(controller, new Topics(site), transport, clock);
+    BusLink link = new BusLink(controller, new Topics(site), transport, clock, true);
+    link.open(kind);
+    return link;
+  }
+
+  /**
+   * The same, but it hears of those members only that are watched one by one, and {@link #members}
+   * has no others: for who has a few of many members.
+   */
+  public static BusLink connectForWatched(
+      String controller, String site, Transport transport, Clock clock, SiteKind kind) {
+    BusLink link = new BusLink(controller, new Topics(site), transport, clock, false);
     link.open(kind);
     return link;
   }
@@ -118,6 +138,9 @@ public final class BusLink implements RatsLink {
     perform(
         () -> {
           watchers.add(member, listener);
+          if (hearing.follow(member)) {
+            clock.schedule(wall(ASK_DELAY), controller, () -> describe(Optional.of(member)));
+          }
           roster.member(member).ifPresent(listener::changed);
         });
     return () -> perform(() -> watchers.remove(member, listener));
@@ -187,7 +210,7 @@ public final class BusLink implements RatsLink {
 
   @Override
   public void safe() {
-    perform(() -> askAll(ReservedFeature.SAFE));
+    perform(() -> ask(Optional.empty(), ReservedFeature.SAFE));
   }
 
   @Override
@@ -202,15 +225,12 @@ public final class BusLink implements RatsLink {
   }
 
   private void open(SiteKind kind) {
-    subscribe(topics.statuses(), RetainedMessages.SEND, roster::statusHeard);
-    subscribe(topics.descriptions(), RetainedMessages.SEND, roster::descriptionHeard);
-    subscribe(topics.states(), RetainedMessages.SEND, roster::stateHeard);
+    hearing.begin();
     subscribe(topics.results(controller), RetainedMessages.IGNORE, this::resultHeard);
     if (kind == SiteKind.OPEN) {
       subscribe(topics.bareResult(), RetainedMessages.IGNORE, this::resultHeard);
     }
     subscribe(topics.progresses(controller), RetainedMessages.IGNORE, this::progressHeard);
-    subscribe(topics.observations(), RetainedMessages.IGNORE, this::observationHeard);
     transport.subscribeToOthers(
         topics.calls(),
         message -> {
@@ -240,7 +260,7 @@ public final class BusLink implements RatsLink {
     transport.publish(
         Publication.retained(topics.controllerStatus(controller), status(MemberStatus.Phase.READY)),
         failure -> failure.ifPresent(cause -> LOG.debug("{}", cause.getMessage())));
-    clock.schedule(wall(ASK_DELAY), controller, () -> askAll(ReservedFeature.DESCRIBE));
+    clock.schedule(wall(ASK_DELAY), controller, () -> hearing.addressees().forEach(this::describe));
     if (wasConnected) {
       calls.resume();
       doubtEnds.ifPresent(Clock.Timer::cancel);
@@ -253,12 +273,19 @@ public final class BusLink implements RatsLink {
     return Duration.ofMillis(Math.round(duration.toMillis() * clock.speed()));
   }
 
-  private void askAll(ReservedFeature reserved) {
+  private void describe(Optional<String> member) {
+    ask(member, ReservedFeature.DESCRIBE);
+  }
+
+  /**
+   * @param member empty: all
+   */
+  private void ask(Optional<String> member, ReservedFeature reserved) {
     if (!closed.get()) {
       calls.sendUnwatched(
           new Call(
               nextId(),
-              Optional.empty(),
+              member,
               Optional.empty(),
               reserved.word(),
               Map.of(),

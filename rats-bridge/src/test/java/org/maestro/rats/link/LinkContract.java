@@ -41,6 +41,30 @@ abstract class LinkContract extends FormerLivesContract {
   }
 
   @Test
+  void whoHasOneOfManyMembersHearsOfNoOther() {
+    join("anna", "home");
+    RatsLink link = connectForWatched("cca", "home");
+    List<String> told = new CopyOnWriteArrayList<>();
+    link.watch(member -> told.add(member.id()));
+    link.watch("berta", member -> {});
+    RatsMember berta = join("berta", "home");
+    await(() -> usable(link, "berta"));
+    Listener answered = new Listener();
+    Listener watching = new Listener();
+    link.call("berta", "echo", Map.of("a", 1), seconds(600), Optional.empty(), answered);
+    link.call("berta", "watch", Map.of("object", "Cup"), seconds(600), Optional.empty(), watching);
+    await(() -> answered.ended() && !watching.observations.isEmpty());
+    berta.die();
+    await(watching::ended);
+    assertFailed(watching.only(), ErrorCode.MEMBER_LOST);
+    link.watch("anna", member -> {});
+    await(() -> usable(link, "anna"));
+
+    assertThat(told.subList(0, told.indexOf("anna"))).containsOnly("berta");
+    assertThat(link.members()).extracting(RatsLink.Member::id).containsExactly("berta", "anna");
+  }
+
+  @Test
   void callsOneMemberAndGetsOneResult() {
     join("anna", "home");
     RatsLink link = connect("cca", "home");

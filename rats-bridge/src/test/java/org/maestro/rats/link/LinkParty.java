@@ -83,6 +83,12 @@ abstract class LinkParty {
     return link;
   }
 
+  final RatsLink connectForWatched(String id, String site) {
+    RatsLink link = BusLink.connectForWatched(id, site, client(id), clock(), SiteKind.OPEN);
+    opened.add(0, link);
+    return link;
+  }
+
   static boolean usable(RatsLink link, String id) {
     return link.members().stream()
         .anyMatch(
