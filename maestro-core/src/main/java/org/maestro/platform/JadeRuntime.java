@@ -27,6 +27,7 @@ import org.maestro.agents.pulse.PulseService;
 import org.maestro.agents.stepping.SteppedMailService;
 import org.maestro.platform.guard.Guard;
 import org.maestro.platform.guard.SerialFilter;
+import org.maestro.platform.letters.BoundedLetters;
 import org.maestro.platform.letters.EnvelopeReader;
 import org.maestro.platform.threads.AgentThreads;
 import org.maestro.platform.wires.WiredProfile;
@@ -37,7 +38,7 @@ import org.maestro.platform.wires.WiredProfile;
  */
 final class JadeRuntime {
   private static final String LOOPBACK = Premises.LOOPBACK;
-  private static final String LETTERS = "jade.mtp.http.MessageTransportProtocol";
+  private static final String LETTERS = BoundedLetters.class.getName();
 
   /** JADE counts its containers without guarding the count. */
   private static final Object ONE_AT_A_TIME = new Object();

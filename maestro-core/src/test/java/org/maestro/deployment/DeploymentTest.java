@@ -46,6 +46,22 @@ class DeploymentTest {
         .hasMessage("The container voices does not provide gpu.");
   }
 
+  /** What it was configured with since goes with it when its host is lost. */
+  @Test
+  void whoBeginsOnAnotherHostIsConfiguredAsItWasLast() {
+    AgentStart start = AgentStart.of("lamp-1", "lights");
+    deployment.placed(start);
+    deployment.placed(
+        start.with(List.of(new Charge("lamp-1", Optional.of("<#lamp-1> a :Lamp .")))));
+    deployment.moved("lamp-1", "cellar");
+    deployment.containerGone("cellar");
+
+    AgentStart elsewhere = deployment.require("lamp-1").in("attic");
+    assertThat(elsewhere.container()).isEqualTo("attic");
+    assertThat(elsewhere.charges())
+        .containsExactly(new Charge("lamp-1", Optional.of("<#lamp-1> a :Lamp .")));
+  }
+
   @Test
   void nothingIsTheAgentOfADeviceTwice() {
     deployment.placed(AgentStart.of("lamp-1", "lights"));

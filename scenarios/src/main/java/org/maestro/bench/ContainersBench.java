@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.Random;
@@ -181,6 +182,7 @@ public final class ContainersBench {
     Queue<GoalReport> reports = new ConcurrentLinkedQueue<>();
     Queue<Double> durations = new ConcurrentLinkedQueue<>();
     Semaphore free = new Semaphore(UNDER_WAY);
+    CpuByPart before = CpuByPart.now();
     long begin = System.nanoTime();
     int dead = 0;
     for (int goal = 0; goal < goals; goal++) {
@@ -205,6 +207,7 @@ public final class ContainersBench {
     }
     acquire(free, UNDER_WAY);
     double all = seconds(begin);
+    Map<String, Double> taken = CpuByPart.now().since(before);
     row("goals ended", reports.size(), "goals");
     row("goals reached", reports.stream().filter(GoalReport::reached).count(), "goals");
     row("processes killed meanwhile", dead, "processes");
@@ -214,6 +217,8 @@ public final class ContainersBench {
     row("a goal, p50", sorted.get(sorted.size() / 2), "s");
     row("a goal, p99", sorted.get(sorted.size() * 99 / 100), "s");
     row("a goal, longest", sorted.get(sorted.size() - 1), "s");
+    taken.forEach(
+        (part, seconds) -> row("processor time of a goal, " + part, seconds * 1e3 / goals, "ms"));
     TreeMap<String, Integer> reasons = new TreeMap<>();
     reports.stream()
         .filter(report -> !report.reached())

@@ -235,7 +235,7 @@ final class RunCommand implements Callable<Integer> {
     } catch (IllegalArgumentException e) {
       throw CommandException.badInput(e.getMessage());
     }
-    if (letters.isPresent() && security.files().isPresent()) {
+    if (letters.isPresent() && security.isAsked()) {
       throw CommandException.badInput(
           "A secured site hears only whom its own processes vouch for: leave --mtp away, and have people of other platforms join as guests (./maestro secure --guest).");
     }

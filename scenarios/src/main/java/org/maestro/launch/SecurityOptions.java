@@ -17,6 +17,10 @@ final class SecurityOptions {
           "The files of a secured site, made by ./maestro secure; without: anybody on the broker is believed.")
   private Optional<Path> directory;
 
+  boolean isAsked() {
+    return directory.isPresent();
+  }
+
   Optional<SiteSecurity> files() {
     return directory.map(SiteSecurity::open);
   }

@@ -37,6 +37,7 @@ class CommandLineTest {
         "run bob --speed fast | 2 | Invalid value for option '--speed'",
         "run bob --name B! | 2 | is no name for a platform",
         "run bob --no-sim | 2 | --no-sim needs --broker",
+        "run bob --mtp 7778 --security site | 2 | A secured site hears only whom its own processes vouch for",
         "run bob --scene nowhere.ttl | 2 | There is no scene file",
         "run bob --broker localhost | 2 | is no broker",
         "run bob --gui --name tested | 3 | There is no display for the JADE GUI",

@@ -149,7 +149,10 @@ final class ContainerWatch {
       beatByContainer.forEach(
           (container, beat) -> {
             if (lifeByContainer.containsKey(container)) {
-              silenceByAgent.putAll(beat.silences());
+              // A process that gets no time gives none to its agents.
+              Duration late = containers.lateness(container);
+              beat.silences()
+                  .forEach((agent, silence) -> silenceByAgent.put(agent, silence.minus(late)));
             }
           });
       for (Map.Entry<String, Duration> entry : silenceByAgent.entrySet()) {

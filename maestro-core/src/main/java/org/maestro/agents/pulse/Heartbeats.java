@@ -74,6 +74,13 @@ final class Heartbeats {
                     lostAfter()));
   }
 
+  /** By how much its last signs of life came late, at the worst. */
+  synchronized Duration lateness(String name) {
+    double nanos = heardByName.containsKey(name) ? heardByName.get(name).pauseNanos() : 0;
+    Duration late = Duration.ofNanos(Math.round(nanos)).minus(settings.period().multipliedBy(2));
+    return late.isNegative() ? Duration.ZERO : late;
+  }
+
   /** Who is silent now is suspected after this. */
   synchronized Duration suspectedAfter() {
     return times(settings.suspectedAfter());

@@ -24,6 +24,9 @@ final class OwnPulse {
     String container();
 
     List<String> addresses();
+
+    /** Whether it is the main container: then it is told of nobody but itself. */
+    boolean isMain();
   }
 
   private final String life = UUID.randomUUID().toString();
@@ -96,6 +99,10 @@ final class OwnPulse {
 
   SortedMap<String, Duration> silent(Duration now, Duration period) {
     return census.silent(now, period);
+  }
+
+  boolean isMain() {
+    return road.isMain();
   }
 
   String beat(String beat) throws IMTPException, ServiceException {

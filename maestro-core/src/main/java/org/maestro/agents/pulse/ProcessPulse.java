@@ -37,6 +37,7 @@ public final class ProcessPulse {
   private volatile Duration lease = settings.lease();
   private volatile Duration confirmed = Duration.ZERO;
   private volatile Duration lastAsked = Duration.ZERO;
+  private volatile Duration unanswered = Duration.ZERO;
   private volatile boolean refused;
 
   /** From the first container to the end of the last. */
@@ -58,6 +59,7 @@ public final class ProcessPulse {
       beating = Optional.of(begun);
       confirmed = begun.now();
       lastAsked = begun.now();
+      unanswered = Duration.ZERO;
       tick(begun, Duration.ZERO);
     }
   }
@@ -78,7 +80,8 @@ public final class ProcessPulse {
 
   /** Whether another may act in the place of these containers by now. */
   boolean isOverdue() {
-    return beating.filter(now -> silence(now).compareTo(lease) > 0).isPresent();
+    return !isOfMain()
+        && beating.filter(now -> now.now().minus(confirmed).compareTo(lease) > 0).isPresent();
   }
 
   /** Whether no sign of life is on its way. */
@@ -86,8 +89,9 @@ public final class ProcessPulse {
     return !onItsWay.get();
   }
 
-  private Duration silence(Beating now) {
-    return now.now().minus(confirmed);
+  /** Nobody but who judges can act in the place of its own containers. */
+  private boolean isOfMain() {
+    return containers.stream().anyMatch(OwnPulse::isMain);
   }
 
   private void tick(Beating its, Duration delay) {
@@ -101,9 +105,10 @@ public final class ProcessPulse {
       return;
     }
     askAll(its.now());
-    Duration silence = silence(its);
-    if (silence.compareTo(refused ? lease : lease.multipliedBy(LEASES_UNTIL_ORPHANED)) > 0) {
-      String why = "The platform has not been heard of for " + silence.toSeconds() + " s";
+    Duration longest = refused ? lease : lease.multipliedBy(LEASES_UNTIL_ORPHANED);
+    if (unanswered.compareTo(longest) > 0 && !isOfMain()) {
+      String why =
+          "The platform has not been heard of for " + its.now().minus(confirmed).toSeconds() + " s";
       containers.forEach(container -> container.giveUp(why));
       return;
     }
@@ -119,11 +124,17 @@ public final class ProcessPulse {
     tick(its, settings.period());
   }
 
-  /** A process that has slept itself does not take its agents for those that hang. */
+  /**
+   * A process that has slept itself does not take its agents for those that hang, and has not
+   * listened to the platform meanwhile.
+   */
   private void askAll(Duration now) {
-    Duration late = now.minus(lastAsked).minus(settings.period());
+    Duration since = now.minus(lastAsked);
+    Duration late = since.minus(settings.period());
+    boolean hasSlept = late.compareTo(settings.period()) > 0;
     lastAsked = now;
-    if (late.compareTo(settings.period()) > 0) {
+    unanswered = unanswered.plus(hasSlept ? settings.period() : since);
+    if (hasSlept) {
       containers.forEach(container -> container.excuse(late));
     }
     containers.forEach(container -> container.ask(now));
@@ -132,7 +143,11 @@ public final class ProcessPulse {
   private void send(Beating its) {
     Duration sent = its.now();
     try {
-      Optional<OwnPulse> messenger = containers.stream().findFirst();
+      Optional<OwnPulse> messenger =
+          containers.stream()
+              .filter(OwnPulse::isMain)
+              .findFirst()
+              .or(() -> containers.stream().findFirst());
       if (messenger.isPresent()) {
         answered(sent, Confirmation.read(messenger.get().beat(beatAt(sent).write())));
       }
@@ -154,6 +169,7 @@ public final class ProcessPulse {
     lease = answer.lease();
     refused = false;
     confirmed = sent;
+    unanswered = Duration.ZERO;
     containers.stream()
         .filter(container -> answer.givenUp().contains(container.life()))
         .forEach(container -> container.giveUp("The platform has given this container up"));

@@ -3,6 +3,7 @@ package org.maestro.agents.pulse;
 import jade.core.AID;
 import jade.core.Agent;
 import jade.core.AgentContainer;
+import jade.core.AgentManager;
 import jade.core.BaseService;
 import jade.core.ContainerID;
 import jade.core.Filter;
@@ -116,6 +117,11 @@ public final class PulseService extends BaseService {
     @Override
     public List<String> addresses() {
       return localAddresses();
+    }
+
+    @Override
+    public boolean isMain() {
+      return container.getMain() instanceof AgentManager;
     }
   }
 

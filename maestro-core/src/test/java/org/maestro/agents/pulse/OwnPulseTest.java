@@ -59,6 +59,11 @@ class OwnPulseTest {
     public List<String> addresses() {
       return List.of("127.0.0.1:1099");
     }
+
+    @Override
+    public boolean isMain() {
+      return container.equals("Main-Container");
+    }
   }
 
   @AfterEach
@@ -102,6 +107,21 @@ class OwnPulseTest {
     pass(Duration.ofSeconds(20));
 
     await().until(() -> givenUp.get() == 1);
+  }
+
+  /** It judges itself: nobody else acts in its place. */
+  @Test
+  void theProcessOfTheMainContainerDoesNotGiveItselfUp() {
+    OwnPulse main = new OwnPulse(process, new Road("Main-Container"));
+    main.whenGivenUp(givenUp::incrementAndGet);
+    main.enlist("supervisor", Runnable::run, () -> {}, clock);
+    enlist("lamp", Runnable::run);
+    cut = true;
+    pass(Duration.ofSeconds(20));
+
+    assertThat(givenUp).hasValue(0);
+    assertThat(pulse.isCutOff()).isFalse();
+    main.end();
   }
 
   @Test
