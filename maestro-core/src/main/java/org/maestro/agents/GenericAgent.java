@@ -201,13 +201,15 @@ public final class GenericAgent extends MaestroAgent {
                 .device()
                 .filter(device -> voice.view().isReady())
                 .ifPresent(device -> offering.put(member, device)));
-    Optional<ACLMessage> request = YellowPages.request(this, offering, registered);
+    boolean before = registered;
+    Optional<ACLMessage> request = YellowPages.request(this, offering, before);
     registered = !offering.isEmpty();
     if (clock().isStepped()) {
       request.ifPresent(this::send);
     } else {
       request.ifPresent(
-          message -> ask(message, ANSWER_WITHIN, receipt -> registeredOrNot(receipt, attempt)));
+          message ->
+              ask(message, ANSWER_WITHIN, receipt -> registeredOrNot(receipt, before, attempt)));
     }
   }
 
@@ -215,12 +217,12 @@ public final class GenericAgent extends MaestroAgent {
    * An entry of an agent of this name that has just died may be there still, or has been removed
    * meanwhile: once more, the other way.
    */
-  private void registeredOrNot(ACLMessage receipt, int attempt) {
+  private void registeredOrNot(ACLMessage receipt, boolean before, int attempt) {
     boolean failed =
         receipt.getPerformative() == ACLMessage.FAILURE
             || receipt.getPerformative() == ACLMessage.REFUSE;
     if (failed && attempt < MOST_ATTEMPTS) {
-      registered = !registered;
+      registered = !before;
       clock()
           .schedule(
               patience(TRY_AGAIN), getLocalName(), () -> tell(() -> registerServices(attempt + 1)));

@@ -1,18 +1,20 @@
 package org.maestro.launch;
 
 import java.io.PrintWriter;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import org.maestro.bench.AgentsBench;
 import org.maestro.bench.BenchReport;
 import org.maestro.bench.BusBench;
 import org.maestro.bench.ContainersBench;
 import org.maestro.bench.CoordinationBench;
+import org.maestro.bench.GrowthBench;
 import org.maestro.bench.LargeHome;
 import org.maestro.bench.PlannerBench;
 import org.maestro.bench.SimulationBench;
@@ -26,25 +28,27 @@ import picocli.CommandLine.Spec;
 /** Runs a benchmark and prints its figures. */
 @Command(
     name = "bench",
-    description = "Run a benchmark: agents, bus, containers, coordination, planner or sim.")
+    description = "Run a benchmark: agents, bus, containers, coordination, growth, planner or sim.")
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
 
-  private static final Map<String, Function<Consumer<String>, BenchReport>> BENCHES =
+  private static final Map<String, BiFunction<Path, Consumer<String>, BenchReport>> BENCHES =
       new TreeMap<>(
           Map.of(
               "agents",
-              progress -> new AgentsBench(AGENTS, progress).run(),
+              (out, progress) -> new AgentsBench(AGENTS, progress).run(),
               "bus",
-              progress -> new BusBench(progress).run(),
+              (out, progress) -> new BusBench(progress).run(),
               "containers",
-              progress -> new ContainersBench(20, 200, 1_000, 1, progress).run(),
+              (out, progress) -> new ContainersBench(20, 200, 1_000, 1, progress).run(),
               "coordination",
-              progress -> new CoordinationBench(new LargeHome(20, 20, 5), 100, progress).run(),
+              (out, progress) -> new CoordinationBench(new LargeHome(20, 20, 5), 100, progress).run(),
+              "growth",
+              (out, progress) -> new GrowthBench(out.toAbsolutePath(), progress).run(),
               "planner",
-              progress -> new PlannerBench(20, progress).run(),
+              (out, progress) -> new PlannerBench(20, progress).run(),
               "sim",
-              BenchCommand::simulation));
+              (out, progress) -> simulation(progress)));
 
   private static final Duration MEASURED_TIME = Duration.ofSeconds(10);
 
@@ -52,6 +56,12 @@ final class BenchCommand implements Callable<Integer> {
 
   @Parameters(paramLabel = "NAME", description = "Which benchmark.")
   private String name;
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      description = "Where growth writes its figures and its picture; here unless it is said.")
+  private Path out = Path.of("");
 
   @Option(names = "--json", description = "Print one JSON document.")
   private boolean json;
@@ -69,25 +79,26 @@ final class BenchCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    Function<Consumer<String>, BenchReport> bench = BENCHES.get(name);
+    BiFunction<Path, Consumer<String>, BenchReport> bench = BENCHES.get(name);
     if (bench == null) {
       throw CommandException.badInput(
           "There is no benchmark %s; there is: %s."
               .formatted(name, String.join(", ", BENCHES.keySet())));
     }
-    PrintWriter out = spec.commandLine().getOut();
+    PrintWriter printed = spec.commandLine().getOut();
     PrintWriter err = spec.commandLine().getErr();
     BenchReport report =
         bench.apply(
+            out,
             line -> {
               err.println(line);
               err.flush();
             });
     List<String> lines = json ? List.of(report.json()) : report.lines();
     if (!json) {
-      out.printf("%s, on %s%n", report.bench(), report.machine());
+      printed.printf("%s, on %s%n", report.bench(), report.machine());
     }
-    lines.forEach(out::println);
+    lines.forEach(printed::println);
     return ExitCode.DONE;
   }
 }

@@ -180,7 +180,7 @@ final class ContainerWatch {
   }
 
   private Condition condition(Duration silence) {
-    if (silence.compareTo(containers.lostAfter()) >= 0) {
+    if (silence.compareTo(containers.hungAfter()) >= 0) {
       return Condition.LOST;
     }
     return silence.compareTo(containers.suspectedAfter()) >= 0

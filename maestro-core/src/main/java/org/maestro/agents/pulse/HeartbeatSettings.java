@@ -41,4 +41,12 @@ public record HeartbeatSettings(Duration period, Duration suspectedAfter, Durati
   public Duration lease() {
     return lostAfter.minus(period);
   }
+
+  /**
+   * So long an agent whose process is alive may do nothing before another takes its place: longer
+   * than a process, as it may compute, and nobody waits for it while it is suspected.
+   */
+  public Duration hungAfter() {
+    return lostAfter.multipliedBy(3);
+  }
 }

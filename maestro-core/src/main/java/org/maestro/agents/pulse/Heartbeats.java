@@ -91,6 +91,11 @@ final class Heartbeats {
     return times(settings.lostAfter());
   }
 
+  /** An agent of a living process is replaced when it has done nothing for so long. */
+  synchronized Duration hungAfter() {
+    return times(settings.hungAfter());
+  }
+
   private Duration times(Duration usual) {
     return Duration.ofNanos(Math.round(usual.toNanos() * patience));
   }

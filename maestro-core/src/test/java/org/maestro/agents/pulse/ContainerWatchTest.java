@@ -68,7 +68,7 @@ class ContainerWatchTest {
 
   @Test
   void anAgentThatHangsInALivingContainerIsSuspected() {
-    for (int beats = 0; beats < 12; beats++) {
+    for (int beats = 0; beats < 28; beats++) {
       hear("lights", "life", beats < 2 ? "" : beats * 500 + " lamp one");
       pass(SETTINGS.period());
     }
