@@ -3,9 +3,13 @@ package org.maestro.coordination;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
@@ -92,6 +96,66 @@ final class FactsBesideSteps implements Facts {
       }
     }
     return now;
+  }
+
+  /** Each answer rests on what is asked too: steps may begin or cease to change it. */
+  @Override
+  public Optional<Facts> tracing(Consumer<Object> told) {
+    boolean all =
+        Stream.concat(Stream.of(now), handled.stream().map(Handled::before))
+            .allMatch(snapshot -> snapshot.tracing(told).isPresent());
+    return all ? Optional.of(new Traced(this, told)) : Optional.empty();
+  }
+
+  /** Tells on what each answer rests. */
+  private record Traced(FactsBesideSteps facts, Consumer<Object> told) implements Facts {
+
+    private Facts source(Subject subject) {
+      told.accept(subject);
+      return facts.source(subject).tracing(told).orElseThrow();
+    }
+
+    @Override
+    public Truth truth(Formula.Atom atom) {
+      return source(facts.subject(atom)).truth(atom);
+    }
+
+    @Override
+    public OptionalDouble number(Expression.Fluent fluent) {
+      return source(subject(fluent)).number(fluent);
+    }
+
+    @Override
+    public double chanceStill(Formula.Atom atom) {
+      return facts.chanceStill(atom);
+    }
+
+    @Override
+    public Collection<Term.Name> individuals(String className) {
+      return facts.individuals(className);
+    }
+  }
+
+  /** What a step is changing is as before until the step has ended. */
+  @Override
+  public Optional<Set<Object>> changedSince(Facts other) {
+    return other instanceof FactsBesideSteps before
+            && common(handled, before.handled).equals(common(before.handled, handled))
+        ? now.changedSince(before.now).map(changed -> withOthersThan(before, changed))
+        : Optional.empty();
+  }
+
+  private Set<Object> withOthersThan(FactsBesideSteps before, Set<Object> changed) {
+    Set<Object> all = new LinkedHashSet<>(changed);
+    Stream.concat(
+            handled.stream().filter(one -> !before.handled.contains(one)),
+            before.handled.stream().filter(one -> !handled.contains(one)))
+        .forEach(one -> all.addAll(one.subjects()));
+    return all;
+  }
+
+  private static List<Handled> common(List<Handled> some, List<Handled> others) {
+    return some.stream().filter(others::contains).toList();
   }
 
   @Override

@@ -147,6 +147,16 @@ final class Cell {
     return new Cell(List.of(), List.of(), last);
   }
 
+  /** Whether a claim that stands counts at the earlier instant and not at the later one. */
+  boolean expiresWithin(Instant earlier, Instant later) {
+    for (Claim claim : standing) {
+      if (claim.held().isFresh(earlier) && !claim.held().isFresh(later)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** The first instant after which something in it does not count any more. */
   Instant nextExpiry() {
     return earliest(standing, earliest(overruled, Instant.MAX));

@@ -59,9 +59,7 @@ final class Cells {
     Object[] top = root;
     int level = shift;
     while (number >>> level + BITS != 0) {
-      Object[] higher = new Object[WIDTH];
-      higher[0] = top;
-      top = higher;
+      top = lifted(top);
       level += BITS;
     }
     return new Cells(numbers, changed(top, level, number, cell), level);
@@ -80,6 +78,52 @@ final class Cells {
       Cell cell = at(number);
       if (cell != null) {
         visitor.accept(numbers.variables.get(number), cell);
+      }
+    }
+  }
+
+  /**
+   * Visits the variables whose cells are not the very same in the other version.
+   *
+   * @return false when the other is no version of these
+   */
+  boolean forEachDifference(Cells other, BiConsumer<StateVariable, Optional<Cell>> visitor) {
+    if (numbers != other.numbers) {
+      return false;
+    }
+    Object[] mine = root;
+    Object[] others = other.root;
+    int level = Math.max(shift, other.shift);
+    for (int mineAt = shift; mineAt < level; mineAt += BITS) {
+      mine = lifted(mine);
+    }
+    for (int othersAt = other.shift; othersAt < level; othersAt += BITS) {
+      others = lifted(others);
+    }
+    compare(mine, others, level, 0, visitor);
+    return true;
+  }
+
+  private static Object[] lifted(Object[] node) {
+    Object[] higher = new Object[WIDTH];
+    higher[0] = node;
+    return higher;
+  }
+
+  private void compare(
+      Object[] mine,
+      Object[] others,
+      int level,
+      int first,
+      BiConsumer<StateVariable, Optional<Cell>> visitor) {
+    for (int place = 0; place < WIDTH; place++) {
+      Object own = mine == null ? null : mine[place];
+      Object other = others == null ? null : others[place];
+      int number = first + (place << level);
+      if (own != other && level > 0) {
+        compare((Object[]) own, (Object[]) other, level - BITS, number, visitor);
+      } else if (own != other) {
+        visitor.accept(numbers.variables.get(number), Optional.ofNullable((Cell) own));
       }
     }
   }

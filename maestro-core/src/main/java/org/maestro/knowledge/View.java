@@ -10,10 +10,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
+import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
@@ -28,12 +30,13 @@ final class View implements Snapshot {
   private final Instant described;
   private final Instant oldest;
   private final Optional<Consumer<Belief>> witness;
+  private final Optional<Consumer<Object>> told;
 
   /**
    * @param described since when what stands in the home counts
    */
   View(World world, Instant now, Instant described) {
-    this(world, now, described, Instant.MIN, Optional.empty());
+    this(world, now, described, Instant.MIN, Optional.empty(), Optional.empty());
   }
 
   private View(
@@ -41,12 +44,14 @@ final class View implements Snapshot {
       Instant now,
       Instant described,
       Instant oldest,
-      Optional<Consumer<Belief>> witness) {
+      Optional<Consumer<Belief>> witness,
+      Optional<Consumer<Object>> told) {
     this.world = world;
     this.now = now;
     this.described = described;
     this.oldest = oldest;
     this.witness = witness;
+    this.told = told;
   }
 
   @Override
@@ -57,12 +62,30 @@ final class View implements Snapshot {
   @Override
   public Snapshot notOlderThan(Duration age) {
     Instant limit = now.minus(age);
-    return new View(world, now, described, limit.isAfter(oldest) ? limit : oldest, witness);
+    return new View(world, now, described, limit.isAfter(oldest) ? limit : oldest, witness, told);
   }
 
   @Override
-  public Snapshot witnessed(Consumer<Belief> told) {
-    return new View(world, now, described, oldest, Optional.of(told));
+  public Snapshot witnessed(Consumer<Belief> seen) {
+    return new View(world, now, described, oldest, Optional.of(seen), told);
+  }
+
+  @Override
+  public Optional<Facts> tracing(Consumer<Object> reader) {
+    return Optional.of(new View(world, now, described, oldest, witness, Optional.of(reader)));
+  }
+
+  @Override
+  public Optional<Set<Object>> changedSince(Facts other) {
+    return other instanceof View before && oldest.equals(before.oldest)
+        ? world.changedSince(before.world, before.now, now)
+        : Optional.empty();
+  }
+
+  /** All that is not described in the home is answered from cells. */
+  private Optional<Cell> cell(StateVariable variable) {
+    told.ifPresent(reader -> reader.accept(variable));
+    return world.cell(variable);
   }
 
   @Override
@@ -86,7 +109,7 @@ final class View implements Snapshot {
       return derived(declared.get(), derivation.get(), asked.arguments());
     }
     Formula.Atom atom = world.declarations().canonical(asked);
-    Optional<Cell> cell = world.cell(world.declarations().variable(atom));
+    Optional<Cell> cell = cell(world.declarations().variable(atom));
     if (cell.isPresent()) {
       return inCell(cell.get(), atom);
     }
@@ -108,7 +131,7 @@ final class View implements Snapshot {
   @Override
   public OptionalDouble number(Expression.Fluent fluent) {
     StateVariable variable = new StateVariable(fluent.name(), fluent.arguments());
-    Optional<Cell> cell = world.cell(variable);
+    Optional<Cell> cell = cell(variable);
     if (cell.isPresent()) {
       Optional<Held> held = settled(cell.get()).value();
       held.ifPresent(value -> bearWitness(variable, value, true));
@@ -204,7 +227,7 @@ final class View implements Snapshot {
   @Override
   public Optional<Term> value(String predicate, List<Term> arguments) {
     StateVariable variable = new StateVariable(predicate, arguments);
-    Optional<Cell> cell = world.cell(variable);
+    Optional<Cell> cell = cell(variable);
     if (cell.isPresent()) {
       Optional<Held> held = settled(cell.get()).value();
       held.ifPresent(value -> bearWitness(variable, value, true));

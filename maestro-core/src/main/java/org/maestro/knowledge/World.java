@@ -2,8 +2,10 @@ package org.maestro.knowledge;
 
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.maestro.ontology.home.Home;
 
 /** All that is known. Immutable; a snapshot costs nothing. */
@@ -37,6 +39,28 @@ record World(
     List<StateVariable> variables = new ArrayList<>();
     cells.forEach((variable, cell) -> variables.add(variable));
     return variables;
+  }
+
+  /**
+   * The variables of which something else may count now than in the other world then; empty when
+   * the home is described otherwise.
+   */
+  Optional<Set<Object>> changedSince(World other, Instant then, Instant now) {
+    if (described != other.described || measures != other.measures || home != other.home) {
+      return Optional.empty();
+    }
+    Instant earlier = then.isBefore(now) ? then : now;
+    Instant later = then.isBefore(now) ? now : then;
+    Set<Object> changed = new LinkedHashSet<>();
+    boolean comparable =
+        cells.forEachDifference(other.cells, (variable, cell) -> changed.add(variable));
+    cells.forEach(
+        (variable, cell) -> {
+          if (cell.expiresWithin(earlier, later)) {
+            changed.add(variable);
+          }
+        });
+    return comparable ? Optional.of(changed) : Optional.empty();
   }
 
   /** The first instant after which something that is known does not count any more. */

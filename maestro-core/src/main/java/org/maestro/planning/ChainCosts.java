@@ -53,6 +53,7 @@ final class ChainCosts {
   private final Map<Object, Set<Object>> dormant = new HashMap<>();
   private final Map<Operator, Double> chains = new LinkedHashMap<>();
   private final Map<Object, List<Touch>> touching = new HashMap<>();
+  private final Set<Object> lookedAt = new HashSet<>();
   private final PriorityQueue<Turn> queue = new PriorityQueue<>();
   private double beyond = Double.POSITIVE_INFINITY;
   private long sequence;
@@ -114,6 +115,19 @@ final class ChainCosts {
     return beyond;
   }
 
+  /** The variables of which it mattered how they are at first. */
+  Set<Object> consulted() {
+    Set<Object> consulted = new HashSet<>(lookedAt);
+    needed.keySet().forEach(want -> consulted.add(target(want)));
+    return consulted;
+  }
+
+  private void lookAt(Condition leaf) {
+    if (leaf instanceof Condition.Literal literal) {
+      lookedAt.add(literal.variable());
+    }
+  }
+
   private void accept(Operator operator, double cost) {
     if (cost > budget) {
       beyond = Math.min(beyond, cost);
@@ -126,6 +140,7 @@ final class ChainCosts {
     double whole = before == null ? cost + costAhead.applyAsDouble(operator) : cost;
     if (whole > budget) {
       beyond = Math.min(beyond, whole);
+      operator.precondition().forEachLeaf(this::lookAt);
       return;
     }
     chains.put(operator, cost);

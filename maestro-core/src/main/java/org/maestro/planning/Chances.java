@@ -89,16 +89,18 @@ final class Chances {
     return facts.chanceStill(atom(variable, value));
   }
 
-  /** All values that count: those with a floor, or where none has, those ever asked for. */
+  /** All values that count: those with a floor, or where none has, those that are excluded. */
   private List<Term> pool(Variable variable, List<Term> asked) {
     Set<Term> pool = new LinkedHashSet<>(asked);
     boolean measured = asked.stream().allMatch(value -> area(value) > 0);
-    if (measured) {
-      String places = lastParameter(variable).flatMap(TypedVariable::className).orElse("");
-      facts.individuals(places).stream().filter(value -> area(value) > 0).forEach(pool::add);
-    } else {
-      pool.addAll(variable.excluded(variable.initialCode()));
-    }
+    String places = lastParameter(variable).flatMap(TypedVariable::className).orElse("");
+    facts.individuals(places).stream()
+        .filter(
+            value ->
+                measured
+                    ? area(value) > 0
+                    : facts.truth(atom(variable, value)) == Truth.FALSE)
+        .forEach(pool::add);
     return new ArrayList<>(pool);
   }
 

@@ -27,6 +27,8 @@ final class ConditionCompiler {
   private final StaticFacts facts;
   private final Variables variables;
   private final boolean keepingFailed;
+  private final Map<Formula.Atom, Condition> derived = new HashMap<>();
+  private final Map<Formula.Atom, Condition> contraryToDerived = new HashMap<>();
 
   ConditionCompiler(Signature signature, StaticFacts facts, Variables variables) {
     this(signature, facts, variables, false);
@@ -105,9 +107,26 @@ final class ConditionCompiler {
                 + atom.predicate()
                 + " is defined by itself; break the circle.");
       }
-      return compiled(definition, parameterBindings(atom), positive, depth + 1);
+      return derived(atom, definition, positive, depth);
     }
     return literal(atom, positive ? Question.IS : Question.IS_NOT);
+  }
+
+  /** The same wherever the atom stands, and made once. */
+  private Condition derived(Formula.Atom atom, Formula definition, boolean positive, int depth) {
+    Map<Formula.Atom, Condition> known = positive ? derived : contraryToDerived;
+    Condition condition = known.get(atom);
+    if (condition == null) {
+      condition = compiled(definition, parameterBindings(atom), positive, depth + 1);
+      known.put(atom, condition);
+    }
+    return condition;
+  }
+
+  /** What cannot be changed may be otherwise from now on. */
+  void forget() {
+    derived.clear();
+    contraryToDerived.clear();
   }
 
   /** A word that homes and members state, neither a class nor computed of positions. */

@@ -1,17 +1,27 @@
 package org.maestro.planning;
 
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import org.maestro.planning.Condition.Constant;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Formula;
+import org.maestro.sl.FreeVariables;
 import org.maestro.sl.Term;
 
-/** Makes ground changes of effects. Changes that can never happen are left out. */
+/**
+ * Makes ground changes of effects. Changes that can never happen are left out. What a part of an
+ * effect changes is the same for all steps that bind its own variables alike, and made once.
+ */
 final class EffectCompiler {
   private final ConditionCompiler conditions;
   private final Variables variables;
+  private final Map<Effect, Part> parts = new IdentityHashMap<>();
+
+  /** A part of an effect, with what it changes by the values of its variables. */
+  private record Part(List<String> variables, Map<List<Term>, List<Change>> changes) {}
 
   EffectCompiler(ConditionCompiler conditions, Variables variables) {
     this.conditions = conditions;
@@ -19,9 +29,33 @@ final class EffectCompiler {
   }
 
   List<Change> changes(Effect effect, Map<String, Term> bindings) {
+    if (!(effect instanceof Effect.All all)) {
+      return ofPart(effect, bindings);
+    }
     List<Change> changes = new ArrayList<>();
-    collect(effect, bindings, Constant.TRUE, changes);
+    all.effects().forEach(part -> changes.addAll(ofPart(part, bindings)));
     return List.copyOf(changes);
+  }
+
+  private List<Change> ofPart(Effect effect, Map<String, Term> bindings) {
+    Part part =
+        parts.computeIfAbsent(
+            effect, absent -> new Part(List.copyOf(FreeVariables.of(effect)), new HashMap<>()));
+    List<Term> values = new ArrayList<>(part.variables().size());
+    part.variables().forEach(name -> values.add(bindings.get(name)));
+    List<Change> known = part.changes().get(values);
+    if (known == null) {
+      List<Change> changes = new ArrayList<>();
+      collect(effect, bindings, Constant.TRUE, changes);
+      known = List.copyOf(changes);
+      part.changes().put(values, known);
+    }
+    return known;
+  }
+
+  /** What cannot be changed may be otherwise from now on. */
+  void forget() {
+    parts.clear();
   }
 
   private void collect(

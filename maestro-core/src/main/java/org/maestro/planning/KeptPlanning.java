@@ -35,8 +35,12 @@ final class KeptPlanning {
       PlanningTask task,
       Set<Integer> features) {}
 
+  private final Groundwork work;
   private final Grounder grounder;
   private PlanningTask task;
+
+  /** The last change of facts that is known here. */
+  private long seen;
 
   /** What is or was otherwise than when the plan was proven. */
   private final Set<Object> changed = new LinkedHashSet<>();
@@ -46,20 +50,32 @@ final class KeptPlanning {
   /** For those who were there at different times, the newest first. */
   private final Deque<KeptGround> grounds = new ArrayDeque<>();
 
-  KeptPlanning(PlanningTask task) {
+  /**
+   * @param work that was made for the task, or went over to it
+   */
+  KeptPlanning(Groundwork work, PlanningTask task) {
+    this.work = work;
     this.task = task;
-    this.grounder = new Grounder(task);
+    this.seen = work.changes().last();
+    this.grounder = new Grounder(work, task);
   }
 
-  /** Goes over to another task for the same goal; false when nothing that is kept is of use. */
-  boolean renew(PlanningTask next) {
-    Optional<Set<Object>> difference = grounder.renew(next);
-    difference.ifPresent(
-        atoms -> {
-          changed.addAll(atoms);
-          task = next;
-        });
-    return difference.isPresent();
+  /** Goes over to another task for the same goal; the groundwork has gone there before. */
+  void renew(PlanningTask next) {
+    Optional<Set<Object>> since = work.changes().after(seen);
+    if (since.isEmpty()) {
+      proven = Optional.empty();
+      grounds.clear();
+    }
+    since.orElse(Set.of()).stream().filter(this::matters).forEach(changed::add);
+    seen = work.changes().last();
+    grounder.renew(next);
+    task = next;
+  }
+
+  /** What was never looked at, other goals asked for. */
+  private boolean matters(Object asked) {
+    return grounder.variable(asked).filter(v -> !grounder.hasConsulted(v)).isEmpty();
   }
 
   /** As {@link OptimalPlanner#solve}. */

@@ -15,10 +15,10 @@ final class OperatorFactory {
   private final EffectCompiler effects;
 
   OperatorFactory(
-      Variables variables, ConditionCompiler conditions, ConditionCompiler preconditions) {
+      ConditionCompiler conditions, ConditionCompiler preconditions, EffectCompiler effects) {
     this.conditions = conditions;
     this.preconditions = preconditions;
-    this.effects = new EffectCompiler(conditions, variables);
+    this.effects = effects;
   }
 
   /** The operator of a feature instance; none when it can never be done. */

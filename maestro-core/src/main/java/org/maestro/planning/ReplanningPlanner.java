@@ -1,6 +1,8 @@
 package org.maestro.planning;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -8,20 +10,54 @@ import java.util.Optional;
 import org.maestro.sl.Formula;
 
 /**
- * Finds what {@link OptimalPlanner} finds, sooner when it has planned for the same goal before: it
- * keeps what was made for the goals planned for last. Who left takes away what he could do, who
- * joined adds his own; the rest of the old plan is the first upper bound, and stays the plan while
- * none is cheaper. Whatever was asked of the facts then is asked again, and where the answers do
- * not fit, all is made anew. Thread-safe; a call computes on the caller's thread.
+ * Finds what {@link OptimalPlanner} finds, sooner when it has planned before: it keeps what was
+ * made for the goals planned for last, and what no goal changes serves the others too. Who left
+ * takes away what he could do, who joined adds his own; the rest of the old plan is the first upper
+ * bound, and stays the plan while none is cheaper. What was asked of the facts then is asked again
+ * where it may be otherwise; what rests on answers that do not fit is made anew. Thread-safe; a
+ * call computes on the caller's thread.
  */
 public final class ReplanningPlanner implements Planner {
-  /** Each may take some megabytes in homes of a thousand devices. */
+  /**
+   * Goals for which plans are kept; each may take some megabytes in homes of a thousand devices.
+   */
   private static final int MOST_KEPT = 6;
+
+  /** About 200 MB. */
+  private static final int MOST_INSTANCES = 150_000;
 
   private record Subject(Formula goal, Objective objective) {}
 
+  /** What was made for one home and what can be changed in it, and for goals there. */
+  private record Kept(Groundwork work, Map<Subject, KeptPlanning> plannings) {
+    KeptPlanning planning(Subject subject, PlanningTask task) {
+      KeptPlanning planning = plannings.remove(subject);
+      if (planning == null) {
+        planning = new KeptPlanning(work, task);
+      } else {
+        planning.renew(task);
+      }
+      plannings.put(subject, planning);
+      List<Subject> oldest = new ArrayList<>(plannings.keySet());
+      plannings.keySet().removeAll(oldest.subList(0, Math.max(0, oldest.size() - MOST_KEPT)));
+      return planning;
+    }
+
+    /** Goes over to the task; false when this is of no more use. */
+    boolean renew(PlanningTask task) {
+      int before = work.generation();
+      boolean renewed = work.renew(task);
+      if (work.generation() != before) {
+        plannings.clear();
+      }
+      return renewed;
+    }
+  }
+
   private final OptimalPlanner planner;
-  private final Map<Subject, KeptPlanning> kept = new LinkedHashMap<>();
+
+  /** The one used last comes first. */
+  private final Deque<Kept> kept = new ArrayDeque<>();
 
   /**
    * @param planner bounds the states that are kept at once
@@ -38,10 +74,12 @@ public final class ReplanningPlanner implements Planner {
   @Override
   public PlanningResult solve(PlanningTask task) {
     Subject subject = new Subject(task.goal(), task.objective());
-    KeptPlanning planning =
-        taken(subject).filter(known -> known.renew(task)).orElseGet(() -> new KeptPlanning(task));
-    PlanningResult result = planning.solve(planner.mostStates());
-    keep(subject, planning);
+    Kept used =
+        taken(subject, task)
+            .filter(known -> known.renew(task))
+            .orElseGet(() -> new Kept(new Groundwork(task), new LinkedHashMap<>()));
+    PlanningResult result = used.planning(subject, task).solve(planner.mostStates());
+    keep(used);
     return result;
   }
 
@@ -51,13 +89,28 @@ public final class ReplanningPlanner implements Planner {
   }
 
   /** Nobody else has it meanwhile. */
-  private synchronized Optional<KeptPlanning> taken(Subject subject) {
-    return Optional.ofNullable(kept.remove(subject));
+  private synchronized Optional<Kept> taken(Subject subject, PlanningTask task) {
+    Optional<Kept> found =
+        kept.stream()
+            .filter(known -> known.plannings().containsKey(subject))
+            .filter(known -> known.work().suits(task))
+            .findFirst()
+            .or(
+                () ->
+                    kept.stream()
+                        .filter(known -> known.work().suits(task) && known.work().isNear(task))
+                        .findFirst());
+    found.ifPresent(kept::remove);
+    return found;
   }
 
-  private synchronized void keep(Subject subject, KeptPlanning planning) {
-    kept.put(subject, planning);
-    List<Subject> oldest = new ArrayList<>(kept.keySet());
-    kept.keySet().removeAll(oldest.subList(0, Math.max(0, oldest.size() - MOST_KEPT)));
+  private synchronized void keep(Kept used) {
+    if (!used.work().isWorn()) {
+      kept.addFirst(used);
+    }
+    while (kept.size() > MOST_KEPT
+        || kept.stream().mapToInt(k -> k.work().size()).sum() > MOST_INSTANCES) {
+      kept.removeLast();
+    }
   }
 }

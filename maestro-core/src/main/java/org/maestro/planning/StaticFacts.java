@@ -13,70 +13,145 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
-/** The facts of a task; each is asked once, as derived and geometric ones take their time. */
+/**
+ * The facts of a task; each is asked once, as derived and geometric ones take their time. Where the
+ * facts tell on what an answer rests, only what may be otherwise is asked again of others.
+ */
 final class StaticFacts {
   private Facts facts;
+  private Facts asked;
+  private boolean tracing;
   private final Map<Formula.Atom, Truth> truths = new HashMap<>();
   private final Map<Expression.Fluent, Double> numbers = new HashMap<>();
   private final Map<String, List<Term>> individuals = new HashMap<>();
 
+  /** The questions whose answers rest on something. */
+  private final Map<Object, Set<Object>> restingOn = new HashMap<>();
+
+  private final Set<Object> told = new LinkedHashSet<>();
+
+  /**
+   * How other facts differ in what was asked.
+   *
+   * @param changed atoms and fluents that steps may change
+   * @param ofWhatStays whether others are otherwise too
+   */
+  record Difference(Set<Object> changed, boolean ofWhatStays) {}
+
   StaticFacts(Facts facts) {
-    this.facts = facts;
+    take(facts);
+  }
+
+  private void take(Facts next) {
+    facts = next;
+    Optional<Facts> traced = next.tracing(told::add);
+    tracing = traced.isPresent();
+    asked = traced.orElse(next);
+  }
+
+  /** Whether these facts can tell what may be otherwise there. */
+  boolean isNear(Facts next) {
+    return next == facts || tracing && next.changedSince(facts).isPresent();
+  }
+
+  /** How many answers are kept. */
+  int size() {
+    return truths.size() + numbers.size();
   }
 
   /**
-   * Takes other facts, provided that all that was asked of what cannot change is so there too.
+   * Takes other facts.
    *
-   * @return the atoms and fluents that may change and are otherwise there; empty when these facts
-   *     were not taken
+   * @return what of all that was asked is otherwise there; empty when there are other individuals,
+   *     and then these facts were not taken
    */
-  Optional<Set<Object>> renew(Facts next, Signature signature) {
-    Set<Object> changed = new LinkedHashSet<>();
+  Optional<Difference> renew(Facts next, Signature signature) {
     if (next == facts) {
-      return Optional.of(changed);
+      return Optional.of(new Difference(Set.of(), false));
     }
-    StaticFacts fresh = new StaticFacts(next);
-    for (Map.Entry<String, List<Term>> asked : individuals.entrySet()) {
-      if (!asked.getValue().equals(fresh.individuals(asked.getKey()))) {
-        return Optional.empty();
+    Optional<Set<Object>> otherwise = tracing ? next.changedSince(facts) : Optional.empty();
+    if (otherwise.isEmpty() && !hasTheSameIndividuals(next)) {
+      return Optional.empty();
+    }
+    take(next);
+    return Optional.of(askedAgain(otherwise.map(this::questions).orElseGet(this::all), signature));
+  }
+
+  private boolean hasTheSameIndividuals(Facts next) {
+    return individuals.entrySet().stream()
+        .allMatch(known -> known.getValue().equals(List.copyOf(next.individuals(known.getKey()))));
+  }
+
+  private Set<Object> questions(Set<Object> otherwise) {
+    Set<Object> questions = new LinkedHashSet<>();
+    otherwise.forEach(ground -> questions.addAll(restingOn.getOrDefault(ground, Set.of())));
+    return questions;
+  }
+
+  private Set<Object> all() {
+    Set<Object> questions = new LinkedHashSet<>(truths.keySet());
+    questions.addAll(numbers.keySet());
+    return questions;
+  }
+
+  private Difference askedAgain(Set<Object> questions, Signature signature) {
+    Set<Object> changed = new LinkedHashSet<>();
+    boolean ofWhatStays = false;
+    for (Object question : questions) {
+      String name;
+      boolean same;
+      if (question instanceof Formula.Atom atom) {
+        name = atom.predicate();
+        same = truths.put(atom, askedTruth(atom)) == truths.get(atom);
+      } else {
+        Expression.Fluent fluent = (Expression.Fluent) question;
+        name = fluent.name();
+        same = Double.compare(numbers.put(fluent, askedNumber(fluent)), numbers.get(fluent)) == 0;
+      }
+      if (!same && signature.isDynamic(name)) {
+        changed.add(question);
+      } else {
+        ofWhatStays |= !same;
       }
     }
-    for (Map.Entry<Formula.Atom, Truth> asked : truths.entrySet()) {
-      if (asked.getValue() != fresh.truth(asked.getKey())
-          && (!signature.isDynamic(asked.getKey().predicate()) || !changed.add(asked.getKey()))) {
-        return Optional.empty();
-      }
-    }
-    for (Map.Entry<Expression.Fluent, Double> asked : numbers.entrySet()) {
-      if (Double.compare(asked.getValue(), fresh.number(asked.getKey())) != 0
-          && (!signature.isDynamic(asked.getKey().name()) || !changed.add(asked.getKey()))) {
-        return Optional.empty();
-      }
-    }
-    facts = next;
-    truths.putAll(fresh.truths);
-    numbers.putAll(fresh.numbers);
-    return Optional.of(changed);
+    return new Difference(changed, ofWhatStays);
   }
 
   Truth truth(Formula.Atom atom) {
     Truth known = truths.get(atom);
     if (known == null) {
-      known = facts.truth(atom);
+      known = askedTruth(atom);
       truths.put(atom, known);
     }
     return known;
+  }
+
+  private Truth askedTruth(Formula.Atom atom) {
+    told.clear();
+    Truth truth = asked.truth(atom);
+    told.forEach(ground -> rest(ground, atom));
+    return truth;
+  }
+
+  private void rest(Object ground, Object question) {
+    restingOn.computeIfAbsent(ground, absent -> new LinkedHashSet<>()).add(question);
   }
 
   /** The number, or {@link Quantity#UNKNOWN}. */
   double number(Expression.Fluent fluent) {
     Double known = numbers.get(fluent);
     if (known == null) {
-      double asked = facts.number(fluent).orElse(Quantity.UNKNOWN);
-      known = Double.isFinite(asked) ? Quantity.rounded(asked) : Quantity.UNKNOWN;
+      known = askedNumber(fluent);
       numbers.put(fluent, known);
     }
     return known;
+  }
+
+  private double askedNumber(Expression.Fluent fluent) {
+    told.clear();
+    double number = asked.number(fluent).orElse(Quantity.UNKNOWN);
+    told.forEach(ground -> rest(ground, fluent));
+    return Double.isFinite(number) ? Quantity.rounded(number) : Quantity.UNKNOWN;
   }
 
   double chanceStill(Formula.Atom atom) {

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
@@ -27,10 +28,15 @@ final class Variables {
     facts.individuals("").forEach(individual -> rank.put(individual, rank.size()));
   }
 
-  /** The facts may have changed. */
-  void renew() {
-    variables.values().forEach(Variable::renew);
-    numbers.forEach((fluent, variable) -> variable.renew(facts.number(fluent)));
+  /** These atoms and fluents are otherwise than they were. */
+  void renew(Set<Object> changed) {
+    for (Object asked : changed) {
+      if (asked instanceof Formula.Atom atom) {
+        known(atom).ifPresent(Variable::renew);
+      } else if (asked instanceof Expression.Fluent fluent && numbers.containsKey(fluent)) {
+        numbers.get(fluent).renew(facts.number(fluent));
+      }
+    }
   }
 
   /** What the atom says something of, if it was met before. */

@@ -17,6 +17,22 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Random small worlds: the plan costs what exhaustive search finds, and holds when executed. */
 class OptimalityPropertyTest {
+  /** What may be wanted in a random home. */
+  static final List<String> HOME_GOALS =
+      List.of(
+          "(nextTo Cup Bob)",
+          "(canSee ?agent Cup)",
+          "(canSee cam-a Cup)",
+          "(in Cup zone-a)",
+          "(and (in Cup zone-b) (canSee cam-b Bob))",
+          "(or (in Bob zone-a) (>= (illuminance zone-b) 60))",
+          "(and (>= (illuminance zone-b) 40) (<= (illuminance zone-b) 60))",
+          "(and (>= (illuminance zone-a) 80) (>= (illuminance zone-b) 80))",
+          "(and (<= (illuminance zone-a) 30) (= (level lamp-b1) 0.5))",
+          "(forall (?z - Zone) (not (unknown (illuminance ?z))))",
+          "(exists (?z - Zone) (and (in Cup ?z) (not (in rose ?z))))",
+          "(imply (in rose zone-b) (in Cup rose))");
+
   private final OptimalPlanner planner = new OptimalPlanner();
 
   @Property(tries = 60, shrinking = ShrinkingMode.OFF)
@@ -27,24 +43,10 @@ class OptimalityPropertyTest {
 
   static PlanningTask homeTask(Random random) {
     SmallWorld world = home(random);
-    List<String> goals =
-        List.of(
-            "(nextTo Cup Bob)",
-            "(canSee ?agent Cup)",
-            "(canSee cam-a Cup)",
-            "(in Cup zone-a)",
-            "(and (in Cup zone-b) (canSee cam-b Bob))",
-            "(or (in Bob zone-a) (>= (illuminance zone-b) 60))",
-            "(and (>= (illuminance zone-b) 40) (<= (illuminance zone-b) 60))",
-            "(and (>= (illuminance zone-a) 80) (>= (illuminance zone-b) 80))",
-            "(and (<= (illuminance zone-a) 30) (= (level lamp-b1) 0.5))",
-            "(forall (?z - Zone) (not (unknown (illuminance ?z))))",
-            "(exists (?z - Zone) (and (in Cup ?z) (not (in rose ?z))))",
-            "(imply (in rose zone-b) (in Cup rose))");
-    return world.task(goals.get(random.nextInt(goals.size())));
+    return world.task(HOME_GOALS.get(random.nextInt(HOME_GOALS.size())));
   }
 
-  private static SmallWorld home(Random random) {
+  static SmallWorld home(Random random) {
     SmallWorld world =
         BobsHome.words()
             .individuals("Zone Place", "zone-a", "zone-b")
@@ -108,7 +110,7 @@ class OptimalityPropertyTest {
     return puzzle(random).task(conjunction(random, 2));
   }
 
-  private static SmallWorld puzzle(Random random) {
+  static SmallWorld puzzle(Random random) {
     SmallWorld world =
         new SmallWorld()
             .individuals("Thing", "a", "b")
@@ -203,7 +205,7 @@ class OptimalityPropertyTest {
     return text.replace("X", x).replace("Y", y);
   }
 
-  private static String conjunction(Random random, int size, String... names) {
+  static String conjunction(Random random, int size, String... names) {
     String[] terms = names.length > 0 ? names : new String[] {"a", "b"};
     StringBuilder text = new StringBuilder("(and");
     for (int i = 0; i < size; i++) {

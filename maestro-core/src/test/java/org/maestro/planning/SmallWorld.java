@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -52,6 +53,20 @@ final class SmallWorld implements Facts {
   /** All that may change, as a key. */
   String situation() {
     return truths + " " + numbers;
+  }
+
+  /** Predicates and fluents of which something else is known there. */
+  Set<String> namesChangedSince(SmallWorld other) {
+    Set<String> names = new LinkedHashSet<>();
+    for (SmallWorld one : List.of(this, other)) {
+      one.truths.keySet().stream()
+          .filter(atom -> !Objects.equals(truths.get(atom), other.truths.get(atom)))
+          .forEach(atom -> names.add(atom.predicate()));
+      one.numbers.keySet().stream()
+          .filter(fluent -> !Objects.equals(numbers.get(fluent), other.numbers.get(fluent)))
+          .forEach(fluent -> names.add(fluent.name()));
+    }
+    return names;
   }
 
   SmallWorld individuals(String classNames, String... names) {

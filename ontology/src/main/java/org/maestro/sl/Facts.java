@@ -1,7 +1,10 @@
 package org.maestro.sl;
 
 import java.util.Collection;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.function.Consumer;
 
 /**
  * What formulas are evaluated over. All atoms and fluents given to it are ground. Implementations
@@ -21,6 +24,28 @@ public interface Facts {
    */
   default double chanceStill(Formula.Atom atom) {
     return 0;
+  }
+
+  /**
+   * The same facts, which tell on what each answer rests: state variables or the like, to be looked
+   * for in what {@link #changedSince} says. Of the chance that something holds still they tell
+   * nothing.
+   *
+   * @param told is called during each question, on the caller's thread
+   * @return empty when these facts cannot tell
+   */
+  default Optional<Facts> tracing(Consumer<Object> told) {
+    return Optional.empty();
+  }
+
+  /**
+   * On what an answer must rest so that it may be another than in the other facts. All individuals
+   * are the same.
+   *
+   * @return empty when that cannot be said
+   */
+  default Optional<Set<Object>> changedSince(Facts other) {
+    return Optional.empty();
   }
 
   /**

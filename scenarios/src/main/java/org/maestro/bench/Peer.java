@@ -2,79 +2,182 @@ package org.maestro.bench;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 
 /**
- * Fast Downward, as the Python package {@code up-fast-downward} brings it, if it is installed for
- * the {@code python3} of the path.
+ * Another planner as a Python package brings it, if that is installed for the {@code python3} of
+ * the path. It runs in a process of its own, with the options that its package gives for plans that
+ * are proven to be the cheapest.
  */
 final class Peer {
+  private static final String PLAN_FILE = "plan.txt";
   private static final String WHERE =
-      "import up_fast_downward, os; print(os.path.join(os.path.dirname(up_fast_downward.__file__),"
-          + " 'downward', 'fast-downward.py'))";
+      "import importlib.util as u, os; s = u.find_spec('%s');"
+          + " print(os.path.join(os.path.dirname(s.origin), '%s'))";
+  private static final double GRACE_SECONDS = 5;
 
+  /** How a planner is called and where its package keeps it. */
+  enum Kind {
+    FAST_DOWNWARD("Fast Downward", "up_fast_downward", "downward/fast-downward.py"),
+    ENHSP("ENHSP", "up_enhsp", "ENHSP/enhsp.jar");
+
+    private final String words;
+    private final String module;
+    private final String file;
+
+    Kind(String words, String module, String file) {
+      this.words = words;
+      this.module = module;
+      this.file = file;
+    }
+
+    private List<String> command(Path program, double deadlineSeconds) {
+      return this == FAST_DOWNWARD
+          ? List.of(
+              "python3",
+              program.toString(),
+              "--overall-time-limit",
+              (int) Math.ceil(deadlineSeconds) + "s",
+              "--plan-file",
+              PLAN_FILE,
+              "domain.pddl",
+              "problem.pddl",
+              "--search",
+              "astar(lmcut())")
+          : List.of(
+              "java",
+              "-jar",
+              program.toString(),
+              "-o",
+              "domain.pddl",
+              "-f",
+              "problem.pddl",
+              "-sp",
+              PLAN_FILE,
+              "-s",
+              "WAStar",
+              "-h",
+              "hrmax");
+    }
+  }
+
+  private final Kind kind;
   private final double deadlineSeconds;
   private final Optional<Path> program;
 
-  Peer(double deadlineSeconds) {
+  Peer(Kind kind, double deadlineSeconds) {
+    this.kind = kind;
     this.deadlineSeconds = deadlineSeconds;
-    this.program = find();
+    this.program = find(kind);
   }
 
-  private static Optional<Path> find() {
+  /** All that are known here, whether they are installed or not. */
+  static List<Peer> all(double deadlineSeconds) {
+    return Stream.of(Kind.values()).map(kind -> new Peer(kind, deadlineSeconds)).toList();
+  }
+
+  private static Optional<Path> find(Kind kind) {
     try {
       Process python =
-          new ProcessBuilder("python3", "-c", WHERE)
+          new ProcessBuilder("python3", "-c", WHERE.formatted(kind.module, kind.file))
               .redirectError(ProcessBuilder.Redirect.DISCARD)
               .start();
-      String path = new String(python.getInputStream().readAllBytes()).strip();
+      String path =
+          new String(python.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip();
       return path.isEmpty() ? Optional.empty() : Optional.of(Path.of(path)).filter(Files::exists);
     } catch (IOException e) {
       return Optional.empty();
     }
   }
 
-  /**
-   * Until it has proven the cheapest plan; empty when it has not by the deadline, or is missing.
-   */
-  OptionalDouble milliseconds(String domain, String problem) {
-    if (program.isEmpty()) {
-      return OptionalDouble.empty();
+  String name() {
+    return kind.words;
+  }
+
+  boolean isInstalled() {
+    return program.isPresent();
+  }
+
+  /** Whether its times stand beside ours, and if not, what to do. */
+  String standing() {
+    return isInstalled()
+        ? "%s: installed, %.0f s for each problem, its start included"
+            .formatted(name(), deadlineSeconds)
+        : "%s: not installed for python3, so no times of it beside ours (pip install %s)"
+            .formatted(name(), kind.module.replace('_', '-'));
+  }
+
+  /** Until it had its plan; what that was like, it tells itself. */
+  record Outcome(OptionalDouble milliseconds, double deadlineSeconds) {
+    String text() {
+      return milliseconds.isPresent()
+          ? String.format(Locale.ROOT, "%.0f ms", milliseconds.getAsDouble())
+          : String.format(Locale.ROOT, "nothing in %.0f s", deadlineSeconds);
     }
+  }
+
+  /** Solves the problem; empty when it is not installed. */
+  Optional<Outcome> solve(String domain, String problem) {
+    return program.map(found -> new Outcome(milliseconds(found, domain, problem), deadlineSeconds));
+  }
+
+  private OptionalDouble milliseconds(Path found, String domain, String problem) {
     try {
       Path folder = Files.createTempDirectory("maestro-bench");
-      Files.writeString(folder.resolve("domain.pddl"), domain);
-      Files.writeString(folder.resolve("problem.pddl"), problem);
-      long start = System.nanoTime();
-      Process process =
-          new ProcessBuilder(
-                  List.of(
-                      "python3",
-                      program.get().toString(),
-                      "--overall-time-limit",
-                      (int) Math.ceil(deadlineSeconds) + "s",
-                      "domain.pddl",
-                      "problem.pddl",
-                      "--search",
-                      "astar(lmcut())"))
-              .directory(folder.toFile())
-              .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-              .redirectError(ProcessBuilder.Redirect.DISCARD)
-              .start();
-      boolean ended = process.waitFor((long) deadlineSeconds + 10, TimeUnit.SECONDS);
-      process.destroy();
-      double passed = (System.nanoTime() - start) / 1e6;
-      return ended && process.exitValue() == 0 ? OptionalDouble.of(passed) : OptionalDouble.empty();
+      try {
+        Files.writeString(folder.resolve("domain.pddl"), domain);
+        Files.writeString(folder.resolve("problem.pddl"), problem);
+        return milliseconds(found, folder);
+      } finally {
+        delete(folder);
+      }
     } catch (IOException e) {
       throw new UncheckedIOException(e);
+    }
+  }
+
+  private OptionalDouble milliseconds(Path found, Path folder) throws IOException {
+    long start = System.nanoTime();
+    Process process =
+        new ProcessBuilder(kind.command(found, deadlineSeconds))
+            .directory(folder.toFile())
+            .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+            .redirectError(ProcessBuilder.Redirect.DISCARD)
+            .start();
+    try {
+      long patience = (long) ((deadlineSeconds + GRACE_SECONDS) * 1000);
+      boolean ended = process.waitFor(patience, TimeUnit.MILLISECONDS);
+      double passed = (System.nanoTime() - start) / 1e6;
+      boolean inTime = ended && passed <= deadlineSeconds * 1000;
+      return inTime && process.exitValue() == 0 && Files.exists(folder.resolve(PLAN_FILE))
+          ? OptionalDouble.of(passed)
+          : OptionalDouble.empty();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return OptionalDouble.empty();
+    } finally {
+      process.descendants().forEach(ProcessHandle::destroyForcibly);
+      process.destroyForcibly();
+    }
+  }
+
+  private static void delete(Path folder) throws IOException {
+    List<Path> all = new ArrayList<>();
+    try (Stream<Path> files = Files.walk(folder)) {
+      files.sorted(Comparator.reverseOrder()).forEach(all::add);
+    }
+    for (Path file : all) {
+      Files.deleteIfExists(file);
     }
   }
 }

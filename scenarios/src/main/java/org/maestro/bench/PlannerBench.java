@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -23,8 +24,9 @@ import org.maestro.planning.search.Solution;
 /**
  * The planner on random homes of 10 to 1,000 agents, in one warm process, grounding included: the
  * time until the first plan, and until it is proven that none is cheaper, or the gap that is left
- * at a deadline. The baseline, when it is installed, is Fast Downward with landmark cuts on the
- * same problems, in a process of its own. One busy thread.
+ * at a deadline. Beside that the times of Fast Downward with landmark cuts (the baseline) and of
+ * ENHSP for the same problems, in processes of their own, as far as they are installed. One busy
+ * thread.
  */
 public final class PlannerBench {
   private static final int[] AGENTS = {10, 100, 1000};
@@ -32,7 +34,7 @@ public final class PlannerBench {
   private static final long MEMORY = 1_500_000_000L;
 
   private final double deadlineSeconds;
-  private final Peer peer;
+  private final List<Peer> peers;
   private final Consumer<String> progress;
   private final String domain = resource("/planning/home-domain.pddl");
 
@@ -43,11 +45,12 @@ public final class PlannerBench {
   public PlannerBench(double deadlineSeconds, Consumer<String> progress) {
     this.deadlineSeconds = deadlineSeconds;
     this.progress = progress;
-    this.peer = new Peer(deadlineSeconds);
+    this.peers = Peer.all(deadlineSeconds);
   }
 
   /** Measures, one problem after the other. */
   public BenchReport run() {
+    peers.forEach(peer -> progress.accept(peer.standing()));
     warmUp();
     List<BenchReport.Row> rows = new ArrayList<>();
     PlannerTable table = new PlannerTable();
@@ -60,7 +63,9 @@ public final class PlannerBench {
       }
     }
     rows.addAll(new ReplanningBench(progress).rows());
-    return new BenchReport("planner", BenchReport.thisMachine(), rows, table.lines());
+    List<String> summary = new ArrayList<>(table.lines());
+    peers.forEach(peer -> summary.add(peer.standing() + "."));
+    return new BenchReport("planner", BenchReport.thisMachine(), rows, summary);
   }
 
   private void warmUp() {
@@ -101,7 +106,19 @@ public final class PlannerBench {
           milliseconds(
               () -> last[0] = solve(task, Patience.seconds(deadlineSeconds, () -> false))));
     }
-    OptionalDouble baseline = peer.milliseconds(domain, problem);
+    List<String> others = new ArrayList<>();
+    OptionalDouble baseline = OptionalDouble.empty();
+    for (Peer peer : peers) {
+      Optional<Peer.Outcome> outcome = peer.solve(domain, problem);
+      outcome.ifPresent(done -> others.add(peer.name() + " " + done.text()));
+      OptionalDouble time =
+          outcome.map(Peer.Outcome::milliseconds).orElseGet(OptionalDouble::empty);
+      if (peer == peers.get(0)) {
+        baseline = time;
+      } else if (time.isPresent()) {
+        rows.add(BenchReport.Row.of(name + ": " + peer.name(), time.getAsDouble(), "ms"));
+      }
+    }
     double proof = median(proofs.stream().mapToDouble(Double::doubleValue).toArray());
     String end =
         last[0].verdict() == Solution.Verdict.OPTIMAL
@@ -112,7 +129,7 @@ public final class PlannerBench {
                 : ": " + last[0].verdict().name().toLowerCase(Locale.ROOT);
     rows.add(new BenchReport.Row(name + end, proof, "ms", baseline));
     return new PlannerTable.Entry(
-        wish, median(first), proof, last[0].cost(), last[0].lowerBound(), baseline);
+        wish, median(first), proof, last[0].cost(), last[0].lowerBound(), others);
   }
 
   private static String cost(long units, LiftedTask task) {

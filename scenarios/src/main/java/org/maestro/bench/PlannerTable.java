@@ -5,7 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.OptionalDouble;
 
 /** The planner's figures as a table: a row for each size of home. */
 final class PlannerTable {
@@ -16,7 +15,7 @@ final class PlannerTable {
    * @param milliseconds until the proof, or the deadline
    * @param cost of the best plan; 0 when there is none
    * @param bound no plan costs less; equal to the cost when that is proven
-   * @param peerMilliseconds until the peer's proof; empty when it has none, or is missing
+   * @param peers what those did that are installed, each in a few words
    */
   record Entry(
       String wish,
@@ -24,13 +23,10 @@ final class PlannerTable {
       double milliseconds,
       double cost,
       double bound,
-      OptionalDouble peerMilliseconds) {
+      List<String> peers) {
 
     private String text() {
-      String peer =
-          peerMilliseconds.isPresent()
-              ? String.format(Locale.ROOT, " (peer %.0f ms)", peerMilliseconds.getAsDouble())
-              : "";
+      String peer = peers.isEmpty() ? "" : " (" + String.join(", ", peers) + ")";
       return bound >= cost
           ? String.format(Locale.ROOT, "%s %.1f ms%s", wish, milliseconds, peer)
           : String.format(

@@ -110,6 +110,35 @@ final class ReplanningBench {
     Collections.shuffle(all, new Random(1));
     again(agents, "any agent", all.subList(0, Math.min(LEAVING, all.size())), task, baseline, rows);
     again(agents, "one of the plan's", List.copyOf(plan.members()), task, baseline, rows);
+    joined(agents, all.subList(0, Math.min(LEAVING, all.size())), task, baseline, rows);
+  }
+
+  private static PlanningTask without(String member, PlanningTask task) {
+    return task.withFeatures(
+        task.features().stream().filter(f -> !f.member().equals(member)).toList());
+  }
+
+  /** Each comes to a home that was planned for without it. */
+  private static void joined(
+      int agents,
+      List<String> joining,
+      PlanningTask task,
+      double baseline,
+      List<BenchReport.Row> rows) {
+    List<Double> times = new ArrayList<>();
+    for (String member : joining) {
+      ReplanningPlanner planner = new ReplanningPlanner(new OptimalPlanner());
+      planner.solve(without(member, task));
+      long start = System.nanoTime();
+      planner.solve(task);
+      times.add(milliseconds(start));
+    }
+    rows.add(
+        new BenchReport.Row(
+            String.format(Locale.ROOT, "%d agents, again after any agent joined, median", agents),
+            median(times),
+            "ms",
+            OptionalDouble.of(baseline)));
   }
 
   private static void again(
@@ -123,9 +152,7 @@ final class ReplanningBench {
     for (String member : leaving) {
       ReplanningPlanner planner = new ReplanningPlanner(new OptimalPlanner());
       planner.solve(task);
-      PlanningTask without =
-          task.withFeatures(
-              task.features().stream().filter(f -> !f.member().equals(member)).toList());
+      PlanningTask without = without(member, task);
       long start = System.nanoTime();
       planner.solve(without);
       times.add(milliseconds(start));

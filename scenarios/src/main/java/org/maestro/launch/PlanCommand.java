@@ -3,6 +3,8 @@ package org.maestro.launch;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.math.BigDecimal;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Locale;
@@ -111,8 +113,12 @@ final class PlanCommand implements Callable<Integer> {
       return NOTHING_FOUND;
     } catch (NoSuchFileException e) {
       throw CommandException.badInput("There is no file %s.".formatted(e.getMessage()));
+    } catch (AccessDeniedException e) {
+      throw CommandException.badInput("%s may not be read.".formatted(e.getMessage()));
+    } catch (InvalidPathException e) {
+      throw CommandException.badInput("No file can be called '%s'.".formatted(e.getInput()));
     } catch (IOException e) {
-      throw CommandException.badInput("Cannot be read: %s.".formatted(e.getMessage()));
+      throw CommandException.badInput(e.getMessage());
     }
   }
 

@@ -1,6 +1,7 @@
 package org.maestro.planning.pddl;
 
 import java.io.BufferedInputStream;
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.math.BigDecimal;
@@ -13,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.zip.GZIPInputStream;
+import java.util.zip.ZipException;
 import org.maestro.planning.ground.Atom;
 import org.maestro.planning.ground.LiftedTask;
 import org.maestro.planning.ground.Schema;
@@ -44,7 +46,7 @@ public final class PddlReader {
   /**
    * Reads both files, which may be compressed with gzip.
    *
-   * @throws IOException when a file cannot be read
+   * @throws IOException when a file cannot be read; says which, and why
    * @throws PddlException when its text is not understood
    */
   public static LiftedTask read(Path domain, Path problem) throws IOException {
@@ -66,12 +68,18 @@ public final class PddlReader {
   }
 
   private static String text(Path file) throws IOException {
+    if (Files.isDirectory(file)) {
+      throw new IOException(file + " is a directory; name a PDDL file in it.");
+    }
     try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {
       in.mark(2);
       boolean compressed = in.read() == 0x1f && in.read() == 0x8b;
       in.reset();
       InputStream plain = compressed ? new GZIPInputStream(in) : in;
       return new String(plain.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (ZipException | EOFException e) {
+      throw new IOException(
+          file + " begins as a gzip file, but cannot be unpacked: it is cut off or broken.", e);
     }
   }
 

@@ -3,10 +3,12 @@ package org.maestro.planning.pddl;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Arrays;
 import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -65,6 +67,7 @@ class PddlReaderTest {
       value = {
         ":equality | :derived-predicates | :derived-predicates",
         "(not (on ?l))) | (or (on ?l))) | (or",
+        "(not (on ?l))) | (not (exists (?m - lamp) (on ?m)))) | (exists (?m",
         "(and (on ?l) | (and (when (on ?l) (seen ?r)) | (when",
         "(increase (total-cost) 1) | (assign (total-cost) 1) | (assign",
         "(seen ?r)) | (sen ?r)) | sen ",
@@ -105,6 +108,27 @@ class PddlReaderTest {
       out.write(PROBLEM.getBytes());
     }
     assertThat(PddlReader.read(domain, problem).objects()).hasSize(5);
+  }
+
+  @Test
+  void saysWhichFileCannotBeRead(@TempDir Path folder) throws IOException {
+    Path domain = folder.resolve("d.pddl");
+    Files.writeString(domain, DOMAIN);
+    ByteArrayOutputStream packed = new ByteArrayOutputStream();
+    try (GZIPOutputStream out = new GZIPOutputStream(packed)) {
+      out.write(PROBLEM.getBytes());
+    }
+    byte[] whole = packed.toByteArray();
+    for (int length : new int[] {2, 9, 20, whole.length - 4}) {
+      Path cut = Files.write(folder.resolve("p.gz"), Arrays.copyOf(whole, length));
+      assertThatThrownBy(() -> PddlReader.read(domain, cut))
+          .isInstanceOf(IOException.class)
+          .hasMessage(
+              cut + " begins as a gzip file, but cannot be unpacked: it is cut off or broken.");
+    }
+    assertThatThrownBy(() -> PddlReader.read(domain, folder))
+        .isInstanceOf(IOException.class)
+        .hasMessage(folder + " is a directory; name a PDDL file in it.");
   }
 
   @ParameterizedTest
