@@ -96,10 +96,7 @@ final class Chances {
     String places = lastParameter(variable).flatMap(TypedVariable::className).orElse("");
     facts.individuals(places).stream()
         .filter(
-            value ->
-                measured
-                    ? area(value) > 0
-                    : facts.truth(atom(variable, value)) == Truth.FALSE)
+            value -> measured ? area(value) > 0 : facts.truth(atom(variable, value)) == Truth.FALSE)
         .forEach(pool::add);
     return new ArrayList<>(pool);
   }

@@ -36,6 +36,7 @@ final class FeatureTemplate {
   private final List<Conjunct> conjuncts = new ArrayList<>();
   private final List<Target> targets = new ArrayList<>();
   private final IdleParameters idle;
+  private final Map<Set<String>, Next> nextOf = new HashMap<>();
 
   /**
    * A static part of the precondition.
@@ -49,6 +50,14 @@ final class FeatureTemplate {
       Set<String> variables,
       boolean speaksOfSelf,
       Map<List<Term>, Boolean> answers) {}
+
+  /**
+   * Which parameter is bound next.
+   *
+   * @param rest those that are open then
+   * @param decided static conditions that are decided then
+   */
+  private record Next(String parameter, Set<String> rest, List<Conjunct> decided) {}
 
   /**
    * @param staticAnswers what static conditions were found to be, shared between templates
@@ -226,21 +235,36 @@ final class FeatureTemplate {
         return;
       }
     }
+    Next next = nextOf.computeIfAbsent(open, this::next);
+    for (Term value : domains.get(next.parameter())) {
+      bindings.put(next.parameter(), value);
+      if (allHold(next.decided(), bindings)) {
+        choose(next.rest(), bindings, consumer);
+      }
+    }
+    bindings.remove(next.parameter());
+  }
+
+  private boolean allHold(List<Conjunct> decided, Map<String, Term> bindings) {
+    for (int i = 0; i < decided.size(); i++) {
+      if (!holds(decided.get(i), bindings)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private Next next(Set<String> open) {
     String next = mostTied(open);
     Set<String> rest = new LinkedHashSet<>(open);
     rest.remove(next);
-    List<Conjunct> decided =
+    return new Next(
+        next,
+        rest,
         conjuncts.stream()
             .filter(c -> c.variables().contains(next))
             .filter(c -> Collections.disjoint(c.variables(), rest))
-            .toList();
-    for (Term value : domains.get(next)) {
-      bindings.put(next, value);
-      if (decided.stream().allMatch(conjunct -> holds(conjunct, bindings))) {
-        choose(rest, bindings, consumer);
-      }
-    }
-    bindings.remove(next);
+            .toList());
   }
 
   /**

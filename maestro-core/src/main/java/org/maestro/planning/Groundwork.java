@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
@@ -257,6 +258,18 @@ final class Groundwork {
       byBindings.put(bindings, known);
     }
     return known;
+  }
+
+  private List<Operator> madeAnew(int template, Map<String, Term> bindings) {
+    PricedFeature feature = offers.feature(template);
+    OptionalInt kin = offers.kin(template);
+    List<Operator> alike =
+        kin.isPresent()
+            ? made.getOrDefault(kin.getAsInt(), Map.of()).getOrDefault(bindings, List.of())
+            : List.of();
+    return alike.isEmpty()
+        ? factory.operators(feature, bindings).stream().map(finish).toList()
+        : factory.repriced(alike.get(0), feature);
   }
 
   private FeatureTemplate template(int index) {

@@ -6,6 +6,7 @@ import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
 import java.util.Set;
 import org.maestro.ontology.vocabulary.FeatureType;
 
@@ -14,6 +15,7 @@ final class Offers {
   private record Name(String member, String feature) {}
 
   private final List<PricedFeature> features = new ArrayList<>();
+  private final List<OptionalInt> kin = new ArrayList<>();
   private final Map<FeatureType, Set<String>> addedBy = new IdentityHashMap<>();
   private final Map<String, List<Integer>> changing = new HashMap<>();
   private final Map<Integer, Integer> ranks = new HashMap<>();
@@ -54,8 +56,19 @@ final class Offers {
         return number;
       }
     }
+    kin.add(
+        known.stream()
+            .filter(number -> features.get(number).type() == feature.type())
+            .filter(number -> features.get(number).price().equals(feature.price()))
+            .mapToInt(number -> number)
+            .findFirst());
     features.add(feature);
     return features.size() - 1;
+  }
+
+  /** An earlier feature that differs only in prices which the member itself has given. */
+  OptionalInt kin(int number) {
+    return kin.get(number);
   }
 
   /** The numbers of all that are there now. */

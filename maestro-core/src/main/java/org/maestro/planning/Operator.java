@@ -28,6 +28,10 @@ record Operator(
     return new Operator(feature, bindings, changed, changes, price);
   }
 
+  Operator offered(PricedFeature other, StepPrice changed) {
+    return new Operator(other, bindings, precondition, changes, changed);
+  }
+
   Operator withPrice(StepPrice changed) {
     return new Operator(feature, bindings, precondition, changes, changed);
   }

@@ -29,12 +29,22 @@ final class OperatorFactory {
       return List.of();
     }
     StepPrice price = price(feature, parameters, bindings);
-    if (price.cost() instanceof NumberExpression.Constant constant
-        && !(Double.isFinite(constant.number()) && constant.number() >= 0)) {
+    if (!isPossible(price)) {
       return List.of();
     }
     List<Change> changes = effects.changes(feature.type().effect(), bindings);
     return List.of(new Operator(feature, parameters, precondition, changes, price));
+  }
+
+  private static boolean isPossible(StepPrice price) {
+    return !(price.cost() instanceof NumberExpression.Constant constant)
+        || Double.isFinite(constant.number()) && constant.number() >= 0;
+  }
+
+  /** The same step of a feature that differs in prices which the member itself has given. */
+  List<Operator> repriced(Operator operator, PricedFeature feature) {
+    StepPrice price = price(feature, operator.bindings());
+    return isPossible(price) ? List.of(operator.offered(feature, price)) : List.of();
   }
 
   /** What an instance costs, whether it can be done or not. */

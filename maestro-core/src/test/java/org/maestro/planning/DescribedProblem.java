@@ -48,8 +48,7 @@ final class DescribedProblem {
       Variable variable = literal.variable();
       boolean atFirst = literal.holdsFor(variable.initialCode());
       return "%s %s %s, at first %s"
-          .formatted(
-              name(variable), literal.question(), variable.value(literal.value()), atFirst);
+          .formatted(name(variable), literal.question(), variable.value(literal.value()), atFirst);
     } else if (condition instanceof Condition.NumberKnown number) {
       return number.variable().fluent() + " known " + number.known();
     } else if (condition instanceof Condition.Compare compare) {
