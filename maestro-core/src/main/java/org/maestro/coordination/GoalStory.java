@@ -4,9 +4,11 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 import org.maestro.knowledge.Belief;
 import org.maestro.knowledge.KnowledgeBase;
@@ -86,14 +88,16 @@ final class GoalStory {
   }
 
   private List<String> names(GoalRequest request) {
-    String text = SlPrinter.print(request.goal());
-    return knowledge.home().individuals().keySet().stream()
-        .filter(name -> mentions(text, name))
-        .toList();
+    Set<String> words = words(SlPrinter.print(request.goal()));
+    return knowledge.home().individuals().keySet().stream().filter(words::contains).toList();
   }
 
   private static boolean mentions(String fact, String name) {
-    return List.of(fact.replaceAll("[()]", " ").trim().split("\\s+")).contains(name);
+    return fact.contains(name) && words(fact).contains(name);
+  }
+
+  private static Set<String> words(String fact) {
+    return new HashSet<>(List.of(fact.replaceAll("[()]", " ").trim().split("\\s+")));
   }
 
   void takesWhatIsFree(
