@@ -126,7 +126,7 @@ public final class BusLink implements RatsLink {
 
   @Override
   public void watch(MemberListener listener) {
-    perform(
+    afterwards(
         () -> {
           watchers.add(listener);
           roster.members().forEach(listener::changed);
@@ -135,7 +135,7 @@ public final class BusLink implements RatsLink {
 
   @Override
   public Runnable watch(String member, MemberListener listener) {
-    perform(
+    afterwards(
         () -> {
           watchers.add(member, listener);
           if (hearing.follow(member)) {
@@ -143,7 +143,7 @@ public final class BusLink implements RatsLink {
           }
           roster.member(member).ifPresent(listener::changed);
         });
-    return () -> perform(() -> watchers.remove(member, listener));
+    return () -> afterwards(() -> watchers.remove(member, listener));
   }
 
   @Override
@@ -160,7 +160,7 @@ public final class BusLink implements RatsLink {
             order.task(),
             order.expects());
     // Parameters that JSON cannot hold are the caller's fault, and are told to the caller's face.
-    wire.encode(call);
+    wire.require(call);
     perform(() -> calls.begin(call, roster.readyBoot(order.member()), listener));
     return new CallHandle() {
       @Override
@@ -372,8 +372,13 @@ public final class BusLink implements RatsLink {
     }
   }
 
-  private void perform(Runnable action) {
+  /** What tells a listener does not do so on the thread that asks for it. */
+  private void afterwards(Runnable action) {
     clock.schedule(Duration.ZERO, controller, action);
+  }
+
+  private void perform(Runnable action) {
+    clock.perform(controller, action);
   }
 
   private String nextId() {

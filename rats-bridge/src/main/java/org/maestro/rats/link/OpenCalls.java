@@ -68,19 +68,27 @@ final class OpenCalls {
     Open begun = new Open(addressed(call, boot), listener);
     if (open.containsKey(call.id())) {
       String message = "A call of the id " + call.id() + " is under way; each call needs its own";
-      listener.ended(result(begun, Outcome.FAILED, ErrorCode.DUPLICATE_ID, message));
+      Result refused = result(begun, Outcome.FAILED, ErrorCode.DUPLICATE_ID, message);
+      afterwards(() -> listener.ended(refused));
       return;
     }
     open.put(call.id(), begun);
     if (boot.isEmpty()) {
-      end(begun, ErrorCode.MEMBER_LOST, member(call) + " is not there");
+      String message = member(call) + " is not there";
+      afterwards(() -> end(begun, ErrorCode.MEMBER_LOST, message));
     } else if (!begun.call.boot().equals(boot)) {
-      end(begun, ErrorCode.RESTARTED, member(call) + " was started again since it was asked");
+      String message = member(call) + " was started again since it was asked";
+      afterwards(() -> end(begun, ErrorCode.RESTARTED, message));
     } else {
       begun.deadline = clock.now().plus(call.timeout());
       watch(begun, call.timeout());
       send(begun);
     }
+  }
+
+  /** Not on the thread that calls, which may not expect its listener to be told meanwhile. */
+  private void afterwards(Runnable action) {
+    clock.schedule(Duration.ZERO, controller, action);
   }
 
   private static Call addressed(Call call, Optional<String> boot) {
@@ -218,10 +226,7 @@ final class OpenCalls {
         failure ->
             failure.ifPresent(
                 cause ->
-                    clock.schedule(
-                        Duration.ZERO,
-                        controller,
-                        () -> end(call, ErrorCode.BUS_UNAVAILABLE, cause.getMessage()))));
+                    afterwards(() -> end(call, ErrorCode.BUS_UNAVAILABLE, cause.getMessage()))));
   }
 
   private void sendCancel(Open call) {

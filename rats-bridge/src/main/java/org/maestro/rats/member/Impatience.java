@@ -17,9 +17,9 @@ import org.maestro.rats.time.Clock;
  * The member's impatience with what others are at (ALLIANCE, M43). It remembers calls to others of
  * features that it has too, and offers their holder to take one over, once, in two cases: something
  * about this member has changed since, and it is cheaper than what the holder still counts on and
- * than what it told the holder before the call; or the other is late by longer than the member
- * would need for all of it. It never begins anything by itself: the holder decides. Clock thread
- * only.
+ * than what it told the holder before the call; or the other is late, as far as can be seen, by
+ * longer than the member would need for all of it. It never begins anything by itself: the holder
+ * decides. Clock thread only.
  *
  * <p>Many members overhear each call, and a price can be a search for a way: nothing is priced
  * before it could lead to an offer.
@@ -89,6 +89,9 @@ final class Impatience {
     Watched one = new Watched(call, since, toldBefore(call));
     watched.put(key, one);
     one.end = clock.schedule(call.timeout(), profile.id(), () -> forget(key));
+    if (policy.isSecured()) {
+      wakeWhenOverdue(one);
+    }
   }
 
   /** The member has said what that would cost. */
@@ -136,11 +139,15 @@ final class Impatience {
       boolean runs = other.running().contains(id);
       if (runs && !one.seenRunning) {
         one.seenRunning = true;
-        wakeAfter(one, one.expected().seconds() * USUAL_DELAY - passed(one));
+        wakeWhenOverdue(one);
       } else if (!runs && !other.queue().contains(id) && one.seenRunning) {
         forget(entry.getKey());
       }
     }
+  }
+
+  private void wakeWhenOverdue(Watched one) {
+    wakeAfter(one, one.expected().seconds() * USUAL_DELAY - passed(one));
   }
 
   /** Nothing else may happen that makes this member look at it again. */
@@ -185,8 +192,13 @@ final class Impatience {
         && cost < left * (1 - LEAST_SAVING);
   }
 
+  /**
+   * On a secured site nobody sees whether another is at it still: there the holder, who knows,
+   * passes over an offer for what has ended.
+   */
   private boolean isOverdue(Watched one) {
-    return one.seenRunning && passed(one) >= one.expected().seconds();
+    boolean mayBeAtIt = one.seenRunning || policy.isSecured();
+    return mayBeAtIt && passed(one) >= one.expected().seconds();
   }
 
   private double passed(Watched one) {

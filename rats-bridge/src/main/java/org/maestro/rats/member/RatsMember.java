@@ -217,8 +217,7 @@ public final class RatsMember implements AutoCloseable {
   }
 
   private void perform(Runnable action) {
-    clock.schedule(
-        Duration.ZERO,
+    clock.perform(
         profile.id(),
         () -> {
           if (!voice.silent()) {

@@ -2,7 +2,10 @@ package org.maestro.rats.protocol;
 
 import java.util.Map;
 
-/** What a message's values may be: texts, finite numbers, truth values, lists and maps of them. */
+/**
+ * What a message's values may be: texts of whole characters, finite numbers, truth values, lists
+ * and maps of them.
+ */
 final class JsonValues {
 
   private JsonValues() {}
@@ -29,8 +32,26 @@ final class JsonValues {
       if (!Double.isFinite(number.doubleValue())) {
         throw broken(path, "is not finite");
       }
-    } else if (!(value instanceof String || value instanceof Boolean)) {
+    } else if (value instanceof String text) {
+      requireWhole(path, text);
+    } else if (!(value instanceof Boolean)) {
       throw broken(path, "is neither text, number, truth value, list nor map");
+    }
+  }
+
+  private static void requireWhole(String path, String text) {
+    for (int index = 0; index < text.length(); index++) {
+      char unit = text.charAt(index);
+      if (Character.isSurrogate(unit)) {
+        boolean pair =
+            Character.isHighSurrogate(unit)
+                && index + 1 < text.length()
+                && Character.isLowSurrogate(text.charAt(index + 1));
+        if (!pair) {
+          throw broken(path, "holds half a character");
+        }
+        index++;
+      }
     }
   }
 

@@ -53,6 +53,10 @@ public final class WireFormat {
           .build();
 
   public byte[] encode(Call call) {
+    return bytes(fields(call));
+  }
+
+  private static Map<String, Object> fields(Call call) {
     Map<String, Object> fields = message(call.id());
     call.member().ifPresent(member -> fields.put("r", member));
     call.boot().ifPresent(boot -> fields.put("boot", boot));
@@ -62,7 +66,14 @@ public final class WireFormat {
     fields.put("from", call.from());
     call.task().ifPresent(task -> fields.put("task", task));
     call.expects().ifPresent(expected -> fields.put("expects", expectation(expected)));
-    return bytes(fields);
+    return fields;
+  }
+
+  /**
+   * @throws IllegalArgumentException when the call holds what JSON cannot
+   */
+  public void require(Call call) {
+    JsonValues.require(fields(call));
   }
 
   public Call decodeCall(byte[] payload) {

@@ -9,8 +9,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Wall time times a speed. One daemon thread runs the actions; what they throw goes to the log and
- * the clock goes on. After {@link #close} nothing runs any more and scheduling does nothing.
+ * Wall time times a speed. Actions run one at a time, on one daemon thread or, when they come from
+ * outside while nothing else is to be done, on the thread that brings them; what they throw goes to
+ * the log and the clock goes on. After {@link #close} nothing runs any more and scheduling does
+ * nothing.
  */
 public final class PacedClock implements Clock, AutoCloseable {
 
@@ -22,6 +24,7 @@ public final class PacedClock implements Clock, AutoCloseable {
   private final Instant start = Instant.now();
   private final long startNanos = System.nanoTime();
   private final ScheduledThreadPoolExecutor executor;
+  private final Turns turns;
 
   /**
    * @param speed simulated seconds per second of wall time, above 0
@@ -43,6 +46,7 @@ public final class PacedClock implements Clock, AutoCloseable {
             (task, stopped) -> LOG.debug("The clock is closed: an action is dropped"));
     executor.setRemoveOnCancelPolicy(true);
     executor.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
+    this.turns = new Turns(executor);
   }
 
   @Override
@@ -65,17 +69,22 @@ public final class PacedClock implements Clock, AutoCloseable {
     if (executor.isShutdown()) {
       return NOTHING_TO_CANCEL;
     }
-    long wallNanos = Math.max(0, Math.round(delay.toNanos() / speed));
+    if (delay.isNegative() || delay.isZero()) {
+      Due due = new Due(owner, action);
+      turns.add(due);
+      return due;
+    }
+    long wallNanos = Math.round(delay.toNanos() / speed);
     ScheduledFuture<?> future =
-        executor.schedule(() -> run(owner, action), wallNanos, TimeUnit.NANOSECONDS);
+        executor.schedule(
+            () -> turns.doOrAdd(new Due(owner, action)), wallNanos, TimeUnit.NANOSECONDS);
     return () -> future.cancel(false);
   }
 
-  private static void run(String owner, Runnable action) {
-    try {
-      action.run();
-    } catch (RuntimeException | AssertionError failure) {
-      LOG.error("An action of {} failed; the clock goes on", owner, failure);
+  @Override
+  public void perform(String owner, Runnable action) {
+    if (!executor.isShutdown()) {
+      turns.doOrAdd(new Due(owner, action));
     }
   }
 
@@ -87,5 +96,34 @@ public final class PacedClock implements Clock, AutoCloseable {
   @Override
   public void close() {
     executor.shutdownNow();
+  }
+
+  /** An action whose time has come, unless it is cancelled before its turn does. */
+  private final class Due implements Runnable, Timer {
+    private final String owner;
+    private final Runnable action;
+    private volatile boolean cancelled;
+
+    private Due(String owner, Runnable action) {
+      this.owner = owner;
+      this.action = action;
+    }
+
+    @Override
+    public void cancel() {
+      cancelled = true;
+    }
+
+    @Override
+    public void run() {
+      if (cancelled || executor.isShutdown()) {
+        return;
+      }
+      try {
+        action.run();
+      } catch (RuntimeException | Error failure) {
+        LOG.error("An action of {} failed; the clock goes on", owner, failure);
+      }
+    }
   }
 }

@@ -1,5 +1,6 @@
 package org.maestro.rats.transport;
 
+import java.io.BufferedInputStream;
 import java.io.FilterInputStream;
 import java.io.FilterOutputStream;
 import java.io.IOException;
@@ -7,6 +8,7 @@ import java.io.InputStream;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
 import java.net.Socket;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
@@ -27,6 +29,8 @@ class PatientSocket extends Socket {
   private final CountDownLatch written = new CountDownLatch(1);
   private final CountDownLatch ended = new CountDownLatch(1);
 
+  private Optional<InputStream> input = Optional.empty();
+
   PatientSocket() throws IOException {
     setTcpNoDelay(true);
   }
@@ -40,9 +44,19 @@ class PatientSocket extends Socket {
     return super.getOutputStream();
   }
 
+  /**
+   * Buffered, as Paho reads each message in four pieces and asks before each whether there is any.
+   */
   @Override
-  public InputStream getInputStream() throws IOException {
-    return new FilterInputStream(bareInput()) {
+  public synchronized InputStream getInputStream() throws IOException {
+    if (input.isEmpty()) {
+      input = Optional.of(patient(new AtHand(bareInput())));
+    }
+    return input.get();
+  }
+
+  private InputStream patient(InputStream bare) {
+    return new FilterInputStream(bare) {
       @Override
       public int available() throws IOException {
         try {
@@ -103,6 +117,19 @@ class PatientSocket extends Socket {
   public void close() throws IOException {
     ended.countDown();
     super.close();
+  }
+
+  /** What is in the buffer already needs no question to the system. */
+  private static final class AtHand extends BufferedInputStream {
+    private AtHand(InputStream bare) {
+      super(bare);
+    }
+
+    @Override
+    public synchronized int available() throws IOException {
+      int buffered = count - pos;
+      return buffered > 0 ? buffered : super.available();
+    }
   }
 
   private int orEnd(int result) throws IOException {

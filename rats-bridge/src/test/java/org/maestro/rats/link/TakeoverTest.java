@@ -142,6 +142,32 @@ class TakeoverTest {
     assertThat(heard.offers).containsExactly("tim: carry for 12.0 in 12.0 s");
   }
 
+  /** There members do not read each other's states: who is late is told by the time alone. */
+  @Test
+  void onASecuredSiteTooWhoIsLateIsOfferedHelpOnce() {
+    policy = new AllAllowed();
+    rose.neverEnds = true;
+    tim.price = 12;
+    begin();
+    run(19);
+    assertThat(heard.offers).isEmpty();
+    run(3);
+    assertThat(heard.offers).containsExactly("tim: carry for 12.0 in 12.0 s");
+    tim.tells();
+    run(60);
+    assertThat(heard.offers).hasSize(1);
+  }
+
+  @Test
+  void onASecuredSiteTheHolderPassesOverOffersForWhatHasEnded() {
+    policy = new AllAllowed();
+    tim.price = 12;
+    begin();
+    run(40);
+    assertThat(heard.results).hasSize(1);
+    assertThat(heard.offers).isEmpty();
+  }
+
   @Test
   void whatHasEndedIsForgotten() {
     tim.price = 12;
@@ -364,6 +390,18 @@ class TakeoverTest {
     @Override
     public void lost(String reason) {
       // It speaks only.
+    }
+  }
+
+  private static final class AllAllowed implements CallPolicy {
+    @Override
+    public boolean allows(String caller, String member, String feature) {
+      return true;
+    }
+
+    @Override
+    public boolean isSecured() {
+      return true;
     }
   }
 

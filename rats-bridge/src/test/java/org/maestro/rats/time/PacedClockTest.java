@@ -46,6 +46,29 @@ class PacedClockTest {
   }
 
   @Test
+  void doesWhatComesFromOutsideAtOnceWhenItIsIdle() {
+    try (PacedClock clock = new PacedClock(1)) {
+      List<Thread> by = new CopyOnWriteArrayList<>();
+      clock.perform("rose", () -> by.add(Thread.currentThread()));
+      assertThat(by).containsExactly(Thread.currentThread());
+    }
+  }
+
+  @Test
+  void isNotKeptFromItsTimersByAFlood() throws InterruptedException {
+    try (PacedClock clock = new PacedClock(1)) {
+      CountDownLatch rung = new CountDownLatch(1);
+      clock.schedule(Duration.ofMillis(20), "rose", rung::countDown);
+      clock.schedule(Duration.ZERO, "flood", () -> flood(clock));
+      assertThat(rung.await(60, TimeUnit.SECONDS)).isTrue();
+    }
+  }
+
+  private static void flood(PacedClock clock) {
+    clock.schedule(Duration.ZERO, "flood", () -> flood(clock));
+  }
+
+  @Test
   void doesNothingOnceClosed() {
     PacedClock clock = new PacedClock(1);
     clock.close();
