@@ -196,6 +196,13 @@ final class FeatureTemplate {
     return bindings;
   }
 
+  /** The parameters' values in the order in which they are declared. */
+  List<Term> values(Map<String, Term> bindings) {
+    List<Term> values = new ArrayList<>(domains.size());
+    domains.keySet().forEach(name -> values.add(bindings.get(name)));
+    return values;
+  }
+
   /** The bindings with {@code self}, if they are possible ones for this feature's parameters. */
   boolean accepts(Map<String, Term> bindings) {
     Map<String, Term> all = selfOnly();

@@ -41,7 +41,7 @@ final class Groundwork {
   private final Map<Integer, FeatureTemplate> templates = new HashMap<>();
   private final LeastPrice leastPrice;
   private final Map<PricedFeature, Double> leastPrices = new IdentityHashMap<>();
-  private final Map<Integer, Map<Map<String, Term>, List<Operator>>> made = new HashMap<>();
+  private final Map<Integer, Map<List<Term>, List<Operator>>> made = new HashMap<>();
   private final Map<Operator, Integer> templateOf = new IdentityHashMap<>();
   private final Map<Object, Map<Integer, List<Operator>>> changing = new HashMap<>();
   private final Map<Aim, Map<Integer, OptionalDouble>> settingPrices = new HashMap<>();
@@ -249,23 +249,24 @@ final class Groundwork {
   }
 
   private List<Operator> made(int template, Map<String, Term> bindings) {
-    Map<Map<String, Term>, List<Operator>> byBindings =
+    Map<List<Term>, List<Operator>> byValues =
         made.computeIfAbsent(template, absent -> new HashMap<>());
-    List<Operator> known = byBindings.get(bindings);
+    List<Term> values = template(template).values(bindings);
+    List<Operator> known = byValues.get(values);
     if (known == null) {
-      known = factory.operators(offers.feature(template), bindings).stream().map(finish).toList();
+      known = madeAnew(template, bindings, values);
       known.forEach(operator -> templateOf.put(operator, template));
-      byBindings.put(bindings, known);
+      byValues.put(values, known);
     }
     return known;
   }
 
-  private List<Operator> madeAnew(int template, Map<String, Term> bindings) {
+  private List<Operator> madeAnew(int template, Map<String, Term> bindings, List<Term> values) {
     PricedFeature feature = offers.feature(template);
     OptionalInt kin = offers.kin(template);
     List<Operator> alike =
         kin.isPresent()
-            ? made.getOrDefault(kin.getAsInt(), Map.of()).getOrDefault(bindings, List.of())
+            ? made.getOrDefault(kin.getAsInt(), Map.of()).getOrDefault(values, List.of())
             : List.of();
     return alike.isEmpty()
         ? factory.operators(feature, bindings).stream().map(finish).toList()

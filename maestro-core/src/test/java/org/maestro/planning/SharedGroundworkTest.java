@@ -14,6 +14,7 @@ import java.util.function.Supplier;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.ShrinkingMode;
+import net.jqwik.api.Tag;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.sl.Facts;
 import org.maestro.sl.SlParser;
@@ -68,7 +69,7 @@ class SharedGroundworkTest {
 
   private final OptimalPlanner fresh = new OptimalPlanner(20_000);
 
-  @Property(tries = 40, shrinking = ShrinkingMode.OFF)
+  @Property(tries = 25, shrinking = ShrinkingMode.OFF)
   void homes(@ForAll long seed) {
     Random random = new Random(seed);
     follow(
@@ -78,7 +79,7 @@ class SharedGroundworkTest {
         random);
   }
 
-  @Property(tries = 80, shrinking = ShrinkingMode.OFF)
+  @Property(tries = 40, shrinking = ShrinkingMode.OFF)
   void arbitraryFeatures(@ForAll long seed) {
     Random random = new Random(seed);
     follow(
@@ -86,6 +87,18 @@ class SharedGroundworkTest {
         () -> OptimalityPropertyTest.conjunction(random, 2),
         HAPPENINGS_IN_PUZZLES,
         random);
+  }
+
+  @Tag("full")
+  @Property(tries = 1_000, shrinking = ShrinkingMode.OFF)
+  void manyHomes(@ForAll long seed) {
+    homes(seed);
+  }
+
+  @Tag("full")
+  @Property(tries = 2_000, shrinking = ShrinkingMode.OFF)
+  void manyArbitraryFeatures(@ForAll long seed) {
+    arbitraryFeatures(seed);
   }
 
   private void follow(
