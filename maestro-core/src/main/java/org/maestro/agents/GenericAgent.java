@@ -41,6 +41,7 @@ public final class GenericAgent extends MaestroAgent {
   static final Duration ANSWER_WITHIN = Duration.ofSeconds(30);
   private static final Duration TRY_AGAIN = Duration.ofMillis(500);
   private static final int MOST_ATTEMPTS = 10;
+  private static final int PATIENT_ATTEMPTS = 6;
 
   private final LinkedHashSet<AID> listeners = new LinkedHashSet<>();
   private final FormerCalls formerCalls = new FormerCalls();
@@ -214,15 +215,15 @@ public final class GenericAgent extends MaestroAgent {
   }
 
   /**
-   * An entry of an agent of this name that has just died may be there still, or has been removed
-   * meanwhile: once more, the other way.
+   * An entry of an agent of this name that has just died may be there still, and goes in a moment;
+   * or it has been removed meanwhile. If it does not go it is taken over.
    */
   private void registeredOrNot(ACLMessage receipt, boolean before, int attempt) {
     boolean failed =
         receipt.getPerformative() == ACLMessage.FAILURE
             || receipt.getPerformative() == ACLMessage.REFUSE;
     if (failed && attempt < MOST_ATTEMPTS) {
-      registered = !before;
+      registered = !before && attempt > PATIENT_ATTEMPTS;
       clock()
           .schedule(
               patience(TRY_AGAIN), getLocalName(), () -> tell(() -> registerServices(attempt + 1)));

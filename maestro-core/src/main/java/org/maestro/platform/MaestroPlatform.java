@@ -13,12 +13,10 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
@@ -152,7 +150,11 @@ public final class MaestroPlatform implements AutoCloseable {
     this.coordinator = coordinator(new Past(chronicle, ofCentre.recovery(), ofCentre.stories()));
     this.desk = new DeskAgent(time);
     this.supervisor = new SupervisorAgent(time, link, supervision());
-    this.rescue = new Rescue(new Ways(), clock, Provision.of(settings.premises().provides()));
+    this.rescue =
+        new Rescue(
+            new RescueWays(knowledge::home, deployer, supervisor, () -> coordinator),
+            clock,
+            Provision.of(settings.premises().provides()));
     this.starter =
         new Starter(
             settings.premises().hosts(),
@@ -584,52 +586,5 @@ public final class MaestroPlatform implements AutoCloseable {
                     pulse, wires, deployer, () -> coordinator, agent -> replaceHung(pulse, agent)));
           }
         });
-  }
-
-  /** How agents without a host get one. */
-  private final class Ways implements Rescue.Ways {
-    @Override
-    public Provision needs(String member) {
-      Set<String> needs = new TreeSet<>();
-      Optional<AgentStart> start = deployer.deployment().find(member);
-      start.ifPresent(known -> needs.addAll(known.needs()));
-      start.map(AgentStart::members).orElse(List.of(member)).stream()
-          .map(knowledge.home().devices()::get)
-          .filter(Objects::nonNull)
-          .forEach(device -> needs.addAll(device.hostNeeds()));
-      return Provision.of(needs);
-    }
-
-    @Override
-    public void beginHere(String member, String controller) {
-      deployer.reclaim(member, controller);
-    }
-
-    @Override
-    public void beginThere(
-        String hosting, String member, String controller, Consumer<Optional<String>> problem) {
-      AgentStart start = deployer.deployment().require(member).in(hosting);
-      deployer.rescued(member, hosting, controller);
-      supervisor.beginOn(hosting, start, controller, problem);
-    }
-
-    @Override
-    public void nobody(String member, String why) {
-      List<Device> present =
-          coordinator.presentMembers().stream()
-              .map(knowledge.home().devices()::get)
-              .filter(Objects::nonNull)
-              .toList();
-      String reason =
-          Optional.ofNullable(knowledge.home().devices().get(member))
-              .map(device -> why + "; " + Remaining.inWords(device, present))
-              .orElse(why);
-      LOG.warn(
-          "There is a problem with {}: {}. It is there again as soon as such a host joins.",
-          member,
-          reason);
-      coordinator.agentStaysAway(member, reason);
-      supervisor.tellLost(member, reason, knowledge.home().groups().keySet());
-    }
   }
 }

@@ -221,8 +221,7 @@ public final class ContainersBench {
     row("a goal, p50", sorted.get(sorted.size() / 2), "s");
     row("a goal, p99", sorted.get(sorted.size() * 99 / 100), "s");
     row("a goal, longest", sorted.get(sorted.size() - 1), "s");
-    taken.forEach(
-        (part, seconds) -> row(PROCESSOR + part, seconds * 1e3 / goals, "ms"));
+    taken.forEach((part, seconds) -> row(PROCESSOR + part, seconds * 1e3 / goals, "ms"));
     TreeMap<String, Integer> reasons = new TreeMap<>();
     reports.stream()
         .filter(report -> !report.reached())

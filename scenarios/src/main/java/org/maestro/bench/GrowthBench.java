@@ -63,13 +63,9 @@ public final class GrowthBench {
       for (BenchReport.Row row : rows) {
         lines.add(
             String.format(
-                Locale.ROOT,
-                "%d,\"%s\",%.3f,%s",
-                containers,
-                row.name(),
-                row.value(),
-                row.unit()));
-        all.add(BenchReport.Row.of(containers + " containers: " + row.name(), row.value(), row.unit()));
+                Locale.ROOT, "%d,\"%s\",%.3f,%s", containers, row.name(), row.value(), row.unit()));
+        all.add(
+            BenchReport.Row.of(containers + " containers: " + row.name(), row.value(), row.unit()));
       }
       stacks.add(new Stacks.Stack(containers + " containers", millis(rows)));
     }

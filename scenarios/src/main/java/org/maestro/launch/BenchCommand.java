@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
-import java.util.function.Consumer;
 import java.util.function.BiFunction;
+import java.util.function.Consumer;
 import org.maestro.bench.AgentsBench;
 import org.maestro.bench.BenchReport;
 import org.maestro.bench.BusBench;
@@ -42,7 +42,8 @@ final class BenchCommand implements Callable<Integer> {
               "containers",
               (out, progress) -> new ContainersBench(20, 200, 1_000, 1, progress).run(),
               "coordination",
-              (out, progress) -> new CoordinationBench(new LargeHome(20, 20, 5), 100, progress).run(),
+              (out, progress) ->
+                  new CoordinationBench(new LargeHome(20, 20, 5), 100, progress).run(),
               "growth",
               (out, progress) -> new GrowthBench(out.toAbsolutePath(), progress).run(),
               "planner",
