@@ -121,6 +121,25 @@ class TakeoverTest {
     Assertions.assertThat(mostAtWork).isEqualTo(1);
   }
 
+  /** Its call has ended long before for the one who made it. */
+  @Test
+  void anAlarmThatComesLateIsTold(Stage stage) {
+    stage.kill("rose");
+    Band hung = new Band(stage, "band-hung", 2);
+    Band other = new Band(stage, "band-other", 150);
+    hung.isStuck = true;
+    hung.neverStops = true;
+    hung.join();
+    other.join();
+
+    GoalOutcome outcome = stage.goal(WISH);
+
+    assertThat(outcome)
+        .isReached()
+        .tells("band-hung gave no answer in time")
+        .tells("band-hung raises an alarm: The exit strategy of waft did not end within 60 s");
+  }
+
   /** Carries what lies anywhere to a person; its stopping takes two seconds. */
   private final class Band implements Procedure {
     private final Stage stage;
@@ -128,6 +147,7 @@ class TakeoverTest {
     private final double seconds;
     private boolean blocked;
     private boolean isStuck;
+    private boolean neverStops;
     private boolean jams;
     private boolean torn;
     private RatsMember member;
@@ -174,7 +194,7 @@ class TakeoverTest {
       execution.onCancel(
           safe ->
               later(
-                  2,
+                  neverStops ? 10_000 : 2,
                   () -> {
                     note("stops", -1);
                     safe.run();
