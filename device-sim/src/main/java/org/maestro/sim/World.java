@@ -29,6 +29,7 @@ public final class World {
   private final Lighting lighting;
   private final Looks looks;
   private final Stations stations;
+  private final boolean shutters;
   private final List<WorldEvent.Listener> listeners = new CopyOnWriteArrayList<>();
   private volatile boolean ended;
 
@@ -43,6 +44,7 @@ public final class World {
             this, clock, home, scene, building, seed, parameters.shutters(), faults::isAlive);
     this.looks = new Looks(home, scene);
     this.stations = new Stations(home, scene);
+    this.shutters = parameters.shutters();
     home.individuals().keySet().forEach(name -> begin(name, scene.of(name)));
   }
 
@@ -155,6 +157,11 @@ public final class World {
    */
   public void setAmbient(String zone, double lux) {
     lighting.setAmbient(building.map().area(zone).name(), lux);
+  }
+
+  /** Whether the shutters that the home names hang before their windows. */
+  public boolean hasShutters() {
+    return shutters;
   }
 
   /** The share of its windows that a shutter leaves free, 0 to 1. */

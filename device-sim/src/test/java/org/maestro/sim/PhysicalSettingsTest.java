@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Map;
+import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -38,6 +39,30 @@ class PhysicalSettingsTest {
     assertThat(changed.shutters()).isFalse();
     assertThat(changed.lamp().whites()).containsExactly(2700, 4000);
     assertThat(USUAL.with(Map.of())).isEqualTo(USUAL);
+  }
+
+  @Test
+  void eachCanBeSetByItself() {
+    PhysicalSettings.of(USUAL)
+        .forEach(
+            (name, value) -> {
+              PhysicalParameters changed = USUAL.with(Map.of(name, other(value)));
+              assertThat(PhysicalSettings.of(changed)).as(name).containsEntry(name, other(value));
+              Map<String, String> rest = new TreeMap<>(PhysicalSettings.of(changed));
+              rest.put(name, value);
+              assertThat(rest).as(name).isEqualTo(PhysicalSettings.of(USUAL));
+            });
+  }
+
+  private static String other(String value) {
+    if (value.equals("true") || value.equals("false")) {
+      return String.valueOf(!Boolean.parseBoolean(value));
+    } else if (value.contains(",")) {
+      return value.substring(0, value.indexOf(','));
+    }
+    return value.contains(".")
+        ? String.valueOf(Double.parseDouble(value) / 2 + 0.125)
+        : String.valueOf(Long.parseLong(value) + 1);
   }
 
   @Test

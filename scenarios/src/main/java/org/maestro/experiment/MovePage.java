@@ -60,8 +60,13 @@ final class MovePage {
         new Page.Row(
             "time over the physical lower bound",
             "not told",
-            String.format(
-                Locale.ROOT, "%.3f in the mean, %.3f at most", ratios.mean(), ratios.greatest()),
+            ratios.count() == 0
+                ? "none was reached"
+                : String.format(
+                    Locale.ROOT,
+                    "%.3f in the mean, %.3f at most",
+                    ratios.mean(),
+                    ratios.greatest()),
             "the bound knows everything at once: shortest way at full speed, one grip, one placing, one look for each object"));
     if (!paced.isEmpty()) {
       rows.add(

@@ -6,10 +6,12 @@ import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 
-/** Title and scale bar above, what the symbols mean below. */
+/** Title and scale bar above; below what the symbols mean, of those that are in the picture. */
 final class Legend {
   private static final int COLUMN = 380;
   private static final int ROW = 48;
@@ -17,37 +19,60 @@ final class Legend {
   /** Height of the scale bar, beside the title. */
   private static final double BAR = 48;
 
+  /** What a picture may show, in the order in which it is explained. */
+  enum Entry {
+    CAMERA("camera and what it sees", Legend::field),
+    LAMP("lamp, filled as lit", (canvas, at) -> Symbols.lamp(canvas, at, 0.75)),
+    SENSOR("light sensor", Symbols::sensor),
+    FLOOR("floor: dark to bright", Legend::floor),
+    ROBOT("robot, its way, its start", Legend::way),
+    PERSON("person", Symbols::person),
+    THING("thing, in its colour", Legend::thing),
+    WINDOW("window", (canvas, at) -> Openings.glass(canvas, beside(at, -28), beside(at, 28))),
+    SHUTTER("window, shutter", Legend::window);
+
+    private final String meaning;
+    private final Symbol symbol;
+
+    Entry(String meaning, Symbol symbol) {
+      this.meaning = meaning;
+      this.symbol = symbol;
+    }
+  }
+
   private interface Symbol {
     void draw(Graphics2D canvas, Point2D at);
   }
 
   private final Scale scale;
+  private final Set<Entry> shown = EnumSet.noneOf(Entry.class);
   private int place;
 
   Legend(Scale scale) {
     this.scale = scale;
   }
 
+  /** The picture has one of these. */
+  void explain(Entry entry) {
+    shown.add(entry);
+  }
+
   void draw(Graphics2D canvas, String title) {
     String capital = title.substring(0, 1).toUpperCase(Locale.ROOT) + title.substring(1);
     Texts.draw(canvas, capital + ", from above", Scale.MARGIN, 58, Texts.TITLE, Palette.INK);
-    entry(canvas, "camera and what it sees", Legend::field);
-    entry(canvas, "lamp, filled as lit", (c, at) -> Symbols.lamp(c, at, 0.75));
-    entry(canvas, "light sensor", Symbols::sensor);
-    entry(canvas, "floor: dark to bright", Legend::floor);
-    entry(canvas, "robot, its way, its start", Legend::way);
-    entry(canvas, "person", Symbols::person);
-    entry(canvas, "thing, in its colour", Legend::thing);
-    entry(canvas, "window, shutter", Legend::window);
+    if (shown.contains(Entry.SHUTTER)) {
+      shown.remove(Entry.WINDOW);
+    }
+    shown.forEach(entry -> entry(canvas, entry));
     bar(canvas);
   }
 
-  private void entry(Graphics2D canvas, String meaning, Symbol symbol) {
+  private void entry(Graphics2D canvas, Entry entry) {
     double x = Scale.MARGIN + 30 + (place % 4) * (double) COLUMN;
     double y = scale.heightPixels() - Scale.LEGEND + 70 + (place / 4) * (double) ROW;
     Point2D at = new Point2D.Double(x, y);
-    symbol.draw(canvas, at);
-    Texts.draw(canvas, meaning, x + 42, y + 9, Texts.SMALL, Palette.INK);
+    entry.symbol.draw(canvas, at);
+    Texts.draw(canvas, entry.meaning, x + 42, y + 9, Texts.SMALL, Palette.INK);
     place++;
   }
 

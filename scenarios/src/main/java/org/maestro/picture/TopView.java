@@ -75,14 +75,16 @@ public final class TopView {
     canvas.setColor(Color.WHITE);
     canvas.fillRect(0, 0, image.getWidth(), image.getHeight());
     Labels labels = new Labels(scale.floor());
+    Legend legend = new Legend(scale);
     drawFloors(canvas, labels);
+    legend.explain(Legend.Entry.FLOOR);
     drawFields(canvas);
-    drawWalls(canvas, labels);
+    drawWalls(canvas, labels, legend);
     drawWays(canvas, labels);
-    drawBodies(canvas, labels);
-    drawFixed(canvas, labels);
+    drawBodies(canvas, labels, legend);
+    drawFixed(canvas, labels, legend);
     labels.draw(canvas);
-    new Legend(scale).draw(canvas, home.label());
+    legend.draw(canvas, home.label());
     canvas.dispose();
     try {
       ImageIO.write(image, "png", file.toFile());
@@ -138,7 +140,7 @@ public final class TopView {
     return outlines("Room").filter(outline -> outline.contains(point)).findFirst();
   }
 
-  private void drawWalls(Graphics2D canvas, Labels labels) {
+  private void drawWalls(Graphics2D canvas, Labels labels, Legend legend) {
     canvas.setStroke(new BasicStroke(9, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
     canvas.setColor(Palette.INK);
     outlines("Room").forEach(outline -> canvas.draw(scale.shape(outline)));
@@ -148,11 +150,21 @@ public final class TopView {
           .ifPresent(opening -> drawDoor(canvas, labels, individual, opening));
     }
     Windows windows = new Windows(home);
-    windows.all().values().forEach(window -> Openings.glass(canvas, scale, window.glass().base()));
+    for (Windows.Window window : windows.all().values()) {
+      Openings.glass(canvas, scale, window.glass().base());
+      legend.explain(Legend.Entry.WINDOW);
+    }
+    if (world.hasShutters()) {
+      drawShutters(canvas, labels, windows, legend);
+    }
+  }
+
+  private void drawShutters(Graphics2D canvas, Labels labels, Windows windows, Legend legend) {
     for (Device device : inOrder()) {
-      windows.shadedBy(device.id()).stream()
-          .map(window -> window.glass().base())
-          .forEach(glass -> drawShutter(canvas, labels, device.id(), glass));
+      for (Windows.Window window : windows.shadedBy(device.id())) {
+        drawShutter(canvas, labels, device.id(), window.glass().base());
+        legend.explain(Legend.Entry.SHUTTER);
+      }
     }
   }
 
@@ -195,7 +207,7 @@ public final class TopView {
     }
   }
 
-  private void drawFixed(Graphics2D canvas, Labels labels) {
+  private void drawFixed(Graphics2D canvas, Labels labels, Legend legend) {
     for (Device device : inOrder()) {
       Optional<Pose> pose = pose(device);
       if (pose.isEmpty()) {
@@ -203,6 +215,7 @@ public final class TopView {
       }
       Point2D at = scale.at(pose.get().floor());
       if (number(device, "luminousIntensity").isPresent()) {
+        legend.explain(Legend.Entry.LAMP);
         Symbols.lamp(canvas, at, world.lampLevel(device.id()));
         String state =
             world.isAlive(device.id())
@@ -210,16 +223,18 @@ public final class TopView {
                 : "dead";
         labels.add(device.id() + " " + state, at, Symbols.SMALL, Texts.SMALL);
       } else if (number(device, "viewAngle").isPresent()) {
+        legend.explain(Legend.Entry.CAMERA);
         Symbols.camera(canvas, at);
         labels.add(device.id(), at, Symbols.SMALL, Texts.SMALL);
       } else {
+        legend.explain(Legend.Entry.SENSOR);
         Symbols.sensor(canvas, at);
         labels.add(device.id(), at, Symbols.SMALL, Texts.SMALL);
       }
     }
   }
 
-  private void drawBodies(Graphics2D canvas, Labels labels) {
+  private void drawBodies(Graphics2D canvas, Labels labels, Legend legend) {
     for (String name : world.bodies()) {
       Individual individual = home.individuals().get(name);
       Optional<Point2> place = world.position(name).map(position -> position.floor());
@@ -228,6 +243,7 @@ public final class TopView {
       }
       Point2D at = scale.at(place.get());
       if (home.devices().containsKey(name)) {
+        legend.explain(Legend.Entry.ROBOT);
         Symbols.robot(canvas, at);
         labels.add(
             name + world.held(name).map(held -> " with " + held).orElse(""),
@@ -235,10 +251,12 @@ public final class TopView {
             Symbols.LARGE,
             Texts.NORMAL);
       } else if (world.radius(name) >= STANDS_METRES) {
+        legend.explain(Legend.Entry.PERSON);
         Symbols.person(canvas, at);
         labels.add(name, at, Symbols.LARGE, Texts.NORMAL);
       } else {
         drawFirstPlace(canvas, labels, name, place.get());
+        legend.explain(Legend.Entry.THING);
         Symbols.thing(canvas, at, Palette.screen(world.paint(name)));
         labels.add(name, at, Symbols.SMALL, Texts.NORMAL);
       }

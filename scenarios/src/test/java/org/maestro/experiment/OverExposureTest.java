@@ -50,5 +50,11 @@ class OverExposureTest {
     assertThat(failures).singleElement().asString().contains("zone-1 is glare, zone-3 is glare");
     assertThat(run.ending().replans()).isLessThan(6);
     assertThat(run.failure()).contains("shutter-west").contains("never joined");
+    assertThat(
+            MovePage.of(
+                    new Request(1, 1, withoutShutters, false), List.of(run), List.of(), List.of())
+                .html())
+        .contains("none was reached")
+        .doesNotContain("NaN");
   }
 }

@@ -7,6 +7,7 @@ import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Nested;
@@ -72,6 +73,9 @@ class TopViewTest {
       assertThat(has(picture, home, new Point2(4.2, 1.5), Palette.CAMERA)).isTrue();
       assertThat(has(picture, home, new Point2(0.9, 1.5), Palette.LAMP)).as("dark").isFalse();
       assertThat(has(picture, home, new Point2(3.55, 1.5), Palette.CAMERA)).as("field").isTrue();
+      assertThat(hasAnywhere(picture, Palette.ROBOT)).isTrue();
+      assertThat(hasAnywhere(picture, Palette.GLASS)).as("a window, in the legend").isFalse();
+      assertThat(hasAnywhere(picture, Palette.PERSON)).as("a person, in the legend").isFalse();
     }
   }
 
@@ -117,6 +121,12 @@ class TopViewTest {
       }
     }
     return false;
+  }
+
+  private static boolean hasAnywhere(BufferedImage picture, Color color) {
+    int[] pixels =
+        picture.getRGB(0, 0, picture.getWidth(), picture.getHeight(), null, 0, picture.getWidth());
+    return Arrays.stream(pixels).anyMatch(pixel -> pixel == color.getRGB());
   }
 
   private static int brightness(BufferedImage picture, Home home, Point2 place) {
