@@ -117,27 +117,43 @@ final class Peer {
             .formatted(name(), kind.module.replace('_', '-'));
   }
 
-  /** Until it had its plan; what that was like, it tells itself. */
-  record Outcome(OptionalDouble milliseconds, double deadlineSeconds) {
+  /** How it ended: with a plan, without one of its own accord, or at the deadline. */
+  enum End {
+    PLAN,
+    GAVE_UP,
+    STOPPED
+  }
+
+  /** What became of a problem, and when. */
+  record Outcome(End end, double passedMilliseconds) {
+    /** Until it had its plan; empty when it has none. */
+    OptionalDouble milliseconds() {
+      return end == End.PLAN ? OptionalDouble.of(passedMilliseconds) : OptionalDouble.empty();
+    }
+
     String text() {
-      return milliseconds.isPresent()
-          ? String.format(Locale.ROOT, "%.0f ms", milliseconds.getAsDouble())
-          : String.format(Locale.ROOT, "nothing in %.0f s", deadlineSeconds);
+      String words =
+          switch (end) {
+            case PLAN -> "%.0f ms";
+            case GAVE_UP -> "without a plan after %.0f ms";
+            case STOPPED -> "without a plan stopped after %.0f ms";
+          };
+      return String.format(Locale.ROOT, words, passedMilliseconds);
     }
   }
 
   /** Solves the problem; empty when it is not installed. */
   Optional<Outcome> solve(String domain, String problem) {
-    return program.map(found -> new Outcome(milliseconds(found, domain, problem), deadlineSeconds));
+    return program.map(found -> solve(found, domain, problem));
   }
 
-  private OptionalDouble milliseconds(Path found, String domain, String problem) {
+  private Outcome solve(Path found, String domain, String problem) {
     try {
       Path folder = Files.createTempDirectory("maestro-bench");
       try {
         Files.writeString(folder.resolve("domain.pddl"), domain);
         Files.writeString(folder.resolve("problem.pddl"), problem);
-        return milliseconds(found, folder);
+        return solve(found, folder);
       } finally {
         delete(folder);
       }
@@ -146,7 +162,7 @@ final class Peer {
     }
   }
 
-  private OptionalDouble milliseconds(Path found, Path folder) throws IOException {
+  private Outcome solve(Path found, Path folder) throws IOException {
     long start = System.nanoTime();
     Process process =
         new ProcessBuilder(kind.command(found, deadlineSeconds))
@@ -158,13 +174,14 @@ final class Peer {
       long patience = (long) ((deadlineSeconds + GRACE_SECONDS) * 1000);
       boolean ended = process.waitFor(patience, TimeUnit.MILLISECONDS);
       double passed = (System.nanoTime() - start) / 1e6;
-      boolean inTime = ended && passed <= deadlineSeconds * 1000;
-      return inTime && process.exitValue() == 0 && Files.exists(folder.resolve(PLAN_FILE))
-          ? OptionalDouble.of(passed)
-          : OptionalDouble.empty();
+      if (!ended || passed > deadlineSeconds * 1000) {
+        return new Outcome(End.STOPPED, passed);
+      }
+      boolean solved = process.exitValue() == 0 && Files.exists(folder.resolve(PLAN_FILE));
+      return new Outcome(solved ? End.PLAN : End.GAVE_UP, passed);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return OptionalDouble.empty();
+      return new Outcome(End.STOPPED, (System.nanoTime() - start) / 1e6);
     } finally {
       process.descendants().forEach(ProcessHandle::destroyForcibly);
       process.destroyForcibly();

@@ -80,7 +80,9 @@ final class PlanningHome {
     for (int i = 0; i < count; i++) {
       objects.append(' ').append(prefix).append(i);
     }
-    objects.append(" - ").append(type);
+    if (count > 0) {
+      objects.append(" - ").append(type);
+    }
   }
 
   private void fact(String form, Object... values) {
