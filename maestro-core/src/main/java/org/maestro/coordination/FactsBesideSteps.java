@@ -47,6 +47,13 @@ final class FactsBesideSteps implements Facts {
     handled.add(beside);
   }
 
+  /** Whether any of what has changed is told here as it was before. */
+  boolean hides(Interest changed) {
+    return handled.stream()
+        .flatMap(beside -> beside.subjects().stream())
+        .anyMatch(subject -> changed.speaksOf(subject.name(), subject.arguments()));
+  }
+
   /** The step is under way since the given moment. */
   Handled handled(Step step, Snapshot before) {
     Set<Subject> subjects = new HashSet<>();

@@ -3,6 +3,7 @@ package org.maestro.coordination;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.planning.Plan;
 import org.maestro.planning.PlanningResult;
 
@@ -22,11 +23,13 @@ final class GoalPlanning {
   private final Decisions decisions = new Decisions();
   private Interest changedMeanwhile;
   private boolean planning;
+  private Look begunWith;
 
   GoalPlanning(PursuitParts parts, Course course) {
     this.parts = parts;
     this.course = course;
     this.changedMeanwhile = nothing();
+    this.begunWith = parts.outlook().look();
   }
 
   private Interest nothing() {
@@ -41,8 +44,8 @@ final class GoalPlanning {
     return decisions;
   }
 
-  void knowledgeChanged(Interest changed) {
-    if (planning) {
+  void knowledgeChanged(KnowledgeBase.Change change, Interest changed) {
+    if (planning && !begunWith.has(change, changed)) {
       changedMeanwhile.addAll(changed);
     }
   }
@@ -71,6 +74,7 @@ final class GoalPlanning {
     planning = true;
     parts.outlook().planBegins();
     changedMeanwhile = nothing();
+    begunWith = parts.outlook().look();
     parts.turn().forget();
     life.countPlan(confirming);
     life.become(stateWhilePlanning(why), why.orElse(""));

@@ -99,7 +99,7 @@ final class GoalPursuit implements Pursuit, Course {
 
   @Override
   public void knowledgeChanged(KnowledgeBase.Change change, Interest changed) {
-    planning.knowledgeChanged(changed);
+    planning.knowledgeChanged(change, changed);
     following.knowledgeChanged(change, changed);
   }
 

@@ -1,10 +1,13 @@
 package org.maestro.coordination;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.IntStream;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.ontology.vocabulary.Vocabulary;
@@ -20,7 +23,9 @@ import org.maestro.sl.Term;
 
 /**
  * Which facts a goal and its plan depend on, so that a change wakes only those whom it concerns. A
- * fact is told by its name and its first argument; a variable stands for any.
+ * fact is told by its name and the first of its arguments that is no variable, {@code (canSee
+ * ?agent Cup)} by the cup; one of variables alone stands for any. The value of a functional
+ * predicate tells no fact: it is what changes. A change is told by all of its arguments.
  */
 final class Interest {
   private static final String ANY = "";
@@ -56,8 +61,8 @@ final class Interest {
         fact ->
             Leaves.of(
                 SlParser.formula(fact, vocabulary::isFluent),
-                atom -> changed.addSubject(atom.predicate(), atom.arguments()),
-                fluent -> changed.addSubject(fluent.name(), fluent.arguments())));
+                atom -> changed.addChanged(atom.predicate(), atom.arguments()),
+                fluent -> changed.addChanged(fluent.name(), fluent.arguments())));
     return changed;
   }
 
@@ -70,9 +75,9 @@ final class Interest {
   void addChanges(List<Change> changes) {
     for (Change change : changes) {
       if (change instanceof Change.OfTruth truth) {
-        addSubject(truth.atom().predicate(), truth.atom().arguments());
+        addChanged(truth.atom().predicate(), truth.atom().arguments());
       } else if (change instanceof Change.OfNumber number) {
-        addSubject(number.fluent().name(), number.fluent().arguments());
+        addChanged(number.fluent().name(), number.fluent().arguments());
       }
     }
   }
@@ -135,29 +140,73 @@ final class Interest {
 
   /** Geometry follows from where its arguments are; what positions decide, from the same. */
   private void addRead(String name, List<Term> arguments) {
-    addSubject(name, arguments);
-    vocabulary
-        .predicate(name)
+    Optional<PredicateDeclaration> declared = vocabulary.predicate(name);
+    int telling =
+        declared.filter(PredicateDeclaration::functional).isPresent()
+            ? arguments.size() - 1
+            : arguments.size();
+    boolean symmetric = isSymmetric(name);
+    subjects
+        .computeIfAbsent(name, n -> new TreeSet<>())
+        .add(
+            IntStream.range(0, telling)
+                .filter(place -> arguments.get(place) instanceof Term.Name)
+                .mapToObj(place -> subject(arguments.get(place), symmetric ? 0 : place))
+                .findFirst()
+                .orElse(ANY));
+    declared
         .filter(Interest::isGeometric)
         .ifPresent(
-            declared -> arguments.forEach(argument -> addSubject(POSITION, List.of(argument))));
+            geometric ->
+                arguments.forEach(
+                    argument ->
+                        subjects
+                            .computeIfAbsent(POSITION, n -> new TreeSet<>())
+                            .add(subject(argument, 0))));
   }
 
   private static boolean isGeometric(PredicateDeclaration declared) {
     return declared.computedBy().isPresent() || declared.observedWhen().isPresent();
   }
 
-  private void addSubject(String name, List<Term> arguments) {
+  private boolean isSymmetric(String name) {
+    return vocabulary.predicate(name).filter(PredicateDeclaration::symmetric).isPresent();
+  }
+
+  private void addChanged(String name, List<Term> arguments) {
+    boolean symmetric = isSymmetric(name);
     Set<String> names = subjects.computeIfAbsent(name, n -> new TreeSet<>());
-    boolean symmetric =
-        vocabulary.predicate(name).filter(PredicateDeclaration::symmetric).isPresent();
-    int subjectsOfName = symmetric ? arguments.size() : Math.min(1, arguments.size());
-    for (int i = 0; i < subjectsOfName; i++) {
-      names.add(arguments.get(i) instanceof Term.Name first ? first.text() : ANY);
+    for (int place = 0; place < arguments.size(); place++) {
+      names.add(subject(arguments.get(place), symmetric ? 0 : place));
     }
     if (arguments.isEmpty()) {
       names.add(ANY);
     }
+  }
+
+  /** The first place goes without saying. */
+  private static String subject(Term argument, int place) {
+    if (!(argument instanceof Term.Name name)) {
+      return ANY;
+    }
+    return place == 0 ? name.text() : place + ":" + name.text();
+  }
+
+  /** Whether a fact of that name and about the same is among these changes. */
+  boolean speaksOf(String name, List<Term> arguments) {
+    return subjects
+        .getOrDefault(name, Set.of())
+        .contains(arguments.isEmpty() ? ANY : subject(arguments.get(0), 0));
+  }
+
+  /** Whether any part of the formula is about what is among these changes. */
+  boolean speaksOf(String formula) {
+    List<Boolean> found = new ArrayList<>();
+    Leaves.of(
+        SlParser.formula(formula, vocabulary::isFluent),
+        atom -> found.add(speaksOf(atom.predicate(), atom.arguments())),
+        fluent -> found.add(speaksOf(fluent.name(), fluent.arguments())));
+    return found.contains(true);
   }
 
   /** Whether any of the changed facts is among those that matter here. */

@@ -184,6 +184,11 @@ final class Outlook {
     return ports.knowledge().home().vocabulary();
   }
 
+  /** What is known now. */
+  Look look() {
+    return new Look(ports.knowledge().snapshot().version(), presentFacts());
+  }
+
   FactsBesideSteps presentFacts() {
     return rivals.factsBesideSteps(
         ports.knowledge().snapshot(), ports.knowledge().home().vocabulary());
@@ -269,7 +274,7 @@ final class Outlook {
 
   private boolean isLeftOpen(PlanningResult.Obstacle obstacle) {
     return obstacle.kind() == PlanningResult.Obstacle.Kind.UNKNOWN
-        && Interest.of(List.of(obstacle.condition()), vocabulary()).isNamedBy(leftOpen);
+        && leftOpen.speaksOf(obstacle.condition());
   }
 
   private boolean isRefusal(PlanningResult.Obstacle obstacle) {

@@ -27,6 +27,7 @@ final class PlanFollowing {
   private final Offers offers = new Offers();
   private Concern concern;
   private long ownChange = -1;
+  private Look lookedAt;
 
   PlanFollowing(PursuitParts parts, Course course) {
     this.parts = parts;
@@ -37,6 +38,7 @@ final class PlanFollowing {
     this.story = parts.story();
     this.course = course;
     this.concern = outlook.concern(List.of());
+    this.lookedAt = outlook.look();
     this.execution = new StepExecution(parts, this::stepEnded);
   }
 
@@ -69,7 +71,7 @@ final class PlanFollowing {
   }
 
   void knowledgeChanged(KnowledgeBase.Change change, Interest changed) {
-    if (!isActive() || change.version() == ownChange) {
+    if (!isActive() || change.version() == ownChange || lookedAt.has(change, changed)) {
       return;
     }
     if (parts.turn().isAwaited()) {
@@ -217,6 +219,7 @@ final class PlanFollowing {
 
   /** Is the rest of the plan still good, from what is known now? */
   private void reconsider(Supplier<String> why) {
+    lookedAt = outlook.look();
     Optional<Plan> reached = outlook.holds();
     if (reached.isPresent()) {
       if (underway.isEmpty()) {
