@@ -14,6 +14,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
@@ -98,7 +99,21 @@ final class Groundwork {
    * @return false when there are others in the home, and then this is of no more use
    */
   boolean renew(PlanningTask next) {
-    Optional<StaticFacts.Difference> difference = facts.renew(next.facts(), signature);
+    boolean renewed = takeFacts(next.facts()).isPresent();
+    if (renewed) {
+      offers.become(next.features());
+    }
+    return renewed;
+  }
+
+  /**
+   * Goes over to other facts.
+   *
+   * @return whether anything that was asked is otherwise in them; empty when there are others in
+   *     the home, and then this is of no more use
+   */
+  Optional<Boolean> takeFacts(Facts next) {
+    Optional<StaticFacts.Difference> difference = facts.renew(next, signature);
     difference.ifPresent(
         found -> {
           if (found.ofWhatStays()) {
@@ -106,9 +121,8 @@ final class Groundwork {
           }
           variables.renew(found.changed());
           changes.add(found.changed());
-          offers.become(next.features());
         });
-    return difference.isPresent();
+    return difference.map(found -> found.ofWhatStays() || !found.changed().isEmpty());
   }
 
   private void forget() {

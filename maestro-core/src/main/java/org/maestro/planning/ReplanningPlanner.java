@@ -55,6 +55,7 @@ public final class ReplanningPlanner implements Planner {
   }
 
   private final OptimalPlanner planner;
+  private final KeptChecks checks = new KeptChecks();
 
   /** The one used last comes first. */
   private final Deque<Kept> kept = new ArrayDeque<>();
@@ -85,7 +86,7 @@ public final class ReplanningPlanner implements Planner {
 
   @Override
   public Optional<Plan> revalidate(PlanningTask task, List<Step> steps) {
-    return planner.revalidate(task, steps);
+    return checks.revalidate(task, steps);
   }
 
   /** Nobody else has it meanwhile. */

@@ -17,6 +17,7 @@ import net.jqwik.api.ShrinkingMode;
 import net.jqwik.api.Tag;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.sl.Facts;
+import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
 
@@ -108,6 +109,7 @@ class SharedGroundworkTest {
     SmallWorld world = first;
     ReplanningPlanner planner = new ReplanningPlanner(fresh);
     Groundwork work = null;
+    Checked checked = new Checked(first.task(goals.get()).goal(), List.of(), all);
     for (int n = 0; n < GOALS; n++) {
       Facts facts = telling ? new TellingFacts(world) : world;
       PlanningTask task =
@@ -127,6 +129,14 @@ class SharedGroundworkTest {
       PlanningResult expected = fresh.solve(task);
       assertThat(plan(new BudgetedSearch(task, new Grounder(work, task), 20_000, true).run(0)))
           .isEqualTo(plan(expected));
+      PlanningTask again =
+          new PlanningTask(
+              task.vocabulary(), facts, checked.features(), checked.goal(), task.barred());
+      assertThat(planner.revalidate(again, checked.steps()))
+          .isEqualTo(fresh.revalidate(again, checked.steps()));
+      if (random.nextInt(3) == 0 && expected instanceof PlanningResult.Found found) {
+        checked = new Checked(task.goal(), found.plan().steps(), task.features());
+      }
       PlanningResult replanned = planner.solve(task);
       assertThat(replanned).hasSameClassAs(expected);
       if (replanned instanceof PlanningResult.Found found) {
@@ -139,6 +149,9 @@ class SharedGroundworkTest {
       }
     }
   }
+
+  /** A plan under way. */
+  private record Checked(Formula goal, List<Step> steps, List<PricedFeature> features) {}
 
   private static List<Object> plan(PlanningResult result) {
     return result instanceof PlanningResult.Found found
