@@ -31,15 +31,17 @@ final class CureSearch {
 
   private final GroundProblem base;
   private final PricedFeature anyFeature;
-  private final int mostStates;
+  private final Effort effort;
 
   /**
    * @param anyFeature of those that are offered: operators that assume something bear its name
+   * @param effort of all searches together: an explanation that comes late helps nobody, and others
+   *     wait for plans meanwhile
    */
-  CureSearch(GroundProblem base, PricedFeature anyFeature, int mostStates) {
+  CureSearch(GroundProblem base, PricedFeature anyFeature, Effort effort) {
     this.base = base;
     this.anyFeature = anyFeature;
-    this.mostStates = mostStates;
+    this.effort = effort;
   }
 
   /** What the search ended with. */
@@ -103,7 +105,7 @@ final class CureSearch {
         new OptimalSearch(
                 pruned.problem(),
                 new LandmarkCut(pruned.relaxed()),
-                Effort.forBestPlan(mostStates),
+                effort,
                 Double.POSITIVE_INFINITY)
             .run();
     if (outcome instanceof OptimalSearch.Outcome.Found found) {

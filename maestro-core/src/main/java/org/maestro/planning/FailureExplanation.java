@@ -72,7 +72,7 @@ final class FailureExplanation {
         weights.put(leaf, weight(leaf, obstacle) + (isGoalItself ? GOAL_ITSELF : 0));
       }
     }
-    this.search = new CureSearch(base, anyFeature, mostStates);
+    this.search = new CureSearch(base, anyFeature, Effort.forBestPlan(mostStates));
   }
 
   /**
