@@ -101,7 +101,7 @@ record Outcome(List<String> facts, List<News> news, List<News> gone) {
     private void came(StateVariable variable, Held held, boolean has, Optional<Held> before) {
       News came = new News(variable, held, has, true);
       boolean says = has && isSo(held);
-      if (says || !held.fromPosition() || before.filter(Comparison::isSo).isPresent()) {
+      if (says || !held.fromPosition() || before.map(Comparison::isSo).orElse(true)) {
         news.add(came);
       }
       boolean same =

@@ -83,7 +83,7 @@ class TracedAnswersTest {
         }
       }
     } finally {
-      household.close();
+      household.knowledge.close();
     }
   }
 
