@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -41,6 +42,7 @@ class AgentThreadsTest {
         "Nothing is shown of virtual threads: no Java "
             + FIRST_WITH_VIRTUAL
             + " or newer stands beside this one (JAVA_OTHER_HOME may name one).");
+    Path said = files.resolve("said.txt");
     Process process =
         new ProcessBuilder(
                 List.of(
@@ -51,11 +53,11 @@ class AgentThreadsTest {
                     System.getProperty("java.class.path"),
                     ThreadProbe.class.getName()))
             .redirectErrorStream(true)
+            .redirectOutput(said.toFile())
             .start();
     try {
-      String said = new String(process.getInputStream().readAllBytes());
-      assertThat(process.waitFor(60, TimeUnit.SECONDS)).isTrue();
-      assertThat(said).contains("300 generic agents VIRTUAL, desk PLATFORM");
+      assertThat(process.waitFor(60, TimeUnit.SECONDS)).as("it ends").isTrue();
+      assertThat(Files.readString(said)).contains("300 generic agents VIRTUAL, desk PLATFORM");
     } finally {
       process.destroyForcibly();
     }
