@@ -6,7 +6,8 @@ package org.maestro.sim;
  *
  * @param everySeconds how often it measures; assumed
  * @param noise standard deviation, relative; assumed
- * @param worthTelling relative change from what was told last that is told; assumed
+ * @param worthTelling change of either light that is told, relative to what was told of it last;
+ *     assumed
  */
 public record FacadeData(double everySeconds, double noise, double worthTelling) {
   static final FacadeData USUAL = new FacadeData(30, 0.02, 0.1);

@@ -46,10 +46,15 @@ final class SimulatedDaylightSensor implements DaylightSensor {
     goOn();
   }
 
+  /**
+   * Each by itself: the first sun is little beside a bright sky, and blinds others all the same.
+   */
   private boolean isWorthTelling(Reading now) {
-    double worth = data.worthTelling() * (told.diffuse() + told.sun());
-    return Math.abs(now.diffuse() - told.diffuse()) > worth
-        || Math.abs(now.sun() - told.sun()) > worth;
+    return differs(now.diffuse(), told.diffuse()) || differs(now.sun(), told.sun());
+  }
+
+  private boolean differs(double now, double before) {
+    return Math.abs(now - before) > data.worthTelling() * before;
   }
 
   private Reading measured() {

@@ -126,6 +126,17 @@ class DaylightTest {
     }
   }
 
+  /** What is little beside a bright sky is still more than an eye can bear. */
+  @Test
+  void theFirstSunIsToldHoweverBrightTheSkyIs() {
+    try (Homes homes = sunny(NOON + " ; scene:cloudCover 1", 1)) {
+      assertThat(told(homes, "sunlight")).isZero();
+      homes.world().setClouds(0.993);
+      homes.clock.run(Duration.ofMinutes(1));
+      assertThat(told(homes, "sunlight")).isBetween(1.0, 0.1 * told(homes, "daylight"));
+    }
+  }
+
   private static double told(Homes homes, String word) {
     return homes.facts("shutter").stream()
         .filter(fact -> fact.startsWith("(= (" + word + " shutter) "))

@@ -1,10 +1,14 @@
 package org.maestro.coordination;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.maestro.planning.Plan;
+import org.maestro.planning.PlanningResult;
 import org.maestro.sl.Term;
 
 /**
@@ -22,9 +26,11 @@ final class GoalEnding {
   private final GoalLife life;
   private final GoalStory story;
   private final LastTry lastTry;
+  private final AwaitedMembers awaited;
   private final Runnable release;
   private final Course course;
   private List<String> whyNot = List.of();
+  private Optional<PlanningRound.Ended> hopeless = Optional.empty();
   private boolean awaitsCertainty;
 
   /**
@@ -36,6 +42,8 @@ final class GoalEnding {
     this.life = parts.life();
     this.story = parts.story();
     this.lastTry = new LastTry(parts.ports(), parts.rivals(), outlook, parts.exactPrices());
+    this.awaited =
+        new AwaitedMembers(parts.ports(), parts.roster(), parts.rivals(), outlook.goalId());
     this.release = release;
     this.course = course;
   }
@@ -46,6 +54,7 @@ final class GoalEnding {
 
   private void end(
       GoalState how, boolean confirmed, Map<String, Term> binding, List<String> reasons) {
+    awaited.forget();
     release.run();
     life.end(how, confirmed, binding, reasons);
     parts.rivals().leave(life.id());
@@ -77,6 +86,7 @@ final class GoalEnding {
   }
 
   void noPlan(PlanningRound.Ended round) {
+    awaited.forget();
     parts.plan().drop();
     parts.contention().letGo();
     if (!parts.underway().isEmpty()) {
@@ -93,15 +103,54 @@ final class GoalEnding {
       story.triesOnceMore(lastTry.pause(), round.result());
       lastTry.afterPause(this::tryOnceMore);
     } else if (outlook.isFindingOut()) {
-      giveUp(whyNot);
+      awaitOrGiveUp();
     } else {
       whyNot = reasons(round);
+      hopeless = Optional.of(round);
       if (outlook.canFindOut()) {
         outlook.findOut();
         course.makePlan(Optional.of("nobody can make it so, but it may be so already"));
       } else {
-        giveUp(whyNot);
+        awaitOrGiveUp();
       }
+    }
+  }
+
+  private void awaitOrGiveUp() {
+    PlanningResult result = hopeless.orElseThrow().result();
+    Set<String> missed = awaited.missed(result);
+    if (missed.isEmpty()) {
+      giveUp(whyNot);
+      return;
+    }
+    Duration atMost = awaited.await(missed, result, () -> goOn("nobody has come back"));
+    String members =
+        missed.stream()
+            .map(
+                member ->
+                    "for %s to come back (%s)".formatted(member, parts.roster().absence(member)))
+            .collect(Collectors.joining(", "));
+    life.become(GoalState.WAITING, members);
+    story.awaits(members, atMost);
+  }
+
+  private void goOn(String why) {
+    if (awaited.isAny() && !life.isOver()) {
+      awaited.forget();
+      course.makePlan(Optional.of(why));
+    }
+  }
+
+  /** It may be one that is waited for, or one that can stand in for it. */
+  void memberPresent(String member) {
+    if (awaited.isAny() && outlook.isCandidate(member)) {
+      goOn(member + " is there");
+    }
+  }
+
+  void knowledgeChanged() {
+    if (awaited.isAny() && (awaited.isHelped() || outlook.holds().isPresent())) {
+      goOn("things have changed while it waited");
     }
   }
 

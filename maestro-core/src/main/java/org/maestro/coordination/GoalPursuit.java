@@ -101,6 +101,12 @@ final class GoalPursuit implements Pursuit, Course {
   public void knowledgeChanged(KnowledgeBase.Change change, Interest changed) {
     planning.knowledgeChanged(change, changed);
     following.knowledgeChanged(change, changed);
+    ending.knowledgeChanged();
+  }
+
+  @Override
+  public void memberPresent(String member) {
+    ending.memberPresent(member);
   }
 
   @Override

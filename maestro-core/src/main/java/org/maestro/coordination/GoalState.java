@@ -4,7 +4,10 @@ package org.maestro.coordination;
 public enum GoalState {
   SUBMITTED,
   PLANNING,
-  /** For something that another goal holds, or for its own steps to end; the detail says which. */
+  /**
+   * For something that another goal holds, for its own steps to end, or for a member to come back
+   * that was lost moments ago; the detail says which.
+   */
   WAITING,
   RUNNING,
   REPLANNING,

@@ -136,6 +136,13 @@ final class GoalStory {
         StoryEntry.Kind.WAIT, "There is no other way, and it is not given up yet: " + doubts + ".");
   }
 
+  void awaits(String members, Duration atMost) {
+    tell(
+        StoryEntry.Kind.WAIT,
+        "There is no other way, and it is not given up yet: it is waited %s, %d s at most."
+            .formatted(members, atMost.toSeconds()));
+  }
+
   void suspended(String why) {
     tell(StoryEntry.Kind.WAIT, "Stands back: " + why + ".");
   }
@@ -367,7 +374,10 @@ final class GoalStory {
 
   /** What is so now says most; what is not so comes second, what was lost last. */
   private String facts(KnowledgeBase.Change change) {
-    List<Formula> all = change.facts().stream().map(SlParser::formula).toList();
+    List<Formula> all =
+        change.facts().stream()
+            .map(fact -> SlParser.formula(fact, knowledge.home().vocabulary()::isFluent))
+            .toList();
     List<Formula> telling = all.stream().filter(GoalStory::isSo).toList();
     if (telling.isEmpty()) {
       telling = all.stream().filter(Formula.Not.class::isInstance).toList();

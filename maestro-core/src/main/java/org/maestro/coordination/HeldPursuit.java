@@ -80,7 +80,10 @@ final class HeldPursuit implements Pursuit {
     this.nextLook = new NextLook(wish.id(), ports, () -> rivals.run(this::lookAnyway));
   }
 
-  /** The world as those see and change it who work for this goal. */
+  /**
+   * The world as those see and change it who work for this goal. That it is missed is told at once;
+   * who comes back is noticed all the same.
+   */
   private Ports working() {
     KnowledgeBase seen =
         new WatchedKnowledge(
@@ -93,7 +96,8 @@ final class HeldPursuit implements Pursuit {
         ports.thinking(),
         ports.clock(),
         story::tellOfWork,
-        attempts);
+        attempts,
+        Duration.ZERO);
   }
 
   @Override

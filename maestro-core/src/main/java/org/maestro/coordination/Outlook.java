@@ -138,6 +138,11 @@ final class Outlook {
     return new PlanningRound.Subject(goalId, goal, confirmation, findingOut);
   }
 
+  /** Whether the member offers anything that could be part of a plan for the goal. */
+  boolean isCandidate(String member) {
+    return Relevance.candidates(goal, ports.knowledge().home()).containsKey(member);
+  }
+
   /** Whether looks may show that it is so already, though nobody can make it so. */
   boolean canFindOut() {
     return timesFoundOut < MOST_FINDING_OUT

@@ -1,10 +1,16 @@
 package org.maestro.coordination;
 
+import java.time.Duration;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.planning.Planner;
 import org.maestro.rats.time.Clock;
 
-/** Everything outside that coordination uses. */
+/**
+ * Everything outside that coordination uses.
+ *
+ * @param comeback for so long after a member was lost it is waited for, before a goal that misses
+ *     it is given up; simulated time, since devices live in the world's
+ */
 public record Ports(
     KnowledgeBase knowledge,
     Planner planner,
@@ -13,7 +19,23 @@ public record Ports(
     Thinking thinking,
     Clock clock,
     Story story,
-    Journal journal) {
+    Journal journal,
+    Duration comeback) {
+
+  /** In this time a network is joined again, and a small device has started anew (assumed). */
+  public static final Duration USUAL_COMEBACK = Duration.ofSeconds(30);
+
+  public Ports(
+      KnowledgeBase knowledge,
+      Planner planner,
+      Market market,
+      Crew crew,
+      Thinking thinking,
+      Clock clock,
+      Story story,
+      Journal journal) {
+    this(knowledge, planner, market, crew, thinking, clock, story, journal, USUAL_COMEBACK);
+  }
 
   /** Of a coordinator that keeps no journal. */
   public Ports(
@@ -28,10 +50,10 @@ public record Ports(
   }
 
   Ports with(Planner other) {
-    return new Ports(knowledge, other, market, crew, thinking, clock, story, journal);
+    return new Ports(knowledge, other, market, crew, thinking, clock, story, journal, comeback);
   }
 
   Ports with(Crew other) {
-    return new Ports(knowledge, planner, market, other, thinking, clock, story, journal);
+    return new Ports(knowledge, planner, market, other, thinking, clock, story, journal, comeback);
   }
 }

@@ -2,8 +2,10 @@ package org.maestro.coordination;
 
 import java.time.Duration;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.TreeSet;
 
 /**
  * Which members have an agent that can be asked, and why the others cannot. One in doubt is there
@@ -72,6 +74,23 @@ public final class Roster {
     return lost == null || isThere(member)
         ? absence(member)
         : "lost since " + now.minus(lost).toSeconds() + " s: " + absence(member);
+  }
+
+  /** Members that were lost at that time or later, and have not come back. */
+  Set<String> lostSince(Duration time) {
+    Set<String> lost = new TreeSet<>();
+    lostByMember.forEach(
+        (member, at) -> {
+          if (!isThere(member) && at.compareTo(time) > 0) {
+            lost.add(member);
+          }
+        });
+    return lost;
+  }
+
+  /** When it was lost last, as far as that is known. */
+  Optional<Duration> lostAt(String member) {
+    return Optional.ofNullable(lostByMember.get(member));
   }
 
   public boolean isPresent(String member) {

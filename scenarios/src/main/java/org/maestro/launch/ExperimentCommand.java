@@ -1,5 +1,6 @@
 package org.maestro.launch;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -86,11 +87,7 @@ final class ExperimentCommand implements Callable<Integer> {
             seed,
             new Settings(experiment.settings(), given),
             checkedPaced(experiment));
-    Path target = directory.orElse(Path.of("experiment-" + experiment.name()));
-    if (Files.exists(target) && !Files.isDirectory(target)) {
-      throw CommandException.badInput(
-          "%s is a file; name a directory with --out.".formatted(target));
-    }
+    Path target = madeReady(directory.orElse(Path.of("experiment-" + experiment.name())));
     Findings findings = experiment.carryOut(request, new ProgressBar(spec.commandLine().getErr()));
     Path page = findings.write(target);
     if (json) {
@@ -100,6 +97,23 @@ final class ExperimentCommand implements Callable<Integer> {
       out.println("The page with figures and raw data beside it: " + page.toAbsolutePath());
     }
     return ExitCode.DONE;
+  }
+
+  /** Runs take long: that their data cannot be written is said before them. */
+  private static Path madeReady(Path target) {
+    if (Files.exists(target) && !Files.isDirectory(target)) {
+      throw CommandException.badInput(
+          "%s is a file; name a directory with --out.".formatted(target));
+    }
+    try {
+      Files.createDirectories(target);
+      Files.delete(Files.createTempFile(target, "maestro", null));
+    } catch (IOException e) {
+      throw CommandException.outside(
+          "The directory %s cannot be written to; name another one with --out.".formatted(target),
+          e);
+    }
+    return target;
   }
 
   private int checkedRuns(Experiment experiment) {

@@ -47,7 +47,10 @@ class OverExposureTest {
             .map(StoryEntry::text)
             .filter(text -> text.startsWith("That failed: cam-2"))
             .toList();
-    assertThat(failures).singleElement().asString().contains("zone-1 is glare, zone-3 is glare");
+    assertThat(failures)
+        .singleElement()
+        .asString()
+        .contains("zone-1 is over-lit, zone-3 is over-lit");
     assertThat(run.ending().replans()).isLessThan(6);
     assertThat(run.failure()).contains("shutter-west").contains("never joined");
     assertThat(

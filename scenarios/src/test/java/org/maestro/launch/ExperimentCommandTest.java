@@ -29,6 +29,17 @@ class ExperimentCommandTest {
   }
 
   @Test
+  void whereNothingCanBeWrittenIsSaidBeforeAnythingRuns() throws Exception {
+    Path below = Files.createFile(directory.resolve("file")).resolve("below");
+
+    assertThat(execute("move-object", "--out", below.toString())).isEqualTo(ExitCode.OUTSIDE);
+    assertThat(err.toString(StandardCharsets.UTF_8))
+        .isEqualTo(
+            "maestro: The directory %s cannot be written to; name another one with --out.%n"
+                .formatted(below));
+  }
+
+  @Test
   void withoutANameItTellsWhatThereIs() {
     assertThat(execute()).isZero();
     assertThat(out.toString(StandardCharsets.UTF_8).lines()).hasSameSizeAs(Experiments.all());

@@ -25,7 +25,7 @@ class FlatTest {
 
     assertThat(stage.goal("(nextTo Book Ada)"))
         .isReached()
-        .tells("shutter is opened to")
+        .tells("shutter is set to an opening of")
         .tells("bed-lamp is set to 1")
         .tells("bedroom-door opens");
     assertThat(world.isNextTo("Book", "Ada")).isTrue();
