@@ -77,6 +77,10 @@ final class CallAnswers {
     answer(call, Outcome.REJECTED, Map.of(), Optional.of(error(code, message)));
   }
 
+  void timedOut(Call call, String message) {
+    answer(call, Outcome.TIMED_OUT, Map.of(), Optional.of(error(ErrorCode.TIMEOUT, message)));
+  }
+
   /** A refusal that must not take the place of the answer to the first call of that id. */
   void rejectedUnremembered(String id, String caller, ErrorCode code, String message) {
     voice.result(

@@ -212,9 +212,15 @@ final class Impatience {
         call.parameters().keySet().containsAll(feature.required())
             && condition.whyDisabled(feature.id()).isEmpty()
             && tasks.couldBegin(feature);
-    return able
-        ? Optional.of(Reception.cost(profile.id(), feature, call.parameters()))
-        : Optional.empty();
+    return able ? Optional.of(cost(feature, call.parameters())) : Optional.empty();
+  }
+
+  private CostAnswer cost(MemberProfile.Feature feature, Map<String, Object> parameters) {
+    try {
+      return feature.procedure().cost(parameters);
+    } catch (RuntimeException fault) {
+      return CostInquiry.broken(profile.id(), feature, fault);
+    }
   }
 
   private record Key(String from, String id) {}

@@ -1,6 +1,7 @@
 package org.maestro.rats.member;
 
 import java.util.Map;
+import java.util.function.Consumer;
 import org.maestro.rats.protocol.CostAnswer;
 
 /**
@@ -14,4 +15,13 @@ public interface Procedure {
 
   /** What it would cost with these parameters, from where the member is now (M54). */
   CostAnswer cost(Map<String, Object> parameters);
+
+  /**
+   * The same for a routine that has to find out first, from its hardware or by a long search: it
+   * answers on the clock's thread, once, and within 50 ms of wall time. For one that does not, the
+   * runtime says to the caller why there is no price; what comes later is not heard.
+   */
+  default void cost(Map<String, Object> parameters, Consumer<CostAnswer> answer) {
+    answer.accept(cost(parameters));
+  }
 }

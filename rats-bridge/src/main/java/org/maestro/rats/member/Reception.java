@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Optional;
 import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.Complaints;
-import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.CostExchange;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.MalformedMessageException;
@@ -241,30 +240,15 @@ final class Reception {
       String message = profile.id() + " has no feature " + exchange.get().feature();
       answers.rejected(call, ErrorCode.UNKNOWN_FEATURE, message);
     } else {
-      List<CostAnswer> costs =
-          exchange.get().sets().stream()
-              .map(set -> tellCost(call.from(), feature.get(), set))
-              .toList();
-      answers.succeeded(call, CostExchange.values(costs));
-    }
-  }
-
-  private CostAnswer tellCost(
-      String caller, MemberProfile.Feature feature, Map<String, Object> parameters) {
-    CostAnswer answer = cost(profile.id(), feature, parameters);
-    impatience.told(caller, feature, parameters, answer);
-    return answer;
-  }
-
-  /** What the feature's procedure says that it would cost; a reason when it breaks off. */
-  static CostAnswer cost(
-      String member, MemberProfile.Feature feature, Map<String, Object> parameters) {
-    try {
-      return feature.procedure().cost(parameters);
-    } catch (RuntimeException fault) {
-      LOG.error("The price of {} of {} could not be computed", feature.id(), member, fault);
-      return new CostAnswer(
-          Optional.empty(), Optional.empty(), Optional.of("the price could not be computed"));
+      new CostInquiry(
+              profile.id(),
+              feature.get(),
+              exchange.get().sets(),
+              (set, answer) -> impatience.told(call.from(), feature.get(), set, answer))
+          .begin(
+              clock,
+              costs -> answers.succeeded(call, CostExchange.values(costs)),
+              reason -> answers.timedOut(call, reason));
     }
   }
 }

@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 
 /**
  * The JSON of version 1, as the JSON Schemas beside it describe it. Unknown fields are ignored, an
@@ -39,6 +40,15 @@ public final class WireFormat {
   public static final int MOST_NESTING = 16;
 
   private static final long LONGEST_TIMEOUT_MILLIS = Duration.ofDays(7).toMillis();
+
+  private static final Pattern ANY_VERSION = Pattern.compile("[0-9]{1,6}\\.[0-9]{1,6}");
+
+  /** For a look at a call that is read in full if it concerns the reader. */
+  private static final JsonFactory GLANCES =
+      JsonFactory.builder()
+          .streamReadConstraints(
+              StreamReadConstraints.builder().maxNestingDepth(MOST_NESTING).build())
+          .build();
 
   /** One for all, as it is large, and never changes. */
   private static final JsonMapper MAPPER =
@@ -127,7 +137,7 @@ public final class WireFormat {
     if (call.length > MOST_BYTES) {
       return false;
     }
-    try (JsonParser parser = MAPPER.createParser(call)) {
+    try (JsonParser parser = GLANCES.createParser(call)) {
       if (parser.nextToken() != JsonToken.START_OBJECT) {
         return false;
       }
@@ -325,7 +335,7 @@ public final class WireFormat {
 
   private static void requireVersion(JsonNode root) {
     String version = root.path("v").asText("");
-    if (!version.matches("[0-9]{1,6}\\.[0-9]{1,6}")) {
+    if (!ANY_VERSION.matcher(version).matches()) {
       throw new MalformedMessageException(
           "v", "a version such as " + VERSION, root.path("v").toString());
     }

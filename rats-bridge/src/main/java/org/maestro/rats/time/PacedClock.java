@@ -2,9 +2,7 @@ package org.maestro.rats.time;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -25,6 +23,7 @@ public final class PacedClock implements Clock, AutoCloseable {
   private final long startNanos = System.nanoTime();
   private final ScheduledThreadPoolExecutor executor;
   private final Turns turns;
+  private final Alarms alarms;
 
   /**
    * @param speed simulated seconds per second of wall time, above 0
@@ -47,6 +46,7 @@ public final class PacedClock implements Clock, AutoCloseable {
     executor.setRemoveOnCancelPolicy(true);
     executor.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
     this.turns = new Turns(executor);
+    this.alarms = new Alarms(executor, turns::doOrAdd, System::nanoTime);
   }
 
   @Override
@@ -74,11 +74,12 @@ public final class PacedClock implements Clock, AutoCloseable {
       turns.add(due);
       return due;
     }
-    long wallNanos = Math.round(delay.toNanos() / speed);
-    ScheduledFuture<?> future =
-        executor.schedule(
-            () -> turns.doOrAdd(new Due(owner, action)), wallNanos, TimeUnit.NANOSECONDS);
-    return () -> future.cancel(false);
+    Due due = new Due(owner, action);
+    Timer alarm = alarms.add(Math.round(delay.toNanos() / speed), due);
+    return () -> {
+      alarm.cancel();
+      due.cancel();
+    };
   }
 
   @Override

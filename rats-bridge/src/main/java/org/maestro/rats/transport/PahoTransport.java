@@ -34,7 +34,7 @@ public final class PahoTransport implements Transport {
   private final ScheduledThreadPoolExecutor timers;
   private final OneAtATime work = new OneAtATime();
   private final Events events = new Events();
-  private final List<PahoSubscription> subscriptions = new ArrayList<>();
+  private List<PahoSubscription> subscriptions = List.of();
   private final PublishQueue queue = new PublishQueue();
   private final CountDownLatch goodbye = new CountDownLatch(1);
   private Optional<Will> will = Optional.empty();
@@ -115,7 +115,9 @@ public final class PahoTransport implements Transport {
   private void add(PahoSubscription subscription) {
     perform(
         () -> {
-          subscriptions.add(subscription);
+          List<PahoSubscription> more = new ArrayList<>(subscriptions);
+          more.add(subscription);
+          subscriptions = List.copyOf(more);
           if (ready) {
             PahoConnection current = connection;
             current.subscribe(List.of(subscription), failure -> subscribed(current, failure));
@@ -242,7 +244,7 @@ public final class PahoTransport implements Transport {
     if (subscriptions.isEmpty()) {
       subscribed(source, Optional.empty());
     } else {
-      source.subscribe(List.copyOf(subscriptions), failure -> subscribed(source, failure));
+      source.subscribe(subscriptions, failure -> subscribed(source, failure));
     }
   }
 
@@ -324,7 +326,7 @@ public final class PahoTransport implements Transport {
     if (reconnectedAfterStall()) {
       return;
     }
-    for (PahoSubscription subscription : List.copyOf(subscriptions)) {
+    for (PahoSubscription subscription : subscriptions) {
       if (subscription.filter().matches(message.topic())) {
         subscription.handler().arrived(message);
       }

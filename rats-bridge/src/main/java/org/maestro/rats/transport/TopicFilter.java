@@ -37,20 +37,32 @@ record TopicFilter(String text, List<String> levels, int firstWildcard, String b
     if (!topic.startsWith(before)) {
       return false;
     }
-    String[] parts = topic.split("/", -1);
+    int start = 0;
     for (int index = 0; index < levels.size(); index++) {
       String level = levels.get(index);
       if (level.equals("#")) {
         return true;
       }
-      if (index >= parts.length || !(level.equals("+") || level.equals(parts[index]))) {
+      if (start > topic.length()) {
+        return false;
+      }
+      int end = end(topic, start);
+      boolean fits =
+          level.equals("+") || level.length() == end - start && topic.startsWith(level, start);
+      if (!fits) {
         return false;
       }
       boolean onlyHashFollows = index == levels.size() - 2 && levels.get(index + 1).equals("#");
-      if (index == parts.length - 1 && onlyHashFollows) {
+      if (end == topic.length() && onlyHashFollows) {
         return true;
       }
+      start = end + 1;
     }
-    return parts.length == levels.size();
+    return start > topic.length();
+  }
+
+  private static int end(String topic, int start) {
+    int slash = topic.indexOf('/', start);
+    return slash < 0 ? topic.length() : slash;
   }
 }
