@@ -35,11 +35,11 @@ public final class CoordinatorAgent extends MaestroAgent {
   /** Wall time that another agent for a member has until it announces itself. */
   private static final Duration MOVE = Duration.ofSeconds(20);
 
-  /** The paper's name of this agent. */
   /** What agents of other platforms may ask for. */
   private static final Set<String> FOR_ALL =
       Set.of("initCNP", "await", "cancel", "explain", "subscribe", "query-ref");
 
+  /** The paper's name of this agent. */
   public static final String NAME = "CCA";
 
   private final transient KnowledgeBase knowledge;

@@ -122,6 +122,8 @@ final class PlanningRound {
   private int lastChances;
 
   /**
+   * @param without members that are left out on trial: when there is no plan without them, nobody
+   *     is asked why
    * @param trusting whether a step that is declined now counts as possible after steps that change
    *     the world
    */
@@ -188,15 +190,20 @@ final class PlanningRound {
         new PlanningTask(
                 subject.vocabulary(home), facts.get(), features, subject.planned(home), unusable)
             .withUnavailable(unavailable(home), Map.copyOf(reasons));
-    boolean explaining = tenders.allCalled() && !subject.isOfSeeing();
+    boolean explaining = tenders.allCalled() && !isTrial() && !subject.isOfSeeing();
     ports
         .thinking()
         .think(() -> planned(task, explaining), result -> planned(task, result, home, snapshot));
   }
 
+  private boolean isTrial() {
+    return !without.isEmpty();
+  }
+
   /** Nothing is to be planned again when those who are called now only say what they describe. */
   private void planned(PlanningTask task, PlanningResult result, Home home, Snapshot snapshot) {
-    Set<String> wanted = tenders.wantedFor(result);
+    boolean failedTrial = isTrial() && !(result instanceof PlanningResult.Found);
+    Set<String> wanted = failedTrial ? Set.of() : tenders.wantedFor(result);
     if (wanted.isEmpty()) {
       solved(task, result, home, snapshot);
       return;
