@@ -41,6 +41,15 @@ public final class AnytimePlanner {
   /** A part of the operators is searched first if it is smaller than this part of all. */
   private static final double MOST_OF_ALL = 0.5;
 
+  /** How a greedy search ended. */
+  private enum Attempt {
+    FOUND,
+    /** There is no plan among the operators that were searched. */
+    EXHAUSTED,
+    TOO_LARGE,
+    STOPPED
+  }
+
   private final GrowingTask growing;
   private final long memory;
   private final Consumer<String> progress;
@@ -97,24 +106,13 @@ public final class AnytimePlanner {
   /** Solves the task until a plan is found, or none can exist, or patience is over. */
   public Solution first(Patience patience) {
     try {
-      while (!isWhole() && best.verdict() == Verdict.OUT_OF_TIME) {
-        greedy(MOST_STATES_OF_A_PART, patience);
-        if (!best.hasPlan()) {
-          best = Solution.without(Verdict.OUT_OF_TIME, 0);
-          grow(further(), patience);
-        }
+      while (!isWhole() && greedy(MOST_STATES_OF_A_PART, patience) != Attempt.FOUND) {
+        grow(further(), patience);
       }
       if (growing.task().unreachable()) {
-        return best = Solution.without(Verdict.UNSOLVABLE, 0);
-      }
-      double seconds = 0.5;
-      while (best.verdict() == Verdict.OUT_OF_TIME) {
-        greedy(Integer.MAX_VALUE, patience.atMost(seconds));
-        if (best.verdict() == Verdict.OUT_OF_TIME || best.verdict() == Verdict.OUT_OF_MEMORY) {
-          star(WEIGHT, patience.atMost(seconds));
-        }
-        patience.refuseIfOver();
-        seconds *= 2;
+        best = Solution.without(Verdict.UNSOLVABLE, 0);
+      } else if (!best.hasPlan()) {
+        firstOfWhole(patience);
       }
     } catch (CancellationException e) {
       return best;
@@ -122,6 +120,37 @@ public final class AnytimePlanner {
       best = best.afterMemoryWasUsedUp();
     }
     return best;
+  }
+
+  /** Each search in turn for longer, as which of them finds a plan cannot be foreseen. */
+  private void firstOfWhole(Patience patience) {
+    boolean mayGreedy = true;
+    boolean mayStar = true;
+    double seconds = 0.5;
+    while (mayGreedy || mayStar) {
+      if (mayGreedy) {
+        Attempt attempt = greedy(Integer.MAX_VALUE, patience.atMost(seconds));
+        mayGreedy = attempt == Attempt.STOPPED;
+        if (attempt == Attempt.EXHAUSTED) {
+          best = Solution.without(Verdict.UNSOLVABLE, 0);
+        }
+      }
+      if (mayStar && hasNeither()) {
+        star(WEIGHT, patience.atMost(seconds));
+        mayStar = best.verdict() != Verdict.OUT_OF_MEMORY;
+      }
+      if (!hasNeither()) {
+        return;
+      }
+      patience.refuseIfOver();
+      seconds *= 2;
+    }
+    best = Solution.without(Verdict.OUT_OF_MEMORY, 0);
+  }
+
+  /** Neither a plan nor a proof that there is none. */
+  private boolean hasNeither() {
+    return !best.hasPlan() && best.verdict() != Verdict.UNSOLVABLE;
   }
 
   private boolean isWhole() {
@@ -152,7 +181,7 @@ public final class AnytimePlanner {
     return settled.get();
   }
 
-  private void greedy(int mostStates, Patience patience) {
+  private Attempt greedy(int mostStates, Patience patience) {
     try {
       GroundTask task = Reduction.reduced(settled(patience).task(), patience);
       SearchTask reduced = new SearchTask(task, task.operators(), patience);
@@ -160,13 +189,15 @@ public final class AnytimePlanner {
       List<GroundOperator> among = AmongThose.of(heuristic, reduced);
       if (among.size() < MOST_OF_ALL * reduced.operators.size()) {
         SearchTask small = new SearchTask(task, among, patience);
-        greedy(small, relaxedPlan(small, patience), MOST_STATES_OF_A_PART, patience);
+        RelaxedPlan ofSmall = relaxedPlan(small, patience);
+        if (greedy(small, ofSmall, MOST_STATES_OF_A_PART, patience) == Attempt.FOUND) {
+          return Attempt.FOUND;
+        }
       }
-      if (!best.hasPlan()) {
-        greedy(reduced, heuristic, mostStates, patience);
-      }
+      return greedy(reduced, heuristic, mostStates, patience);
     } catch (CancellationException e) {
       progress.accept("greedy search was stopped");
+      return Attempt.STOPPED;
     }
   }
 
@@ -175,15 +206,15 @@ public final class AnytimePlanner {
     return new RelaxedPlan(task, costs, patience);
   }
 
-  private void greedy(SearchTask task, RelaxedPlan heuristic, int mostStates, Patience patience) {
+  private Attempt greedy(
+      SearchTask task, RelaxedPlan heuristic, int mostStates, Patience patience) {
     LazyGreedySearch search = new LazyGreedySearch(task, heuristic, patience, memory, mostStates);
     Optional<List<Integer>> plan = search.run(0, Long.MAX_VALUE);
+    plan.ifPresent(found -> keep(task, found));
     if (plan.isPresent()) {
-      keep(task, plan.get());
-    } else {
-      best =
-          Solution.without(search.isOutOfMemory() ? Verdict.OUT_OF_MEMORY : Verdict.UNSOLVABLE, 0);
+      return Attempt.FOUND;
     }
+    return search.isOutOfMemory() ? Attempt.TOO_LARGE : Attempt.EXHAUSTED;
   }
 
   /** Whether what is there of the task was searched to its end. */
@@ -265,6 +296,7 @@ public final class AnytimePlanner {
     }
     List<GroundOperator> meant =
         settled.map(task -> task.meant(operators)).orElse(List.copyOf(operators));
-    best = new Solution(Verdict.PLAN, meant, cost, best.lowerBound(), best.memoryUsedUp());
+    Verdict verdict = cost <= best.lowerBound() ? Verdict.OPTIMAL : Verdict.PLAN;
+    best = new Solution(verdict, meant, cost, best.lowerBound(), best.memoryUsedUp());
   }
 }

@@ -270,7 +270,7 @@ class RandomTasksTest {
     return new State(facts, sums);
   }
 
-  private static OptionalLong leastCost(GroundTask task) {
+  static OptionalLong leastCost(GroundTask task) {
     Map<State, Long> costs = new HashMap<>();
     PriorityQueue<Entry> queue = new PriorityQueue<>((a, b) -> Long.compare(a.cost(), b.cost()));
     costs.put(initial(task), 0L);
