@@ -2,6 +2,7 @@ package org.maestro.coordination;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -58,6 +59,29 @@ final class AwaitedMembers {
                       .forEach(missed::add));
     }
     return missed;
+  }
+
+  /** What was looked for everywhere else may be with one that is lost: a sentence for each. */
+  List<String> perhapsWithTheLost(PlanningResult result) {
+    Set<String> sentences = new LinkedHashSet<>();
+    if (result instanceof PlanningResult.Impossible impossible) {
+      Snapshot now = ports.knowledge().snapshot();
+      Sentences words = new Sentences(ports.knowledge().home().vocabulary());
+      conditions(impossible.explanation())
+          .forEach(
+              condition ->
+                  roster.lost().stream()
+                      .filter(member -> mayBeWith(condition, member, now))
+                      .map(
+                          member ->
+                              "It may be that %s, which is not there (%s)."
+                                  .formatted(
+                                      words.fact(
+                                          withValue((Formula.Atom) formula(condition), member)),
+                                      roster.absence(member, ports.clock().now())))
+                      .forEach(sentences::add));
+    }
+    return List.copyOf(sentences);
   }
 
   private static Stream<Obstacle> conditions(PlanningResult.Explanation explanation) {

@@ -169,6 +169,7 @@ final class GoalEnding {
   private List<String> reasons(PlanningRound.Ended round) {
     List<String> reasons = new ArrayList<>(outlook.reasonsOfLeavingAlone());
     reasons.addAll(story.reasons(round.result()));
+    reasons.addAll(awaited.perhapsWithTheLost(round.result()));
     round.notCountedOn().ifPresent(reasons::add);
     if (outlook.restsOnRefusals(round.result())) {
       reasons.add(NOT_PROVEN);

@@ -76,15 +76,17 @@ public final class Roster {
         : "lost since " + now.minus(lost).toSeconds() + " s: " + absence(member);
   }
 
-  /** Members that were lost at that time or later, and have not come back. */
+  /** Members that were there and have not come back. */
+  Set<String> lost() {
+    Set<String> lost = new TreeSet<>(lostByMember.keySet());
+    lost.removeIf(this::isThere);
+    return lost;
+  }
+
+  /** Those of them that were lost later than that. */
   Set<String> lostSince(Duration time) {
-    Set<String> lost = new TreeSet<>();
-    lostByMember.forEach(
-        (member, at) -> {
-          if (!isThere(member) && at.compareTo(time) > 0) {
-            lost.add(member);
-          }
-        });
+    Set<String> lost = lost();
+    lost.removeIf(member -> lostByMember.get(member).compareTo(time) <= 0);
     return lost;
   }
 

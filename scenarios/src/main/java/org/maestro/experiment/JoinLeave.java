@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
+import org.maestro.coordination.Ports;
 import org.maestro.experiment.drawing.Bars;
 import org.maestro.experiment.drawing.Figure;
 import org.maestro.experiment.drawing.Ink;
@@ -304,6 +305,10 @@ final class JoinLeave implements Experiment {
             List.of(
                 "Bob's home with two robots. Half of the time the second robot is away at first and joins within 12 s. Then one to three members, half of them robots, fail or leave the bus within 12 s, about what a goal takes; four of ten come back within 12 s more.",
                 "Each goal begins on a platform of its own that has seen cup and Bob, so that the fixed plan needs no search and both ways meet the same.",
+                String.format(
+                    Locale.ROOT,
+                    "A goal that needs a member which was lost moments ago waits for it, %d s from the loss at most, as people would; the fixed plan has no such rule, since it ends with its first step that cannot be done.",
+                    Ports.USUAL_COMEBACK.toSeconds()),
                 "Some events leave nothing that could be done: no robot, or no light. Such goals count as not reached here, too."));
     page.heading("What differs from the paper, and why")
         .list(

@@ -18,6 +18,7 @@ import org.jfree.data.xy.DefaultXYDataset;
 /** A quantity over time as a line, and a share of something as dots, each with an axis. */
 public final class TimeChart {
   private static final double ROOM_ABOVE = 1.25;
+  private static final int MOST_TICKS = 12;
 
   /**
    * @param points seconds and values
@@ -44,7 +45,8 @@ public final class TimeChart {
       List<Event> events) {
     NumberAxis time = Style.axis("time (s)");
     double last = lines.get(0).points().get(lines.get(0).points().size() - 1)[0];
-    time.setRange(0, last);
+    time.setRange(0, Math.ceil(last));
+    time.setTickUnit(new NumberTickUnit(tick(last)));
     NumberAxis left = Style.axis(quantity);
     double greatest = threshold.value();
     for (Series line : lines) {
@@ -81,6 +83,15 @@ public final class TimeChart {
     plot.setDatasetRenderingOrder(DatasetRenderingOrder.REVERSE);
     plot.setFixedLegendItems(legend);
     return Style.image(Style.chart(title, plot));
+  }
+
+  /** So that a dozen of them stand below the axis at most, each a round number. */
+  private static double tick(double last) {
+    double tick = 1;
+    for (int i = 0; last / tick > MOST_TICKS; i++) {
+      tick *= i % 3 == 1 ? 2.5 : 2;
+    }
+    return tick;
   }
 
   private static ValueMarker marker(Event event) {

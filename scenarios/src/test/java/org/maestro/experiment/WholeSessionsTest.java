@@ -1,0 +1,64 @@
+package org.maestro.experiment;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/** Experiments with as many runs as the papers report, or more (M93, M94, M96, M98). */
+@Tag("full")
+class WholeSessionsTest {
+  private static final String PAPER = "cameras do not notice, as in the paper: ";
+  private static final String NOTICING = "cameras notice: ";
+  private static final String SHUTTERS = "cameras notice, and shutters: ";
+
+  @Test
+  void twentyRunsReachTheirGoalInLittleMoreThanTheLeastTime() {
+    Findings findings = CarriedOut.findings("move-object", 20, 1, Map.of());
+
+    assertThat(value(findings, "reached, in the simulated world")).isEqualTo(20);
+    assertThat(value(findings, "claims that were not so")).isZero();
+    assertThat(value(findings, "time over its physical lower bound, mean")).isBetween(1.0, 1.1);
+    List<List<String>> rows = findings.tables().get("runs").rows();
+    assertThat(rows.subList(0, 10)).allMatch(row -> row.get(2).equals(MoveObject.FIRST.goal()));
+    assertThat(rows.subList(10, 20)).allMatch(row -> row.get(2).equals(MoveObject.SECOND.goal()));
+  }
+
+  @Test
+  void inTheSunCamerasThatNoticeClaimNothingFalseAndShuttersHelp() {
+    Findings findings =
+        CarriedOut.findings(
+            "over-exposure", 10, 1, Map.of("world.clouds", "0", "world.clouds.change", "0"));
+
+    assertThat(value(findings, PAPER + "claims what is not so")).isPositive();
+    assertThat(value(findings, NOTICING + "claims what is not so")).isZero();
+    assertThat(value(findings, SHUTTERS + "claims what is not so")).isZero();
+    assertThat(value(findings, SHUTTERS + "reached")).isEqualTo(10);
+    assertThat(findings.tables().get("runs").rows())
+        .as("replans")
+        .allMatch(row -> Integer.parseInt(row.get(6)) < 10);
+  }
+
+  @Test
+  void ofAHundredGoalsPlanningAgainReachesMoreThanAFixedPlan() {
+    Findings findings = CarriedOut.findings("join-leave", 100, 1, Map.of());
+
+    assertThat(value(findings, "undisturbed: reached")).isEqualTo(100);
+    assertThat(value(findings, "planning again: reached"))
+        .isGreaterThan(value(findings, "fixed plan: reached"));
+    assertThat(value(findings, "claims that were not so")).isZero();
+    assertThat(findings.tables().get("runs").rows())
+        .as("each failure is explained")
+        .allMatch(row -> row.get(3).equals("true") == row.get(7).isEmpty());
+  }
+
+  private static double value(Findings findings, String name) {
+    return findings.results().stream()
+        .filter(result -> result.name().equals(name))
+        .findFirst()
+        .orElseThrow()
+        .value();
+  }
+}
