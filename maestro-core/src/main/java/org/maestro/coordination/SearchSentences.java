@@ -1,7 +1,9 @@
 package org.maestro.coordination;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 
 /** Says in plain words what was looked at in vain, and what could not be looked at and why. */
@@ -23,10 +25,7 @@ final class SearchSentences {
                   Collectors.joining("; ", report.thing() + " was looked for in vain: ", ".")));
     }
     if (!report.gaps().isEmpty()) {
-      sentences.add(
-          report.gaps().stream()
-              .map(this::gap)
-              .collect(Collectors.joining(" ", "Where " + report.thing() + " may still be: ", "")));
+      sentences.add("Where " + report.thing() + " may still be: " + gaps(report.gaps()));
     }
     return sentences;
   }
@@ -41,16 +40,29 @@ final class SearchSentences {
         .formatted(look.place(), look.by(), Sentences.number(look.at().toMillis() / 1e3), covered);
   }
 
-  private String gap(SearchReport.Gap gap) {
-    return gap.place()
-        + switch (gap.reason()) {
+  /** Places that nobody looked at for the same reason are told together. */
+  private String gaps(List<SearchReport.Gap> gaps) {
+    Map<String, List<SearchReport.Gap>> alike = new LinkedHashMap<>();
+    for (SearchReport.Gap gap : gaps) {
+      alike.computeIfAbsent(gap.reason() + why(gap), same -> new ArrayList<>()).add(gap);
+    }
+    return alike.values().stream().map(this::together).collect(Collectors.joining(" "));
+  }
+
+  private String together(List<SearchReport.Gap> alike) {
+    SearchReport.Gap first = alike.get(0);
+    return alike.stream().map(SearchReport.Gap::place).collect(Collectors.joining(", "))
+        + switch (first.reason()) {
           case NOBODY_CAN -> ", into which nobody can look.";
           case MEMBERS_LOST, CONDITION ->
-              gap.obstacles().stream()
-                  .map(obstacles::obstacle)
-                  .collect(Collectors.joining(" ", ", which was not looked at. ", ""));
+              ", which %s not looked at. %s"
+                  .formatted(alike.size() == 1 ? "was" : "were", why(first));
           case LOOKED_IN_VAIN -> ", where looks settled nothing, and are not repeated for ever.";
           case OF_NO_USE -> ", where nobody looked, as that alone would not have helped.";
         };
+  }
+
+  private String why(SearchReport.Gap gap) {
+    return gap.obstacles().stream().map(obstacles::obstacle).collect(Collectors.joining(" "));
   }
 }

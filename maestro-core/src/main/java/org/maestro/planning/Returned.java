@@ -76,6 +76,9 @@ final class Returned implements Facts {
     Optional<Term> best = Optional.empty();
     double chance = -1;
     for (Term place : before.individuals(declared.parameters().get(1).className().orElse(""))) {
+      if (place.equals(self)) {
+        continue; // nothing is in itself
+      }
       Formula.Atom atom = new Formula.Atom(declared.name(), List.of(self, place));
       Truth truth = before.truth(atom);
       if (truth == Truth.TRUE) {

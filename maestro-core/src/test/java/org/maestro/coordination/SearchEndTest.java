@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.maestro.ontology.home.Home;
@@ -79,6 +80,25 @@ class SearchEndTest {
         .containsExactly("cam-b");
     assertThat(String.join(" ", outcome.reasons()))
         .contains("zone-b, which was not looked at. Cam-b is needed and not there (no power)");
+  }
+
+  @Test
+  void placesThatNobodyLookedAtForTheSameReasonAreToldTogether() {
+    SearchReport report =
+        new SearchReport(
+            "in",
+            "Cup",
+            List.of(),
+            List.of(
+                new SearchReport.Gap("zone-a", SearchReport.Reason.OF_NO_USE, List.of()),
+                new SearchReport.Gap("attic", SearchReport.Reason.NOBODY_CAN, List.of()),
+                new SearchReport.Gap("zone-b", SearchReport.Reason.OF_NO_USE, List.of())));
+
+    assertThat(
+            new SearchSentences(new ObstacleSentences(home, house.knowledge.snapshot())).of(report))
+        .containsExactly(
+            "Where Cup may still be: zone-a, zone-b, where nobody looked, as that alone would not"
+                + " have helped. attic, into which nobody can look.");
   }
 
   @Test

@@ -39,7 +39,11 @@ record CupRun(
   private static final Duration PATIENCE = Duration.ofMinutes(10);
   private static final double SCATTER_METRES = 0.1;
 
-  /** What a robot did. */
+  /**
+   * What a robot has done.
+   *
+   * @param second since the goal was stated
+   */
   record Deed(double second, String robot, String what) {}
 
   static CupRun carryOut(int number, long seed, Settings settings) {
@@ -73,11 +77,14 @@ record CupRun(
       site.run(Duration.ofSeconds(2));
       TopView view = new TopView(home, site.world());
       Ending ending = site.pursue(GOAL, PATIENCE);
+      double begun = ending.begun().toMillis() / 1e3;
       return new CupRun(
           number,
           seed,
           ending,
-          List.copyOf(deeds),
+          deeds.stream()
+              .map(deed -> new Deed(deed.second() - begun, deed.robot(), deed.what()))
+              .toList(),
           isCleanedUp(site, deeds),
           ending.seconds(site.clock().now()),
           number == 1 ? List.of(MoveRun.picture(view, number)) : List.of());
