@@ -22,12 +22,22 @@ final class ViewLight {
   private final Eye eye;
   private long version = -1;
   private List<Pose> views = List.of();
+  private Optional<FloorPlan> plan = Optional.empty();
+  private List<Visible> inView = List.of();
   private List<Seen> seen = List.of();
 
   ViewLight(World world, Eye eye) {
     this.world = world;
     this.eye = eye;
   }
+
+  /**
+   * Points in view of an area.
+   *
+   * @param points at least one
+   * @param covered whether they are nearly all of its points
+   */
+  private record Visible(Area area, List<Position> points, boolean covered) {}
 
   /**
    * An area of which something is in view.
@@ -60,44 +70,63 @@ final class ViewLight {
     long now = world.lighting().version();
     List<Pose> from = eye.views().get();
     if (now != version || !from.equals(views)) {
-      seen = measured(from);
+      seen = visible(from).stream().map(this::measured).toList();
       version = now;
-      views = from;
     }
     return world.lighting().hasDaylight() ? withThings(from) : seen;
   }
 
-  private List<Seen> measured(List<Pose> from) {
-    FloorPlan plan = world.building().plan();
-    List<Seen> areas = new ArrayList<>();
+  /** Kept until view, walls or doors change. */
+  private List<Visible> visible(List<Pose> from) {
+    FloorPlan now = world.building().plan();
+    if (plan.filter(before -> before == now).isEmpty() || !from.equals(views)) {
+      inView = inView(from, now);
+      plan = Optional.of(now);
+      views = from;
+    }
+    return inView;
+  }
+
+  private List<Visible> inView(List<Pose> from, FloorPlan now) {
+    List<Visible> areas = new ArrayList<>();
     for (Area area : world.building().map().areas()) {
       List<Point2> samples = Eye.samples(area);
-      double[] lux =
+      List<Position> points =
           samples.stream()
               .map(Position::onFloor)
-              .filter(point -> eye.sees(point, from, plan))
-              .mapToDouble(world::lux)
-              .sorted()
-              .toArray();
-      if (lux.length > 0) {
-        boolean covered = lux.length >= COVERED * samples.size();
-        double reference = world.lux(Position.onFloor(area.reference()));
-        AreaLight light = new AreaLight(area.name(), reference, lux[0], lux[lux.length - 1]);
-        Seen inView = new Seen(light, covered);
-        areas.add(covered ? inView.with(reference) : inView);
+              .filter(point -> eye.sees(point, from, now))
+              .toList();
+      if (!points.isEmpty()) {
+        areas.add(new Visible(area, points, points.size() >= COVERED * samples.size()));
       }
     }
     return List.copyOf(areas);
+  }
+
+  private Seen measured(Visible visible) {
+    double darkest = Double.POSITIVE_INFINITY;
+    double brightest = 0;
+    for (Position point : visible.points()) {
+      double lux = world.lux(point);
+      darkest = Math.min(darkest, lux);
+      brightest = Math.max(brightest, lux);
+    }
+    double reference = world.lux(Position.onFloor(visible.area().reference()));
+    Seen inView =
+        new Seen(
+            new AreaLight(visible.area().name(), reference, darkest, brightest), visible.covered());
+    return visible.covered() ? inView.with(reference) : inView;
   }
 
   /** The sun may shine upon a thing and upon no point at which the floor's light is looked at. */
   private List<Seen> withThings(List<Pose> from) {
     Map<String, Seen> byArea = new TreeMap<>();
     seen.forEach(area -> byArea.put(area.light().area(), area));
-    FloorPlan plan = world.building().plan();
     for (Position place : world.whereabouts().placesInTheOpen()) {
       Optional<String> area = world.building().map().areaAt(place.floor()).map(Area::name);
-      if (area.isPresent() && byArea.containsKey(area.get()) && eye.sees(place, from, plan)) {
+      if (area.isPresent()
+          && byArea.containsKey(area.get())
+          && eye.sees(place, from, world.building().plan())) {
         byArea.computeIfPresent(area.get(), (name, known) -> known.with(world.lux(place)));
       }
     }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeFaultException;
+import org.maestro.ontology.home.UnstatedNeeds;
 import org.maestro.ontology.validation.Fault;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -31,15 +32,19 @@ final class CheckCommand implements Callable<Integer> {
     PrintWriter out = spec.commandLine().getOut();
     try {
       Home loaded = Shipped.home(home);
-      out.println(
-          json
-              ? document(List.of())
-              : "%s: no fault; %d devices, %d things in all."
-                  .formatted(home, loaded.devices().size(), loaded.individuals().size()));
+      List<String> notes = UnstatedNeeds.of(loaded);
+      if (json) {
+        out.println(document(List.of(), notes));
+      } else {
+        notes.forEach(note -> out.println("Note: " + note));
+        out.printf(
+            "%s: no fault; %d devices, %d things in all.%n",
+            home, loaded.devices().size(), loaded.individuals().size());
+      }
       return ExitCode.DONE;
     } catch (HomeFaultException e) {
       if (json) {
-        out.println(document(e.faults()));
+        out.println(document(e.faults(), List.of()));
       } else {
         e.faults().forEach(out::println);
         out.println(e.faults().size() == 1 ? "1 fault." : e.faults().size() + " faults.");
@@ -48,7 +53,7 @@ final class CheckCommand implements Callable<Integer> {
     }
   }
 
-  private String document(List<Fault> faults) {
+  private String document(List<Fault> faults, List<String> notes) {
     ObjectNode document = new ObjectMapper().createObjectNode();
     document.put("home", home);
     ArrayNode array = document.putArray("faults");
@@ -61,6 +66,7 @@ final class CheckCommand implements Callable<Integer> {
       node.put("problem", fault.problem());
       node.put("cure", fault.cure());
     }
+    notes.forEach(document.putArray("notes")::add);
     return document.toString();
   }
 }

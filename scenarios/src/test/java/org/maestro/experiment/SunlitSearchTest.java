@@ -68,7 +68,7 @@ class SunlitSearchTest {
         <#second> scene:ambientLux 150 .
         <#third> scene:ambientLux 150 .
         """
-            .formatted(SceneLoader.NAMESPACE, robotAt, cupAt);
+            .formatted("https://w3id.org/maestro/scene#", robotAt, cupAt);
     return TrialSite.open(
         new Trial(
             "sunlit",

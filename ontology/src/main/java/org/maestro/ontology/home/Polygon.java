@@ -69,6 +69,9 @@ public record Polygon(List<Point2> corners) {
 
   /** Whether the point lies inside or on the edge. */
   public boolean contains(Point2 point) {
+    if (!isNear(point)) {
+      return false;
+    }
     boolean inside = false;
     for (Segment edge : edges()) {
       if (edge.distance(point) <= Segment.TOLERANCE) {
@@ -82,6 +85,24 @@ public record Polygon(List<Point2> corners) {
       }
     }
     return inside;
+  }
+
+  /** Whether it lies in the rectangle around. */
+  private boolean isNear(Point2 point) {
+    double left = Double.POSITIVE_INFINITY;
+    double right = Double.NEGATIVE_INFINITY;
+    double bottom = Double.POSITIVE_INFINITY;
+    double top = Double.NEGATIVE_INFINITY;
+    for (Point2 corner : corners) {
+      left = Math.min(left, corner.x());
+      right = Math.max(right, corner.x());
+      bottom = Math.min(bottom, corner.y());
+      top = Math.max(top, corner.y());
+    }
+    return point.x() >= left - Segment.TOLERANCE
+        && point.x() <= right + Segment.TOLERANCE
+        && point.y() >= bottom - Segment.TOLERANCE
+        && point.y() <= top + Segment.TOLERANCE;
   }
 
   /** The length of edge that both share; metres. */

@@ -1,0 +1,103 @@
+package org.maestro.ontology.home;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.sl.Effect;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Leaves;
+import org.maestro.sl.Term;
+
+/**
+ * Numbers of devices that their features need, and that neither the home states nor anybody could
+ * ever tell: such a feature is never used. No fault, since the device may be meant so, but hardly
+ * ever what was wanted.
+ */
+public final class UnstatedNeeds {
+  private static final Term SELF = new Term.Variable("self");
+
+  private final Home home;
+  private final Set<String> told = new TreeSet<>();
+
+  private UnstatedNeeds(Home home) {
+    this.home = home;
+    for (Device device : home.devices().values()) {
+      device.features().forEach(feature -> collectChanged(feature.effect()));
+    }
+  }
+
+  /** A sentence for each, in the order of the devices. */
+  public static List<String> of(Home home) {
+    UnstatedNeeds needs = new UnstatedNeeds(home);
+    List<String> sentences = new ArrayList<>();
+    for (Device device : home.devices().values()) {
+      for (FeatureType feature : device.features()) {
+        for (String name : needs.unstated(device, feature)) {
+          sentences.add(
+              "%s offers %s, which needs its %s, and nothing states it; write it, or %s is never used for that."
+                  .formatted(device.id(), feature.name(), name, device.id()));
+        }
+      }
+    }
+    return sentences;
+  }
+
+  private void collectChanged(Effect effect) {
+    if (effect instanceof Effect.All all) {
+      all.effects().forEach(this::collectChanged);
+    } else if (effect instanceof Effect.When when) {
+      collectChanged(when.effect());
+    } else if (effect instanceof Effect.Forall forall) {
+      collectChanged(forall.effect());
+    } else if (effect instanceof Effect.Change change) {
+      told.add(change.fluent().name());
+    } else if (effect instanceof Effect.SenseNumber sense) {
+      told.add(sense.fluent().name());
+    }
+  }
+
+  private Set<String> unstated(Device device, FeatureType feature) {
+    Set<String> names = new LinkedHashSet<>();
+    for (Formula conjunct : conjuncts(feature.precondition())) {
+      if (conjunct instanceof Formula.Comparison comparison) {
+        Leaves.of(
+            comparison,
+            atom -> {},
+            fluent -> {
+              if (isOfSelf(fluent) && !isTold(device, fluent.name())) {
+                names.add(fluent.name());
+              }
+            });
+      }
+    }
+    return names;
+  }
+
+  private static List<Formula> conjuncts(Formula formula) {
+    if (formula instanceof Formula.And and) {
+      return and.operands().stream().flatMap(part -> conjuncts(part).stream()).toList();
+    }
+    return List.of(formula);
+  }
+
+  private static boolean isOfSelf(Expression.Fluent fluent) {
+    return fluent.arguments().equals(List.of(SELF));
+  }
+
+  private boolean isTold(Device device, String name) {
+    Vocabulary vocabulary = home.vocabulary();
+    Optional<PredicateDeclaration> declared = vocabulary.predicate(name);
+    return told.contains(name)
+        || declared.filter(PredicateDeclaration::observable).isPresent()
+        || declared.flatMap(PredicateDeclaration::computedBy).isPresent()
+        || device.individual().properties().containsKey(name)
+        || device.reports().values().stream().anyMatch(fact -> fact.contains("(" + name + " "));
+  }
+}
