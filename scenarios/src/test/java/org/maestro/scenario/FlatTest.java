@@ -7,6 +7,7 @@ import java.time.Duration;
 import org.junit.jupiter.api.Test;
 import org.maestro.junit.MaestroTest;
 import org.maestro.junit.Stage;
+import org.maestro.platform.AgentRow;
 import org.maestro.sim.World;
 
 /**
@@ -32,6 +33,15 @@ class FlatTest {
     assertThat(world.opening("shutter")).isPositive();
     assertThat(world.lampLevel("bed-lamp")).isEqualTo(1);
     assertThat(world.isOpen("bedroom-door")).isTrue();
+  }
+
+  /** Hardware and its domain part make one agent; none stands for two, none is without (M24). */
+  @Test
+  void eachDeviceIsAnAgentOfItsOwn(Stage stage) {
+    assertThat(stage.platform().agents().stream().filter(row -> !row.members().isEmpty()).toList())
+        .allSatisfy(row -> assertThat(row.members()).containsExactly(row.agent()))
+        .extracting(AgentRow::agent)
+        .containsExactlyInAnyOrderElementsOf(stage.knowledge().home().devices().keySet());
   }
 
   @Test
