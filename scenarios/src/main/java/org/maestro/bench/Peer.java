@@ -41,6 +41,11 @@ final class Peer {
       this.file = file;
     }
 
+    /** Fast Downward has exit codes of its own for that, while making ground and in the search. */
+    private boolean saysThatNoneExists(int exitValue) {
+      return this == FAST_DOWNWARD && (exitValue == 10 || exitValue == 11);
+    }
+
     private List<String> command(Path program, double deadlineSeconds) {
       return this == FAST_DOWNWARD
           ? List.of(
@@ -117,9 +122,11 @@ final class Peer {
             .formatted(name(), kind.module.replace('_', '-'));
   }
 
-  /** How it ended: with a plan, without one of its own accord, or at the deadline. */
+  /** How it ended: of its own accord with or without a plan, or at the deadline. */
   enum End {
     PLAN,
+    /** It says that there is none. */
+    NO_PLAN_EXISTS,
     GAVE_UP,
     STOPPED
   }
@@ -135,6 +142,7 @@ final class Peer {
       String words =
           switch (end) {
             case PLAN -> "%.0f ms";
+            case NO_PLAN_EXISTS -> "no plan exists, %.0f ms";
             case GAVE_UP -> "without a plan after %.0f ms";
             case STOPPED -> "without a plan stopped after %.0f ms";
           };
@@ -178,7 +186,8 @@ final class Peer {
         return new Outcome(End.STOPPED, passed);
       }
       boolean solved = process.exitValue() == 0 && Files.exists(folder.resolve(PLAN_FILE));
-      return new Outcome(solved ? End.PLAN : End.GAVE_UP, passed);
+      boolean refuted = kind.saysThatNoneExists(process.exitValue());
+      return new Outcome(solved ? End.PLAN : refuted ? End.NO_PLAN_EXISTS : End.GAVE_UP, passed);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return new Outcome(End.STOPPED, (System.nanoTime() - start) / 1e6);

@@ -128,8 +128,7 @@ public final class PlannerBench {
                     .formatted(cost(last[0].cost(), task), cost(last[0].lowerBound(), task))
                 : ": " + last[0].verdict().name().toLowerCase(Locale.ROOT);
     rows.add(new BenchReport.Row(name + end, proof, "ms", baseline));
-    return new PlannerTable.Entry(
-        wish, median(first), proof, last[0].cost(), last[0].lowerBound(), others);
+    return new PlannerTable.Entry(wish, median(first), proof, last[0], others);
   }
 
   private static String cost(long units, LiftedTask task) {

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.maestro.planning.search.Solution;
 
 /** The planner's figures as a table: a row for each size of home. */
 final class PlannerTable {
@@ -13,29 +14,34 @@ final class PlannerTable {
    *
    * @param firstMilliseconds until the first plan
    * @param milliseconds until the proof, or the deadline
-   * @param cost of the best plan; 0 when there is none
-   * @param bound no plan costs less; equal to the cost when that is proven
+   * @param end what was known then
    * @param peers what those did that are installed, each in a few words
    */
   record Entry(
       String wish,
       double firstMilliseconds,
       double milliseconds,
-      double cost,
-      double bound,
+      Solution end,
       List<String> peers) {
 
     private String text() {
       String peer = peers.isEmpty() ? "" : " (" + String.join(", ", peers) + ")";
-      return bound >= cost
-          ? String.format(Locale.ROOT, "%s %.1f ms%s", wish, milliseconds, peer)
-          : String.format(
-              Locale.ROOT,
-              "%s: gap %.1f %% at %.0f s%s",
-              wish,
-              100 * (cost - bound) / cost,
-              milliseconds / 1000,
-              peer);
+      return wish + ending() + peer;
+    }
+
+    private String ending() {
+      return switch (end.verdict()) {
+        case OPTIMAL -> String.format(Locale.ROOT, " %.1f ms", milliseconds);
+        case UNSOLVABLE -> String.format(Locale.ROOT, ": no plan exists, %.1f ms", milliseconds);
+        case PLAN ->
+            String.format(
+                Locale.ROOT,
+                ": gap %.1f %% at %.0f s",
+                100.0 * (end.cost() - end.lowerBound()) / end.cost(),
+                milliseconds / 1000);
+        case OUT_OF_TIME, OUT_OF_MEMORY ->
+            String.format(Locale.ROOT, ": nothing found in %.0f s", milliseconds / 1000);
+      };
     }
   }
 

@@ -11,7 +11,8 @@ import java.util.TreeSet;
 /**
  * A random home as a planning problem: of each 100 agents some 50 are lamps, 16 cameras, 12 light
  * sensors, 10 doors, 8 shutters and 4 robots, in 12 rooms with 8 things to carry. The rooms form a
- * tree with a few more ways, of which every third has a door.
+ * tree with a few more ways, of which every third has a door. The light that is asked for can be
+ * had with one lamp; whether a transport can be done is left to chance.
  */
 final class PlanningHome {
   /** What is asked for. */
@@ -30,7 +31,12 @@ final class PlanningHome {
   private final int agents;
   private final StringBuilder objects = new StringBuilder();
   private final TreeSet<String> facts = new TreeSet<>();
-  private final List<String> placesOfPersons = new ArrayList<>();
+  private final List<Integer> roomsOfPersons = new ArrayList<>();
+  private final List<Integer> levels = new ArrayList<>();
+
+  /** What each lamp adds: the first ones, of each room one, are off. */
+  private final List<Integer> gains = new ArrayList<>();
+
   private int items;
   private int persons;
 
@@ -43,7 +49,9 @@ final class PlanningHome {
   String problem(Wish wish) {
     objects.setLength(0);
     facts.clear();
-    placesOfPersons.clear();
+    roomsOfPersons.clear();
+    levels.clear();
+    gains.clear();
     int rooms = share(12, 2);
     object("lux-level", "l", 6);
     object("room", "r", rooms);
@@ -62,7 +70,10 @@ final class PlanningHome {
     int item = random.nextInt(items);
     return switch (wish) {
       case OBSERVE -> "(located item%d)".formatted(item);
-      case ILLUMINATE -> "(known-level %s l3)".formatted(placesOfPersons.get(0));
+      case ILLUMINATE -> {
+        int room = roomsOfPersons.get(0);
+        yield "(known-level r%d l%d)".formatted(room, levels.get(room) + gains.get(room));
+      }
       case TRANSPORT -> next(item);
       case THREE_TRANSPORTS -> next(item) + next((item + 1) % items) + next((item + 2) % items);
     };
@@ -132,10 +143,12 @@ final class PlanningHome {
     for (int light = 0; light < lights; light++) {
       fact("online light%d", light);
       fact("light-in light%d r%d", light, light % rooms);
-      fact(random.nextInt(5) == 0 ? "on light%d" : "off light%d", light);
+      boolean on = random.nextInt(5) == 0 && light >= rooms;
+      fact(on ? "on light%d" : "off light%d", light);
       fact("= (on-cost light%d) %d", light, between(1, 6));
       fact("= (off-cost light%d) 1", light);
-      raises("light" + light, between(1, 2));
+      gains.add(between(1, 2));
+      raises("light" + light, gains.get(light));
     }
     int shutters = share(8, 0);
     object("shutter", "shutter", shutters);
@@ -147,7 +160,8 @@ final class PlanningHome {
       raises("shutter" + shutter, between(1, 3));
     }
     for (int room = 0; room < rooms; room++) {
-      fact("level r%d l%d", room, random.nextInt(3));
+      levels.add(random.nextInt(3));
+      fact("level r%d l%d", room, levels.get(room));
     }
   }
 
@@ -183,9 +197,9 @@ final class PlanningHome {
     object("item", "item", items);
     object("person", "person", persons);
     for (int person = 0; person < persons; person++) {
-      String place = "r" + random.nextInt(rooms);
-      placesOfPersons.add(place);
-      fact("at person%d %s", person, place);
+      int room = random.nextInt(rooms);
+      roomsOfPersons.add(room);
+      fact("at person%d r%d", person, room);
     }
     for (int item = 0; item < items; item++) {
       fact("at item%d r%d", item, random.nextInt(rooms));
