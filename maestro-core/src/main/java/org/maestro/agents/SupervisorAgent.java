@@ -49,8 +49,29 @@ public final class SupervisorAgent extends MaestroAgent {
 
   public static final String NAME = "supervisor";
 
-  /** What a joining container is told of the bus. */
-  public record Handover(String brokerUri, String site) {}
+  /**
+   * What a joining container is told of the bus, and of what is said there.
+   *
+   * @param words what the home adds to the shipped vocabulary, as Turtle; empty when it adds
+   *     nothing
+   */
+  public record Handover(String brokerUri, String site, String words) {
+    /** Reads what {@link #inWords} has written. */
+    public static Handover read(Words answer) {
+      return new Handover(
+          answer.string("broker").orElseThrow(),
+          answer.string("site").orElseThrow(),
+          answer.string("words").orElse(""));
+    }
+
+    Content inWords() {
+      return Words.content(
+          "inform",
+          Words.named("broker", Words.text(brokerUri)),
+          Words.named("site", Words.text(site)),
+          Words.named("words", Words.text(words)));
+    }
+  }
 
   /**
    * What is asked for by {@code add}.
@@ -351,13 +372,7 @@ public final class SupervisorAgent extends MaestroAgent {
   }
 
   private void admitted(ACLMessage message, Handover handover) {
-    reply(
-        message,
-        ACLMessage.INFORM,
-        Words.content(
-            "inform",
-            Words.named("broker", Words.text(handover.brokerUri())),
-            Words.named("site", Words.text(handover.site()))));
+    reply(message, ACLMessage.INFORM, handover.inWords());
   }
 
   /** The agents that are to move go when nothing is under way with them; nobody waits for that. */

@@ -8,20 +8,26 @@ import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.time.Duration;
 import java.util.Optional;
+import java.util.concurrent.locks.LockSupport;
 
 /**
  * The right to act for a site, which one process has at a time of those that share its data
- * directory. The system takes it back when the process dies, and gives it at once to one that
- * stands by. A frozen process keeps it.
+ * directory. The system takes it back when the process dies, and gives it to one that stands by. A
+ * frozen process on the same machine is ended by who stands by.
  */
 public final class Duty implements AutoCloseable {
   private static final String NAME = "duty";
 
-  private final FileChannel channel;
+  private static final Duration BETWEEN_LOOKS = Duration.ofMillis(50);
 
-  private Duty(FileChannel channel) {
+  private final FileChannel channel;
+  private final Runnable endOfBeat;
+
+  private Duty(FileChannel channel, Runnable endOfBeat) {
     this.channel = channel;
+    this.endOfBeat = endOfBeat;
   }
 
   /**
@@ -34,7 +40,7 @@ public final class Duty implements AutoCloseable {
     try {
       FileLock lock = channel.tryLock();
       if (lock != null) {
-        return Optional.of(new Duty(channel));
+        return Optional.of(new Duty(channel, new DutyBeat(directory).begin()));
       }
     } catch (OverlappingFileLockException e) {
       // Another platform of this process has it.
@@ -46,18 +52,23 @@ public final class Duty implements AutoCloseable {
   }
 
   /**
-   * Takes it as soon as nobody else has it. Blocks until then.
+   * Takes it as soon as nobody else has it, and ends a process of this machine that has it and is
+   * frozen. Blocks until then.
    *
    * @throws PlatformStartException when the directory cannot be used
    */
   public static Duty await(Path directory) {
-    FileChannel channel = open(directory);
-    try {
-      channel.lock();
-      return new Duty(channel);
-    } catch (IOException | OverlappingFileLockException e) {
-      close(channel);
-      throw unusable(directory, e);
+    DutyBeat others = new DutyBeat(directory);
+    long before = System.nanoTime();
+    while (true) {
+      Optional<Duty> taken = tryToTake(directory);
+      if (taken.isPresent()) {
+        return taken.get();
+      }
+      LockSupport.parkNanos(BETWEEN_LOOKS.toNanos());
+      long now = System.nanoTime();
+      others.look(Duration.ofNanos(now - before));
+      before = now;
     }
   }
 
@@ -88,6 +99,7 @@ public final class Duty implements AutoCloseable {
 
   @Override
   public void close() {
+    endOfBeat.run();
     close(channel);
   }
 }

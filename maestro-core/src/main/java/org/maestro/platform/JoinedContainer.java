@@ -166,9 +166,7 @@ public final class JoinedContainer implements AutoCloseable {
    * @throws PlatformStartException when the platform does not let it in
    */
   public SupervisorAgent.Handover ask(ContainerStart start) {
-    Words words = Words.of(answer(start, "join").get(0));
-    return new SupervisorAgent.Handover(
-        words.string("broker").orElseThrow(), words.string("site").orElseThrow());
+    return SupervisorAgent.Handover.read(Words.of(answer(start, "join").get(0)));
   }
 
   /**
@@ -273,8 +271,7 @@ public final class JoinedContainer implements AutoCloseable {
       if (reply.getPerformative() != ACLMessage.INFORM) {
         throw new PlatformStartException(words.string("reason").orElse("Refused."));
       }
-      return new SupervisorAgent.Handover(
-          words.string("broker").orElseThrow(), words.string("site").orElseThrow());
+      return SupervisorAgent.Handover.read(words);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new PlatformStartException("Interrupted while the platform was asked.", e);

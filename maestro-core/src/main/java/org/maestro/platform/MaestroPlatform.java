@@ -549,6 +549,7 @@ public final class MaestroPlatform implements AutoCloseable {
         deployer,
         tables,
         describedBy,
+        () -> knowledge.home().words(),
         new Supervision.Centre() {
           @Override
           public void agentMoves(String agent) {

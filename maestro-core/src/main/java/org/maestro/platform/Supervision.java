@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
+import java.util.function.Supplier;
 import org.maestro.agents.SupervisorAgent.Addition;
 import org.maestro.agents.SupervisorAgent.Containers;
 import org.maestro.agents.SupervisorAgent.Handover;
@@ -27,6 +28,7 @@ final class Supervision implements Containers {
   private final Deployer deployer;
   private final PlatformTables tables;
   private final DeviceFile devices;
+  private final Supplier<String> words;
   private final Centre centre;
 
   /** The central agent, which may be another one each time. */
@@ -45,16 +47,21 @@ final class Supervision implements Containers {
     void returns(String container);
   }
 
+  /**
+   * @param words of the home, which containers that join have to know
+   */
   Supervision(
       PlatformSettings settings,
       Deployer deployer,
       PlatformTables tables,
       BiFunction<String, String, Device> describedBy,
+      Supplier<String> words,
       Centre centre) {
     this.settings = settings;
     this.deployer = deployer;
     this.tables = tables;
     this.devices = new DeviceFile(describedBy);
+    this.words = words;
     this.centre = centre;
   }
 
@@ -74,7 +81,11 @@ final class Supervision implements Containers {
           centre.agentMoves(agent);
         });
     centre.returns(container.name());
-    return new Handover(broker, settings.site());
+    return handover(broker);
+  }
+
+  private Handover handover(String broker) {
+    return new Handover(broker, settings.site(), words.get());
   }
 
   @Override
@@ -163,8 +174,7 @@ final class Supervision implements Containers {
 
   @Override
   public Optional<Handover> offered(String host, List<String> provides) {
-    Optional<Handover> bus =
-        settings.brokerUri().map(broker -> new Handover(broker, settings.site()));
+    Optional<Handover> bus = settings.brokerUri().map(this::handover);
     bus.ifPresent(there -> centre.offered(host, provides));
     return bus;
   }

@@ -18,7 +18,9 @@ import org.maestro.experiment.drawing.Stacks;
  * one thread.
  */
 public final class GrowthBench {
-  private static final List<Integer> CONTAINERS = List.of(20, 50, 100, 200);
+  /** Usually measured with. */
+  public static final List<Integer> CONTAINERS = List.of(20, 50, 100, 200);
+
   private static final int IN_A_PROCESS = 10;
   private static final int GOALS = 200;
   private static final List<Stacks.Piece> PIECES =
@@ -32,20 +34,15 @@ public final class GrowthBench {
 
   private final Path directory;
   private final List<Integer> sizes;
-  private final int goals;
   private final Consumer<String> progress;
 
   /**
    * @param directory for the figures; made if need be
+   * @param sizes with how many containers each
    */
-  public GrowthBench(Path directory, Consumer<String> progress) {
-    this(directory, CONTAINERS, GOALS, progress);
-  }
-
-  GrowthBench(Path directory, List<Integer> sizes, int goals, Consumer<String> progress) {
+  public GrowthBench(Path directory, List<Integer> sizes, Consumer<String> progress) {
     this.directory = directory;
     this.sizes = List.copyOf(sizes);
-    this.goals = goals;
     this.progress = progress;
   }
 
@@ -59,7 +56,7 @@ public final class GrowthBench {
     for (int containers : sizes) {
       int processes = Math.max(2, containers / IN_A_PROCESS);
       List<BenchReport.Row> rows =
-          new ContainersBench(processes, containers, goals, 1, progress).run().rows();
+          new ContainersBench(processes, containers, GOALS, 1, progress).run().rows();
       for (BenchReport.Row row : rows) {
         lines.add(
             String.format(

@@ -9,6 +9,8 @@ import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.maestro.bench.AgentsBench;
 import org.maestro.bench.BenchReport;
 import org.maestro.bench.BusBench;
@@ -16,6 +18,8 @@ import org.maestro.bench.ContainersBench;
 import org.maestro.bench.CoordinationBench;
 import org.maestro.bench.GrowthBench;
 import org.maestro.bench.LargeHome;
+import org.maestro.bench.Loss;
+import org.maestro.bench.LossesBench;
 import org.maestro.bench.PlannerBench;
 import org.maestro.bench.SimulationBench;
 import org.maestro.ontology.home.Home;
@@ -28,28 +32,36 @@ import picocli.CommandLine.Spec;
 /** Runs a benchmark and prints its figures. */
 @Command(
     name = "bench",
-    description = "Run a benchmark: agents, bus, containers, coordination, growth, planner or sim.")
+    description =
+        "Run a benchmark: agents, bus, containers, coordination, growth, losses, planner or sim.")
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
 
-  private static final Map<String, BiFunction<Path, Consumer<String>, BenchReport>> BENCHES =
+  /** What was asked for with options. */
+  private record Wanted(Path directory, int runs, List<Loss> losses, List<Integer> sizes) {}
+
+  private static final Map<String, BiFunction<Wanted, Consumer<String>, BenchReport>> BENCHES =
       new TreeMap<>(
           Map.of(
               "agents",
-              (out, progress) -> new AgentsBench(AGENTS, progress).run(),
+              (wanted, progress) -> new AgentsBench(AGENTS, progress).run(),
               "bus",
-              (out, progress) -> new BusBench(progress).run(),
+              (wanted, progress) -> new BusBench(progress).run(),
               "containers",
-              (out, progress) -> new ContainersBench(20, 200, 1_000, 1, progress).run(),
+              (wanted, progress) -> new ContainersBench(20, 200, 1_000, 1, progress).run(),
               "coordination",
-              (out, progress) ->
+              (wanted, progress) ->
                   new CoordinationBench(new LargeHome(20, 20, 5), 100, progress).run(),
               "growth",
-              (out, progress) -> new GrowthBench(out.toAbsolutePath(), progress).run(),
+              (wanted, progress) ->
+                  new GrowthBench(wanted.directory().toAbsolutePath(), wanted.sizes(), progress)
+                      .run(),
+              "losses",
+              (wanted, progress) -> new LossesBench(wanted.losses(), wanted.runs(), progress).run(),
               "planner",
-              (out, progress) -> new PlannerBench(20, progress).run(),
+              (wanted, progress) -> new PlannerBench(20, progress).run(),
               "sim",
-              (out, progress) -> simulation(progress)));
+              (wanted, progress) -> simulation(progress)));
 
   private static final Duration MEASURED_TIME = Duration.ofSeconds(10);
 
@@ -67,6 +79,59 @@ final class BenchCommand implements Callable<Integer> {
   @Option(names = "--json", description = "Print one JSON document.")
   private boolean json;
 
+  @Option(
+      names = "--runs",
+      paramLabel = "N",
+      description = "How often losses has each happen; once unless it is said.")
+  private int runs = 1;
+
+  @Option(
+      names = "--only",
+      paramLabel = "LOSS",
+      split = ",",
+      description =
+          "Which losses: none, killed, frozen, cut, slow, all-but-one, main, frozen-main; all unless it is said.")
+  private List<String> only = List.of();
+
+  @Option(
+      names = "--containers",
+      paramLabel = "N",
+      split = ",",
+      description =
+          "With how many containers growth is measured, each; 20,50,100,200 unless it is said.")
+  private List<Integer> containers = GrowthBench.CONTAINERS;
+
+  private List<Integer> sizes() {
+    if (containers.stream().anyMatch(count -> count < 2)) {
+      throw CommandException.badInput(
+          "--containers takes numbers from 2; one process of at least two is killed meanwhile.");
+    }
+    return containers;
+  }
+
+  private List<Loss> losses() {
+    if (runs < 1) {
+      throw CommandException.badInput(
+          "--runs %d is less than once; give 1 or more.".formatted(runs));
+    }
+    return only.isEmpty()
+        ? List.of(Loss.values())
+        : only.stream()
+            .map(
+                word ->
+                    Loss.of(word)
+                        .orElseThrow(
+                            () ->
+                                CommandException.badInput(
+                                    "There is no loss %s; there is: %s."
+                                        .formatted(
+                                            word,
+                                            Stream.of(Loss.values())
+                                                .map(Loss::word)
+                                                .collect(Collectors.joining(", "))))))
+            .toList();
+  }
+
   private static BenchReport simulation(Consumer<String> progress) {
     Home arena = Shipped.home("arena");
     return new SimulationBench(
@@ -80,7 +145,7 @@ final class BenchCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    BiFunction<Path, Consumer<String>, BenchReport> bench = BENCHES.get(name);
+    BiFunction<Wanted, Consumer<String>, BenchReport> bench = BENCHES.get(name);
     if (bench == null) {
       throw CommandException.badInput(
           "There is no benchmark %s; there is: %s."
@@ -90,7 +155,7 @@ final class BenchCommand implements Callable<Integer> {
     PrintWriter err = spec.commandLine().getErr();
     BenchReport report =
         bench.apply(
-            out,
+            new Wanted(out, runs, losses(), sizes()),
             line -> {
               err.println(line);
               err.flush();

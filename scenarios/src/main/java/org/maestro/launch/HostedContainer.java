@@ -55,8 +55,9 @@ final class HostedContainer implements AutoCloseable {
             security.map(site -> Guard.open(site, controller)));
     Links links = new Links(clock, security);
     try {
-      DescriptionReader reader = new DescriptionReader(new HomeLoader().vocabulary());
       SupervisorAgent.Handover handover = container.ask(start);
+      DescriptionReader reader =
+          new DescriptionReader(new HomeLoader().vocabularyWith(handover.words()));
       List<String> agents = container.host(start, links.at(handover).of(controller), reader::read);
       if (!start.provides().isEmpty()) {
         container.offer(start.name(), List.copyOf(start.provides()), links::at, reader::read);

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.Words;
+import org.maestro.bench.PostOffice;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.rats.time.PacedClock;
 

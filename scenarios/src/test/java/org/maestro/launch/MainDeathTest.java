@@ -13,7 +13,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.RepeatedTest;
@@ -22,7 +24,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.SupervisorAgent;
 import org.maestro.agents.Words;
+import org.maestro.bench.PostOffice;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.platform.PlatformStartException;
 import org.maestro.rats.time.PacedClock;
@@ -42,19 +46,76 @@ class MainDeathTest {
 
   @Test
   void anotherTakesOverAndTheGoalIsReached() throws Exception {
-    killed();
+    lost(JavaProcess::kill);
+  }
+
+  /** A frozen one keeps its lock: it is ended, and does nothing any more. */
+  @Test
+  @Tag("full")
+  void aFrozenOneIsEndedAndTheGoalIsReached() throws Exception {
+    System.out.printf("main frozen, answers again after %.2f s%n", lost(JavaProcess::freeze));
+  }
+
+  /** The agents know the words of the home, which the process that has joined has no file of. */
+  @Test
+  @Tag("full")
+  void theAgentsOfAnotherProcessAreInTheYellowPagesBeforeAndAfter() throws Exception {
+    int port = freePort();
+    try (PostOffice office = new PostOffice(List.of(1, 1))) {
+      Path home = Files.writeString(directory.resolve("post.ttl"), office.homeText());
+      try (JavaProcess main = run(office, home, port);
+          JavaProcess second = standingBy(main, office, home, port);
+          JavaProcess devices =
+              maestro("container", "--main", "127.0.0.1:" + port, "--name", "devices")) {
+        until(() -> joinings(devices) == 1, devices);
+        until(() -> isReadyIn("devices", port), devices);
+        main.kill();
+        until(() -> joinings(devices) == 2, devices);
+        until(() -> isReadyIn("devices", port), second);
+      }
+    }
+  }
+
+  /** How often it has become the home of the agents. */
+  private static long joinings(JavaProcess devices) {
+    return devices
+        .output()
+        .lines()
+        .filter(line -> line.startsWith("The container devices runs here, with press-"))
+        .count();
+  }
+
+  /** Whether the press's agent lives there, has its member, and is in the yellow pages. */
+  private boolean isReadyIn(String container, int port) {
+    List<Words> tables = new ArrayList<>();
+    boolean isThere =
+        isAnswered(
+            port,
+            SupervisorAgent.NAME,
+            answer ->
+                tables.addAll(Words.parse(answer.getContent()).stream().map(Words::of).toList()));
+    return isThere
+        && tables.stream()
+            .filter(line -> line.string("agent").equals(Optional.of("press-0")))
+            .anyMatch(
+                line ->
+                    line.string("container").equals(Optional.of(container))
+                        && line.string("phase").equals(Optional.of("ready"))
+                        && line.find("services").map(Words::terms).orElse(List.of()).stream()
+                            .map(Words::plain)
+                            .anyMatch("stamp"::equals));
   }
 
   /** On a machine without other work. */
   @Tag("full")
   @RepeatedTest(10)
   void asOftenAsItHappens() throws Exception {
-    double seconds = killed();
+    double seconds = lost(JavaProcess::kill);
     System.out.printf("main killed, answers again after %.2f s%n", seconds);
     assertThat(seconds).isLessThan(5);
   }
 
-  private double killed() throws Exception {
+  private double lost(Consumer<JavaProcess> loss) throws Exception {
     int port = freePort();
     try (PostOffice office = new PostOffice(List.of(1, 1))) {
       Path home = Files.writeString(directory.resolve("post.ttl"), office.homeText());
@@ -63,12 +124,13 @@ class MainDeathTest {
         double seconds;
         try (JavaProcess goal = maestro("goal", GOAL, "--main", "127.0.0.1:" + port)) {
           until(() -> office.atTheGate().size() == 1, goal);
-          main.kill();
+          loss.accept(main);
           seconds = secondsUntilItAnswers(port);
           until(() -> goal.output().contains("another has taken over"), goal);
           office.open("press-0");
           assertThat(goal.await(LIMIT).exitCode()).as(goal::errors).isZero();
         }
+        assertThat(main.isAlive()).isFalse();
         assertThat(second.output()).contains("this process takes over");
         assertThat(office.stampsByLetter()).containsEntry("letter-0-0", 1);
         assertThat(office.witness().executedTwice()).isEmpty();
@@ -87,26 +149,27 @@ class MainDeathTest {
   }
 
   private double secondsUntilItAnswers(int port) {
-    long killed = System.nanoTime();
-    List<Double> seconds = new ArrayList<>();
-    while (seconds.isEmpty()) {
-      try (JoinedContainer desk =
-          JoinedContainer.join(
-              Optional.of(PostOffice.SITE),
-              "127.0.0.1",
-              port,
-              "desk-" + System.nanoTime(),
-              clock)) {
-        ACLMessage goals =
-            desk.ask(ACLMessage.QUERY_REF, CoordinatorAgent.NAME, Words.content("query-ref"));
-        if (goals.getPerformative() == ACLMessage.INFORM) {
-          seconds.add((System.nanoTime() - killed) / 1e9);
-        }
-      } catch (PlatformStartException e) {
-        assertThat(System.nanoTime() - killed).as(e.getMessage()).isLessThan(LIMIT.toNanos());
-      }
+    long lost = System.nanoTime();
+    while (!isAnswered(port, CoordinatorAgent.NAME, answer -> {})) {
+      assertThat(System.nanoTime() - lost).isLessThan(LIMIT.toNanos());
     }
-    return seconds.get(0);
+    return (System.nanoTime() - lost) / 1e9;
+  }
+
+  /** Asks an agent for what it has, from a container that joins for that. */
+  private boolean isAnswered(int port, String agent, Consumer<ACLMessage> told) {
+    try (JoinedContainer desk =
+        JoinedContainer.join(
+            Optional.of(PostOffice.SITE), "127.0.0.1", port, "desk-" + System.nanoTime(), clock)) {
+      ACLMessage answer = desk.ask(ACLMessage.QUERY_REF, agent, Words.content("query-ref"));
+      if (answer.getPerformative() != ACLMessage.INFORM) {
+        return false;
+      }
+      told.accept(answer);
+      return true;
+    } catch (PlatformStartException e) {
+      return false;
+    }
   }
 
   private JavaProcess run(PostOffice office, Path home, int port, String... more)
@@ -149,11 +212,16 @@ class MainDeathTest {
   }
 
   private static void until(BooleanSupplier condition, JavaProcess process) {
+    AtomicBoolean holds = new AtomicBoolean();
     Awaitility.await()
         .pollDelay(Duration.ZERO)
         .pollInterval(Duration.ofMillis(20))
         .atMost(LIMIT)
-        .until(() -> condition.getAsBoolean() || !process.isAlive());
-    assertThat(condition.getAsBoolean()).as(process::errors).isTrue();
+        .until(
+            () -> {
+              holds.set(condition.getAsBoolean());
+              return holds.get() || !process.isAlive();
+            });
+    assertThat(holds).as(() -> process.output() + process.errors()).isTrue();
   }
 }

@@ -8,6 +8,9 @@ import org.maestro.ontology.vocabulary.Vocabulary;
 /**
  * A home: the map and the devices, with the vocabulary that describes them. Keyed by local name.
  * Immutable; devices and group agents are among the individuals too.
+ *
+ * @param words what its file adds to the vocabulary that is shipped, as Turtle; empty when it adds
+ *     nothing
  */
 public record Home(
     String iri,
@@ -15,14 +18,26 @@ public record Home(
     Vocabulary vocabulary,
     Map<String, Individual> individuals,
     Map<String, Device> devices,
-    Map<String, Group> groups) {
+    Map<String, Group> groups,
+    String words) {
   public Home {
     individuals = Collections.unmodifiableMap(new TreeMap<>(individuals));
     devices = Collections.unmodifiableMap(new TreeMap<>(devices));
     groups = Collections.unmodifiableMap(new TreeMap<>(groups));
   }
 
-  /** A home without group agents. */
+  /** A home without words of its own. */
+  public Home(
+      String iri,
+      String label,
+      Vocabulary vocabulary,
+      Map<String, Individual> individuals,
+      Map<String, Device> devices,
+      Map<String, Group> groups) {
+    this(iri, label, vocabulary, individuals, devices, groups, "");
+  }
+
+  /** A home without group agents and words of its own. */
   public Home(
       String iri,
       String label,
@@ -38,6 +53,6 @@ public record Home(
     things.put(device.id(), device.individual());
     Map<String, Device> joined = new TreeMap<>(devices);
     joined.put(device.id(), device);
-    return new Home(iri, label, vocabulary, things, joined, groups);
+    return new Home(iri, label, vocabulary, things, joined, groups, words);
   }
 }

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.maestro.ontology.validation.Fault;
 import org.maestro.ontology.validation.Inference;
 import org.maestro.ontology.validation.ShapeCheck;
@@ -35,6 +36,7 @@ public final class HomeLoader {
           "alignment/sosa.ttl",
           "alignment/td.ttl");
   private static final String VOCABULARY_BASE = "https://w3id.org/maestro";
+  private static final String OWN_WORDS = "the words of the home";
   private static final String HOMES_BASE = "https://w3id.org/maestro/home/";
 
   private final Optional<List<String>> domainTexts;
@@ -109,11 +111,28 @@ public final class HomeLoader {
   public Vocabulary vocabulary() {
     SourceGraph graph = new SourceGraph();
     readVocabulary(graph);
+    return vocabulary(graph, name -> false);
+  }
+
+  /**
+   * The vocabulary with what a home adds to it, but without what is in that home.
+   *
+   * @param words as {@link Home#words} has them; they may name things of the home
+   * @throws HomeFaultException with every fault that was found
+   */
+  public Vocabulary vocabularyWith(String words) {
+    SourceGraph graph = new SourceGraph();
+    readVocabulary(graph);
+    new SourceReader(graph, OWN_WORDS, HOMES_BASE).readTurtle(words);
+    return vocabulary(graph, name -> true);
+  }
+
+  private static Vocabulary vocabulary(SourceGraph graph, Predicate<String> isThing) {
     refuseFaults(graph);
     new Inference(graph).run();
     shapes().check(graph);
     Vocabulary vocabulary = new VocabularyReader(graph).read();
-    new VocabularyCheck(graph, vocabulary, name -> false).check();
+    new VocabularyCheck(graph, vocabulary, isThing).check();
     refuseFaults(graph);
     return vocabulary;
   }

@@ -54,9 +54,18 @@ final class HomeReader {
             vocabulary,
             individuals,
             devices(individuals, nodes, words),
-            groups(individuals, nodes, words));
+            groups(individuals, nodes, words),
+            ownWords());
     check(home, nodes);
     return home;
+  }
+
+  private String ownWords() {
+    SourceGraph own = new SourceGraph();
+    graph.subjectsOf(source).stream()
+        .filter(subject -> subject.isURI() && isDeclared(subject))
+        .forEach(subject -> own.copyStated(subject, source, graph));
+    return own.subjects().isEmpty() ? "" : own.turtle();
   }
 
   private Map<String, Device> devices(

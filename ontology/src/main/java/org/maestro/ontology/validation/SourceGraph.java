@@ -70,6 +70,34 @@ public final class SourceGraph {
     }
   }
 
+  /**
+   * Copies what a text of the other graph states of a subject, and of the blank nodes that belong
+   * to it.
+   */
+  public void copyStated(Node subject, String source, SourceGraph other) {
+    if (bySubject.containsKey(subject)) {
+      return;
+    }
+    other
+        .bySubject
+        .getOrDefault(subject, Map.of())
+        .forEach(
+            (predicate, objects) ->
+                objects.forEach(
+                    object -> {
+                      Triple triple = Triple.create(subject, predicate, object);
+                      Origin origin = other.origins.get(triple);
+                      if (origin.source().equals(source) && !other.inferred.contains(triple)) {
+                        add(triple, origin);
+                      }
+                    }));
+    bySubject.getOrDefault(subject, Map.of()).values().stream()
+        .flatMap(List::stream)
+        .filter(Node::isBlank)
+        .toList()
+        .forEach(blank -> copyStated(blank, source, other));
+  }
+
   void add(Triple triple, Origin origin) {
     if (origins.putIfAbsent(triple, origin) == null) {
       bySubject

@@ -1,4 +1,4 @@
-package org.maestro.scenario;
+package org.maestro.bench;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -106,7 +106,7 @@ final class NetworkHosts implements AutoCloseable {
 
   private static void run(String... command) {
     if (!isDone(command)) {
-      throw new AssertionError("This failed: " + String.join(" ", command));
+      throw new IllegalStateException("This failed: " + String.join(" ", command));
     }
   }
 
@@ -122,7 +122,7 @@ final class NetworkHosts implements AutoCloseable {
       throw new UncheckedIOException(e);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw new AssertionError("Interrupted while a host was made", e);
+      throw new IllegalStateException("Interrupted while a host was made", e);
     }
   }
 }

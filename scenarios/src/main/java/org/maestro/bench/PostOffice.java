@@ -1,4 +1,4 @@
-package org.maestro.launch;
+package org.maestro.bench;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -26,8 +26,8 @@ import org.maestro.rats.transport.PahoTransport;
  * first letter of each press takes until its gate is opened; the others are stamped at once. A
  * press counts what it does.
  */
-final class PostOffice implements AutoCloseable {
-  static final String SITE = "post";
+public final class PostOffice implements AutoCloseable {
+  public static final String SITE = "post";
 
   private final EmbeddedBroker broker = EmbeddedBroker.start();
   private final PacedClock clock = new PacedClock(1);
@@ -41,7 +41,7 @@ final class PostOffice implements AutoCloseable {
   /**
    * @param lettersByPress how many letters each press has to stamp
    */
-  PostOffice(List<Integer> lettersByPress) {
+  public PostOffice(List<Integer> lettersByPress) {
     this.lettersByPress = lettersByPress;
     this.witness = BusWitness.listen(new PahoTransport(broker.uri(), "witness"), SITE);
     Home home = new HomeLoader().load(homeText(), "post.ttl");
@@ -52,15 +52,15 @@ final class PostOffice implements AutoCloseable {
     }
   }
 
-  String broker() {
+  public String broker() {
     return broker.uri().toString();
   }
 
-  BusWitness witness() {
+  public BusWitness witness() {
     return witness;
   }
 
-  List<String> letters() {
+  public List<String> letters() {
     List<String> letters = new ArrayList<>();
     for (int press = 0; press < lettersByPress.size(); press++) {
       for (int letter = 0; letter < lettersByPress.get(press); letter++) {
@@ -70,7 +70,7 @@ final class PostOffice implements AutoCloseable {
     return letters;
   }
 
-  String homeText() {
+  public String homeText() {
     StringBuilder text =
         new StringBuilder(
             """
@@ -168,20 +168,20 @@ final class PostOffice implements AutoCloseable {
   }
 
   /** The presses that wait at their gates. */
-  synchronized Set<String> atTheGate() {
+  public synchronized Set<String> atTheGate() {
     return Set.copyOf(atTheGate.keySet());
   }
 
-  synchronized void open(String press) {
+  public synchronized void open(String press) {
     Execution execution = atTheGate.remove(press);
     clock.schedule(Duration.ZERO, press, () -> stamped(execution));
   }
 
-  synchronized Map<String, Integer> stampsByLetter() {
+  public synchronized Map<String, Integer> stampsByLetter() {
     return new LinkedHashMap<>(stampsByLetter);
   }
 
-  synchronized Map<String, Integer> startsByCall() {
+  public synchronized Map<String, Integer> startsByCall() {
     return new LinkedHashMap<>(startsByCall);
   }
 

@@ -1,4 +1,4 @@
-package org.maestro.scenario;
+package org.maestro.bench;
 
 import java.io.IOException;
 import java.io.InputStream;
