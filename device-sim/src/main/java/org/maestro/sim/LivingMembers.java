@@ -11,6 +11,7 @@ import java.util.Random;
 import java.util.TreeMap;
 import org.maestro.device.DeviceMember;
 import org.maestro.rats.member.RatsMember;
+import org.maestro.rats.protocol.Complaints;
 import org.maestro.sim.link.BadLink;
 
 /**
@@ -23,6 +24,7 @@ final class LivingMembers {
   private final Map<String, DeviceMember> members;
   private final Map<String, BadLink> links = new TreeMap<>();
   private final Map<String, RatsMember> running = new LinkedHashMap<>();
+  private final Complaints complaints = new Complaints();
   private boolean closed;
 
   /**
@@ -48,6 +50,7 @@ final class LivingMembers {
             link(id).over(setup.transports().apply(id)),
             setup.site(),
             setup.policy(),
+            complaints,
             setup.clock());
     synchronized (this) {
       running.put(id, started);

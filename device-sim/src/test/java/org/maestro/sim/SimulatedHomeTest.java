@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.maestro.hal.Position;
+import org.maestro.rats.link.BusLink;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.MemberStatus;
@@ -29,6 +30,39 @@ class SimulatedHomeTest {
       assertThat(homes.link.members())
           .hasSize(10)
           .allMatch(member -> member.phase() == MemberStatus.Phase.READY);
+    }
+  }
+
+  /** Each asks in its own name, without anybody between them (M14). */
+  @Test
+  void aLampAsksARobotAndTheRobotALamp() {
+    try (Homes homes = Homes.bob("bob-lit");
+        RatsLink lamp =
+            BusLink.connect("lamp-a1", "test", homes.bus.client("lamp-a1-asks"), homes.clock);
+        RatsLink robot =
+            BusLink.connect("rose", "test", homes.bus.client("rose-asks"), homes.clock)) {
+      homes.clock.run(Duration.ofSeconds(1));
+      Position before = homes.world().position("rose").orElseThrow();
+      List<Result> ofRobot = new ArrayList<>();
+      List<Result> ofLamp = new ArrayList<>();
+
+      Map<String, Object> there = Map.of("to", Homes.ref("zone-a"));
+      Duration limit = Duration.ofMinutes(1);
+      lamp.call("rose", "move", there, limit, Optional.empty(), ofRobot::add);
+      robot.call(
+          "lamp-a1", "adjustLight", Map.of("level", 0.4), limit, Optional.empty(), ofLamp::add);
+      homes.clock.run(limit);
+
+      assertThat(ofRobot)
+          .singleElement()
+          .matches(result -> result.outcome() == Outcome.SUCCEEDED)
+          .matches(result -> result.from().equals("rose"));
+      assertThat(homes.world().position("rose")).isNotEqualTo(Optional.of(before));
+      assertThat(ofLamp)
+          .singleElement()
+          .matches(result -> result.outcome() == Outcome.SUCCEEDED)
+          .matches(result -> result.from().equals("lamp-a1"));
+      assertThat(homes.world().lampLevel("lamp-a1")).isEqualTo(0.4);
     }
   }
 

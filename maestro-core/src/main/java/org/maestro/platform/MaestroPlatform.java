@@ -47,6 +47,7 @@ import org.maestro.ontology.home.Device;
 import org.maestro.planning.Planner;
 import org.maestro.platform.wires.Wires;
 import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Formula;
@@ -81,6 +82,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private final Host host;
   private final Deployer deployer;
   private final Directory directory = new Directory();
+  private final Complaints complaints = new Complaints();
   private final PlatformTables tables;
   private final Mind mind;
   private final Past past;
@@ -329,7 +331,9 @@ public final class MaestroPlatform implements AutoCloseable {
     try {
       place(member, topic(describedBy.apply(description, member)));
     } catch (RuntimeException e) {
-      LOG.warn("The member {} gets no agent: {}", member, e.getMessage());
+      if (complaints.isDue(member)) {
+        LOG.warn("The member {} gets no agent: {}", member, Complaints.shortened(e.getMessage()));
+      }
     }
   }
 

@@ -123,6 +123,7 @@ public final class EmbeddedBroker implements AutoCloseable {
     configuration.setMaxDiskUsage(-1);
     configuration.setConnectionTtlCheckInterval(FROZEN_LOOKED_FOR_EVERY_MILLIS);
     configuration.setName("rats-" + port);
+    configuration.registerBrokerPlugin(new NoRetainedCalls());
     configuration.addAddressSetting("#", quietAboutDeadLetters());
     configuration.addAcceptorConfiguration(
         new TransportConfiguration(NettyAcceptorFactory.class.getName(), acceptor, "mqtt"));

@@ -12,6 +12,7 @@ import org.maestro.rats.member.Execution;
 import org.maestro.rats.member.MemberProfile;
 import org.maestro.rats.member.Procedure;
 import org.maestro.rats.member.RatsMember;
+import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.RatsError;
@@ -75,6 +76,7 @@ final class LampMember implements Procedure {
       Transport transport,
       String site,
       CallPolicy policy,
+      Complaints complaints,
       Clock clock) {
     LampMember started = new LampMember(lamp, id, role, gateway, clock);
     MemberProfile.Feature feature =
@@ -94,7 +96,8 @@ final class LampMember implements Procedure {
             STANDBY,
             Set.of(STANDBY),
             MemberProfile.byId(List.of(feature)));
-    started.member = RatsMember.start(profile, started::facts, transport, site, policy, clock);
+    started.member =
+        RatsMember.start(profile, started::facts, transport, site, policy, complaints, clock);
     return started;
   }
 

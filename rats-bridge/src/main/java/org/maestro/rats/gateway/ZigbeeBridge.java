@@ -190,6 +190,7 @@ public final class ZigbeeBridge implements AutoCloseable {
                       site.transports().apply(id),
                       site.name(),
                       site.policy(),
+                      complaints,
                       clock);
               byAddress.put(lamp.address(), member);
               if (closed) {

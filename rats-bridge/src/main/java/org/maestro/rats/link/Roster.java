@@ -90,7 +90,7 @@ final class Roster {
         .ifPresent(
             id -> {
               boolean clearing = message.payload().length == 0;
-              if (clearing && !entries.containsKey(id)) {
+              if (clearing && !entries.containsKey(id) || isTooLong(message)) {
                 return;
               }
               Entry entry = entry(id);
@@ -183,6 +183,18 @@ final class Roster {
 
   private Optional<String> sender(Message message) {
     return topics.memberOf(message.topic());
+  }
+
+  private boolean isTooLong(Message message) {
+    int bytes = message.payload().length;
+    if (bytes > WireFormat.MOST_BYTES && complaints.isDue(topics.speakerOf(message.topic()))) {
+      LOG.warn(
+          "On {}: the payload must be at most {} bytes, but is {} bytes; the message is ignored",
+          message.topic(),
+          WireFormat.MOST_BYTES,
+          bytes);
+    }
+    return bytes > WireFormat.MOST_BYTES;
   }
 
   private boolean isOwn(String sender, String member, Message message) {

@@ -2,7 +2,10 @@ package org.maestro.rats.member;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.Collections;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.MalformedMessageException;
 import org.maestro.rats.protocol.MemberState;
@@ -41,7 +44,7 @@ public final class RatsMember implements AutoCloseable {
   private final ControllerWatch controllers;
   private Optional<Clock.Timer> byTime = Optional.empty();
   private String restedIn;
-  private final Complaints complaints = new Complaints();
+  private final Complaints complaints;
   private boolean announced;
   private boolean heardItself;
   private volatile boolean refused;
@@ -55,8 +58,10 @@ public final class RatsMember implements AutoCloseable {
       Transport transport,
       Topics topics,
       CallPolicy policy,
+      Complaints complaints,
       Clock clock) {
     this.profile = profile;
+    this.complaints = complaints;
     this.topics = topics;
     this.transport = transport;
     this.clock = clock;
@@ -82,6 +87,7 @@ public final class RatsMember implements AutoCloseable {
             tasks,
             impatience,
             this::describe,
+            complaints,
             clock);
   }
 
@@ -113,13 +119,50 @@ public final class RatsMember implements AutoCloseable {
       String site,
       CallPolicy policy,
       Clock clock) {
-    RatsMember member = new RatsMember(profile, values, transport, new Topics(site), policy, clock);
+    return start(profile, values, transport, site, policy, new Complaints(), clock);
+  }
+
+  /**
+   * Joins as one of several members that share a log.
+   *
+   * @param complaints the same for all of them: what all hear is complained of once
+   */
+  public static RatsMember start(
+      MemberProfile profile,
+      MemberProfile.Values values,
+      Transport transport,
+      String site,
+      CallPolicy policy,
+      Complaints complaints,
+      Clock clock) {
+    RatsMember member =
+        new RatsMember(profile, values, transport, new Topics(site), policy, complaints, clock);
     member.open();
     return member;
   }
 
   public String id() {
     return profile.id();
+  }
+
+  /**
+   * What a member is, and the state it is in: r = (Id, F, Z, z, Zs) of the paper's section 3.2.1
+   * (M32).
+   *
+   * @param features F, the ids of those that it has, disabled ones too
+   * @param states Z; {@code state}, z, is one of them, {@code safeStates} some
+   */
+  public record Tuple(
+      String id, Set<String> features, Set<String> states, String state, Set<String> safeStates) {}
+
+  /** As it is now. */
+  public Tuple tuple() {
+    return new Tuple(
+        profile.id(),
+        Collections.unmodifiableSet(new TreeSet<>(profile.features().keySet())),
+        Collections.unmodifiableSet(new TreeSet<>(profile.states())),
+        condition.state(),
+        Collections.unmodifiableSet(new TreeSet<>(profile.safeStates())));
   }
 
   /** Names this life of the member: another start has another. */
@@ -233,6 +276,7 @@ public final class RatsMember implements AutoCloseable {
       voice.status(MemberStatus.Phase.INIT);
     }
     announced = true;
+    LOG.debug("On the bus: {}", tuple());
     describe();
     voice.sendUnsent();
   }
@@ -244,9 +288,18 @@ public final class RatsMember implements AutoCloseable {
     voice.status(MemberStatus.Phase.READY);
   }
 
-  /** A will that came late, of this life or a former one, must not stay the last word. */
+  /**
+   * A will that came late, of this life or a former one, must not stay the last word; nor what
+   * another clears, such as a second member of this id that leaves for good.
+   */
   private void readOwnStatus(Message message) {
-    if (!connected || message.payload().length == 0) {
+    if (!connected) {
+      return;
+    }
+    if (message.payload().length == 0) {
+      if (heardItself) {
+        describe();
+      }
       return;
     }
     try {

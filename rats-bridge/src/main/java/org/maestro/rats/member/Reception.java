@@ -40,7 +40,7 @@ final class Reception {
   private final Runnable describe;
   private final Clock clock;
   private final WireFormat wire = new WireFormat();
-  private final Complaints complaints = new Complaints();
+  private final Complaints complaints;
 
   Reception(
       MemberProfile profile,
@@ -52,6 +52,7 @@ final class Reception {
       TaskQueue tasks,
       Impatience impatience,
       Runnable describe,
+      Complaints complaints,
       Clock clock) {
     this.profile = profile;
     this.boot = boot;
@@ -62,6 +63,7 @@ final class Reception {
     this.tasks = tasks;
     this.impatience = impatience;
     this.describe = describe;
+    this.complaints = complaints;
     this.clock = clock;
     this.rights = new RightsWatch(profile.id(), policy, tasks, clock);
   }

@@ -12,6 +12,7 @@ public final class Complaints {
 
   private static final long MINUTE_NANOS = 60_000_000_000L;
   private static final int MOST_SENDERS = 1_024;
+  private static final int MOST_CHARACTERS = 400;
 
   private final LongSupplier nanos;
   private final Map<String, Long> lastBySender =
@@ -33,6 +34,12 @@ public final class Complaints {
    */
   Complaints(LongSupplier nanos) {
     this.nanos = nanos;
+  }
+
+  /** Of a text that may quote what a sender wrote, however long that is. */
+  public static String shortened(String text) {
+    String whole = String.valueOf(text);
+    return whole.length() <= MOST_CHARACTERS ? whole : whole.substring(0, MOST_CHARACTERS) + "...";
   }
 
   /**

@@ -10,6 +10,7 @@ enum Rule {
   /** Becomes a level of a topic. */
   NAME(
       "[A-Za-z0-9][A-Za-z0-9._-]{0,62}", "a name of letters, digits, '.', '_' and '-', at most 63"),
+  VERSION("[0-9]{1,6}\\.[0-9]{1,6}", "a text such as \"" + WireFormat.VERSION + "\""),
   FEATURE("[^/+#\\s\\p{Cntrl}]{1,128}", "1 to 128 characters without space, '/', '+' and '#'"),
   WORD("[A-Z][A-Z0-9_]{0,62}", "a word of capital letters, digits and '_', at most 63"),
   ID("[^\\s\\p{Cntrl}]{1,128}", "1 to 128 characters without space"),

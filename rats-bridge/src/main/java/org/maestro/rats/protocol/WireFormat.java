@@ -17,7 +17,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.regex.Pattern;
 
 /**
  * The JSON of version 1, as the JSON Schemas beside it describe it. Unknown fields are ignored, an
@@ -40,8 +39,6 @@ public final class WireFormat {
   public static final int MOST_NESTING = 16;
 
   private static final long LONGEST_TIMEOUT_MILLIS = Duration.ofDays(7).toMillis();
-
-  private static final Pattern ANY_VERSION = Pattern.compile("[0-9]{1,6}\\.[0-9]{1,6}");
 
   /** For a look at a call that is read in full if it concerns the reader. */
   private static final JsonFactory GLANCES =
@@ -334,11 +331,7 @@ public final class WireFormat {
   }
 
   private static void requireVersion(JsonNode root) {
-    String version = root.path("v").asText("");
-    if (!ANY_VERSION.matcher(version).matches()) {
-      throw new MalformedMessageException(
-          "v", "a version such as " + VERSION, root.path("v").toString());
-    }
+    String version = new Fields(root, "").text("v", Rule.VERSION);
     if (!version.startsWith("1.")) {
       throw new MalformedMessageException(
           ErrorCode.UNSUPPORTED_VERSION, "v", "of major version 1", version);

@@ -79,7 +79,7 @@ final class ArtemisFiles {
     return """
         <?xml version="1.0" encoding="UTF-8"?>
         <!-- For Artemis 2.40 and newer: its login.config is beside this file, and the jar of
-             rats-bridge belongs into its lib folder for the interceptor. -->
+             rats-bridge belongs into its lib folder for the interceptor and the plugin. -->
         <configuration xmlns="urn:activemq">
           <core xmlns="urn:activemq:core">
             <name>rats</name>
@@ -92,6 +92,9 @@ final class ArtemisFiles {
             <remoting-incoming-interceptors>
               <class-name>org.maestro.rats.broker.OwnNameOnly</class-name>
             </remoting-incoming-interceptors>
+            <broker-plugins>
+              <broker-plugin class-name="org.maestro.rats.broker.NoRetainedCalls"/>
+            </broker-plugins>
             <acceptors>
               <acceptor name="mqtt">tcp://0.0.0.0:%2$d?protocols=MQTT;tcpNoDelay=true;sslEnabled=true;wantClientAuth=true;keyStoreType=PKCS12;keyStorePath=%1$s/broker/broker.p12;keyStorePassword=%3$s;trustStoreType=PKCS12;trustStorePath=%1$s/broker/trust.p12;trustStorePassword=%3$s</acceptor>
             </acceptors>

@@ -211,18 +211,21 @@ abstract class LinkContract extends FormerLivesContract {
           }
           return refused.ended();
         });
-    assertFailed(refused.results.get(0), ErrorCode.BUS_UNAVAILABLE);
+    // A broker that is slow to end tells some the wills of those whom it cut off before.
+    boolean willWasTold = !watching.results.isEmpty();
+    assertFailed(
+        refused.results.get(0), willWasTold ? ErrorCode.MEMBER_LOST : ErrorCode.BUS_UNAVAILABLE);
     berta.die();
     restartBroker();
     await(() -> member(link, "berta").phase() == MemberStatus.Phase.LOST);
-    assertThat(usable(link, "anna")).isTrue();
+    await(() -> usable(link, "anna"));
     int before = watching.observations.size();
-    await(() -> watching.observations.size() > before);
+    await(() -> willWasTold || watching.observations.size() > before);
     Listener after = new Listener();
     link.call("anna", "echo", Map.of(), seconds(600), Optional.empty(), after);
     await(after::ended);
     assertThat(after.only().outcome()).isEqualTo(Outcome.SUCCEEDED);
-    assertThat(watching.results).isEmpty();
+    assertThat(watching.results).hasSize(willWasTold ? 1 : 0);
   }
 
   @Test

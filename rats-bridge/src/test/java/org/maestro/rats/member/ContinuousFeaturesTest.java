@@ -3,7 +3,9 @@ package org.maestro.rats.member;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -86,6 +88,26 @@ class ContinuousFeaturesTest extends MemberOnABus {
 
   private long heard(String id) {
     return observations.stream().filter(text -> text.startsWith(id + "{")).count();
+  }
+
+  /** The calls' ids tell which thing each value is of (M87). */
+  @Test
+  void oneStreamNamesTwoThingsUntilOneOfThemIsStopped() {
+    List<String> stream = new ArrayList<>();
+    caller.subscribe(
+        topics.observation("rose", "watch"),
+        Transport.RetainedMessages.IGNORE,
+        message -> stream.add(wire.decodeObservation(message.payload()).id()));
+    send(call("of-cup", "watch", Map.of("object", "Cup")));
+    send(call("of-ball", "watch", Map.of("object", "Ball")));
+    run(3);
+    assertThat(stream).contains("of-cup", "of-ball");
+
+    send(call("stop", "unwatch", Map.of("object", "Cup")));
+    run(1);
+    stream.clear();
+    run(3);
+    assertThat(stream).isNotEmpty().containsOnly("of-ball");
   }
 
   @Test

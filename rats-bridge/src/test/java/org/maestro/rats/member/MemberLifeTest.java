@@ -203,6 +203,17 @@ class MemberLifeTest extends MemberOnABus {
     assertThat(retained).containsExactly("LOST", "READY");
   }
 
+  /** A second device of its id, say, that was told to leave. */
+  @Test
+  void tellsAgainWhatAnotherClears() {
+    retained.clear();
+    publish(Publication.clearing(topics.status("rose")));
+    run(1);
+    assertThat(retained)
+        .containsExactly("status cleared", "description {\"@id\":\"rose\"}", "READY");
+    assertThat(state).isPresent();
+  }
+
   @Test
   void clearsWhatIsRetainedWhenItLeaves() {
     send(call("c1", "drive", Map.of("to", "a")));

@@ -38,6 +38,23 @@ class StateRulesTest extends MemberOnABus {
 
   /** M35: while executing. */
   @Test
+  void showsItsWholeTuple() {
+    RatsMember.Tuple before = member.tuple();
+    send(call("c1", "drive", Map.of("to", "zone-a")));
+    run(1);
+    RatsMember.Tuple meanwhile = member.tuple();
+
+    assertThat(before.id()).isEqualTo("rose");
+    assertThat(before.features())
+        .isEqualTo(profile().features().keySet())
+        .contains("drive", "watch", "unwatch");
+    assertThat(before.states()).isEqualTo(profile().states());
+    assertThat(before.safeStates()).isEqualTo(profile().safeStates()).isNotEmpty();
+    assertThat(before.state()).isEqualTo(profile().initialState());
+    assertThat(meanwhile.state()).isEqualTo("busy").isIn(meanwhile.states());
+  }
+
+  @Test
   void changesByExecution() {
     send(call("c1", "drive", Map.of("to", "a")));
     run(1);

@@ -23,4 +23,10 @@ class ComplaintsTest {
     assertThat(complaints.isDue("a")).isTrue();
     assertThat(complaints.isDue("a")).isFalse();
   }
+
+  @Test
+  void quoteNobodyAtLength() {
+    assertThat(Complaints.shortened("short")).isEqualTo("short");
+    assertThat(Complaints.shortened("x".repeat(300_000))).hasSizeLessThan(500).endsWith("x...");
+  }
 }

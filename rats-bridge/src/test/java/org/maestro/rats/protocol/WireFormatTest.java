@@ -218,6 +218,7 @@ class WireFormatTest {
         "{}|{\"a\":1,\"a\":2}|payload",
         "\"v\":\"1.0\",|''|v",
         "\"1.0\"|\"one\"|v",
+        "\"1.0\"|1.0|v",
         "\"cca\"}|\"cca\"}x|payload"
       })
   void namesTheFieldAndTheRule(String part, String replacement, String field) {
