@@ -22,8 +22,8 @@ public record Ports(
     Journal journal,
     Duration comeback) {
 
-  /** In this time a network is joined again, and a small device has started anew (assumed). */
-  public static final Duration USUAL_COMEBACK = Duration.ofSeconds(30);
+  /** Twice the time in which members are to be back once their broker is. */
+  public static final Duration USUAL_COMEBACK = Duration.ofSeconds(10);
 
   public Ports(
       KnowledgeBase knowledge,

@@ -112,7 +112,7 @@ class AwaitedMembersTest {
     assertThat(outcome.state()).isEqualTo(GoalState.FAILED);
     assertThat(outcome.endedAt()).isBetween(Ports.USUAL_COMEBACK, LONG_AGO);
     assertThat(String.join(" ", outcome.reasons()))
-        .contains("rose were there (lost since 30 s")
+        .contains("rose were there (lost since %d s".formatted(Ports.USUAL_COMEBACK.toSeconds()))
         .doesNotContain("rose is in rose");
   }
 
