@@ -47,7 +47,9 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
         && failure.getCommandLine().getParent() == null) {
       return "There is no command " + unmatched.getUnmatched().get(0);
     }
-    return failure.getMessage();
+    return failure
+        .getMessage()
+        .replaceAll(" is not an? (int|long)$", " is no whole number that fits");
   }
 
   private static void report(Exception failure, CommandLine command, boolean debug) {

@@ -21,6 +21,7 @@ class ExperimentCommandTest {
   void wrongArgumentsAreOneSentence() throws Exception {
     refused("There is no experiment tea; there are move-object", "tea");
     refused("--runs lies between 1 and", "move-object", "--runs", "0");
+    refused("'one' is no whole number that fits", "move-object", "--runs", "one");
     refused("Nothing here is called world.moon", "move-object", "--set", "world.moon=1");
     refused("is true or false", "move-object", "--set", "world.shutters=maybe");
     refused("should be in KEY=VALUE format", "move-object", "--set", "world.shutters");

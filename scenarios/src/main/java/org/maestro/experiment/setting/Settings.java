@@ -29,12 +29,18 @@ public final class Settings {
         });
   }
 
-  /** What has the same first words; all, shortened to groups, when nothing has. */
+  /**
+   * What has the same first words, or the same last ones; all, shortened to groups, when nothing
+   * has.
+   */
   private List<String> near(String name) {
     String[] words = name.split("\\.");
     List<String> alike =
         known.keySet().stream()
-            .filter(other -> words.length > 1 && other.startsWith(words[0] + "." + words[1] + "."))
+            .filter(
+                other ->
+                    words.length > 1 && other.startsWith(words[0] + "." + words[1] + ".")
+                        || other.endsWith("." + name))
             .toList();
     return alike.isEmpty()
         ? known.keySet().stream().map(Settings::shortened).distinct().toList()

@@ -12,6 +12,11 @@ class SettingsTest {
       List.of(
           Setting.number("speed", 0.8, 0.1, 5, "metres a second"),
           Setting.truth("shutters", true, "whether there are any"));
+  private static final List<Setting> GROUPED =
+      List.of(
+          Setting.number("world.camera.noise", 0.01, 0, 1, "metres a metre"),
+          Setting.number("world.sensor.noise", 0.03, 0, 1, "relative"),
+          Setting.number("world.sensor.least", 0.1, 0, 1, "lux"));
 
   @Test
   void whatIsNotGivenIsAsUsual() {
@@ -29,6 +34,14 @@ class SettingsTest {
     refused(Map.of("speed", "NaN"), "speed lies between 0.1 and 5, not at NaN.");
     refused(Map.of("speed", "9"), "speed lies between 0.1 and 5, not at 9.");
     refused(Map.of("shutters", "yes"), "shutters is true or false, not \"yes\".");
+  }
+
+  @Test
+  void halfANameIsCompleted() {
+    assertThatThrownBy(() -> new Settings(GROUPED, Map.of("camera.noise", "0")))
+        .hasMessageEndingWith("what can be set is world.camera.noise.");
+    assertThatThrownBy(() -> new Settings(GROUPED, Map.of("world.sensor.noice", "0")))
+        .hasMessageEndingWith("what can be set is world.sensor.noise, world.sensor.least.");
   }
 
   private static void refused(Map<String, String> given, String sentence) {
