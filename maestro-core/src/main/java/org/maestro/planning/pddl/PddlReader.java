@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -154,6 +155,7 @@ public final class PddlReader {
         default -> throw unsupported(section);
       }
     }
+    refuseActionsOfOneName();
     List<Schema> schemas = actions.stream().map(this::schema).toList();
     List<Atom> initial = new ArrayList<>();
     Map<Atom, BigDecimal> values = new LinkedHashMap<>();
@@ -192,6 +194,18 @@ public final class PddlReader {
     if (!name.text().equals(domainName)) {
       throw name.position()
           .error("The problem is of the domain %s, not of %s.", name.text(), domainName);
+    }
+  }
+
+  /** A plan names its actions: which of two is meant nobody could tell. */
+  private void refuseActionsOfOneName() {
+    Set<String> names = new HashSet<>();
+    for (Group section : actions) {
+      if (section.items().size() > 1
+          && section.items().get(1) instanceof Word name
+          && !names.add(name.text())) {
+        throw name.position().error("The action %s is there twice.", name.text());
+      }
     }
   }
 

@@ -59,6 +59,9 @@ final class SchemaReader {
   void parameters(Group list) {
     addParameters(list.items());
     shown = domains.size();
+    if (scope.size() < shown) {
+      throw list.position().error("Two parameters have the same name.");
+    }
   }
 
   private void addParameters(List<Expression> items) {

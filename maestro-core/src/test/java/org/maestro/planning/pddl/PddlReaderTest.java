@@ -100,6 +100,18 @@ class PddlReaderTest {
   }
 
   @Test
+  void refusesTwoOfOneName() {
+    String action = "(:action again :parameters (%s) :effect (seen r))";
+    int end = DOMAIN.lastIndexOf(')');
+    String twice = DOMAIN.substring(0, end) + action.formatted("") + action.formatted("") + ")";
+    assertThatThrownBy(() -> PddlReader.parse("d", twice, "p", PROBLEM))
+        .hasMessageEndingWith("The action again is there twice.");
+    String same = DOMAIN.substring(0, end) + action.formatted("?a ?a - room") + ")";
+    assertThatThrownBy(() -> PddlReader.parse("d", same, "p", PROBLEM))
+        .hasMessageEndingWith("Two parameters have the same name.");
+  }
+
+  @Test
   void readsCompressedFiles(@TempDir Path folder) throws IOException {
     Path domain = folder.resolve("d.pddl");
     Path problem = folder.resolve("p.pddl.gz");
