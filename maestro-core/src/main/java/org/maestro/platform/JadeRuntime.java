@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Supplier;
 import org.maestro.agents.Host;
 import org.maestro.agents.HostService;
 import org.maestro.agents.MaestroAgent;
@@ -37,6 +38,12 @@ import org.maestro.platform.wires.WiredProfile;
  * in the working directory.
  */
 final class JadeRuntime {
+  /** How many entries the yellow pages tell at most, a hundred if nothing is said. */
+  private static final String MOST_FOUND = "jade_domain_df_maxresult";
+
+  private static final int MOST_BEGINNINGS = 10;
+  private static final Duration BETWEEN_BEGINNINGS = Duration.ofMillis(100);
+
   private static final String LOOPBACK = Premises.LOOPBACK;
   private static final String LETTERS = BoundedLetters.class.getName();
 
@@ -101,13 +108,14 @@ final class JadeRuntime {
     properties.setProperty(Profile.LOCAL_PORT, String.valueOf(port));
     properties.setProperty(Profile.MAIN_PORT, String.valueOf(port));
     properties.setProperty(Profile.MAIN_HOST, premises.host());
+    properties.setProperty(MOST_FOUND, String.valueOf(Integer.MAX_VALUE));
     guard.ifPresent(own -> own.guard(properties));
     guard.ifPresent(own -> own.listen(properties));
-    AgentContainer container;
-    synchronized (ONE_AT_A_TIME) {
-      container =
-          Runtime.instance().createMainContainer(new WiredProfile(properties, shared.wires()));
-    }
+    AgentContainer container =
+        begun(
+            () ->
+                Runtime.instance()
+                    .createMainContainer(new WiredProfile(properties, shared.wires())));
     if (container == null) {
       throw new PlatformStartException(
           "JADE could not start on port " + port + "; choose another with --port.");
@@ -161,17 +169,40 @@ final class JadeRuntime {
     properties.setProperty(Profile.CONTAINER_NAME, containerName);
     entry.guard().ifPresent(own -> own.guard(properties));
     entry.guard().filter(own -> entry.first()).ifPresent(own -> own.listen(properties));
-    AgentContainer container;
-    synchronized (ONE_AT_A_TIME) {
-      container =
-          Runtime.instance().createAgentContainer(new WiredProfile(properties, shared.wires()));
-    }
+    AgentContainer container =
+        begun(
+            () ->
+                Runtime.instance()
+                    .createAgentContainer(new WiredProfile(properties, shared.wires())));
     if (container == null) {
       throw new PlatformStartException(
           "The container %s could not join the platform at %s:%d; its log says why."
               .formatted(containerName, host, mainPort));
     }
     return container;
+  }
+
+  /**
+   * What JADE has for a whole process ends with its last container, in a thread of its own; a
+   * container that begins just then finds its threads' group gone, and is begun once more.
+   *
+   * @return the container; null when JADE could not begin it
+   */
+  private static AgentContainer begun(Supplier<AgentContainer> beginning) {
+    synchronized (ONE_AT_A_TIME) {
+      for (int attempt = 1; ; attempt++) {
+        try {
+          return beginning.get();
+        } catch (IllegalThreadStateException e) {
+          if (attempt == MOST_BEGINNINGS) {
+            throw new PlatformStartException(
+                "JADE could not begin a container while another of this process ended; start it again.",
+                e);
+          }
+          LockSupport.parkNanos(BETWEEN_BEGINNINGS.toNanos());
+        }
+      }
+    }
   }
 
   /**

@@ -137,6 +137,16 @@ class AdministrationTest {
   }
 
   @Test
+  void theYellowPagesTellOfMoreThanAHundredAgents() throws Exception {
+    for (int number = 0; number < 120; number++) {
+      ACLMessage entered = guest.agent().enter("gossip-" + number, "gossip");
+      assertThat(entered.getPerformative()).isEqualTo(ACLMessage.INFORM);
+    }
+
+    assertThat(guest.agent().whoOffers("gossip")).hasSize(120);
+  }
+
+  @Test
   void anAgentMovesToAnEmptyContainerOfAnotherProcessWhileItsGoalIsPursued(
       Stage stage, @TempDir Path directory) throws Exception {
     try (JavaProcess kitchen = container(stage, directory)) {

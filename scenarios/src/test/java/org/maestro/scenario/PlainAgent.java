@@ -138,6 +138,18 @@ public final class PlainAgent extends Agent {
     return List.of(DFService.decodeResult(heard().getContent()));
   }
 
+  /** Enters a service of this type into the yellow pages, for an agent of that name. */
+  ACLMessage enter(String localName, String type) throws Exception {
+    ServiceDescription service = new ServiceDescription();
+    service.setType(type);
+    service.setName(type);
+    DFAgentDescription entry = new DFAgentDescription();
+    entry.setName(getAID(localName));
+    entry.addServices(service);
+    say(DFService.createRequestMessage(this, getDefaultDF(), "register", entry, null));
+    return heard();
+  }
+
   /** What an entry says of a service. */
   static String property(DFAgentDescription entry, String type, String name) {
     for (var services = entry.getAllServices(); services.hasNext(); ) {
