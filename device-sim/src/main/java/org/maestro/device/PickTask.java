@@ -50,7 +50,7 @@ final class PickTask extends ArmTask {
                     reason ->
                         FeatureContext.unmet(
                             "Cannot grasp " + object.name() + ": " + reason + ".",
-                            "look for it again",
+                            "look for it again, or let another robot take it",
                             List.of())),
                 new ActionSequence.Action("fold", arm()::fold)),
             () -> {

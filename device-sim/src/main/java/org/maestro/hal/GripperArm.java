@@ -3,8 +3,8 @@ package org.maestro.hal;
 import java.util.Optional;
 
 /**
- * An arm with a gripper that holds one thing (M80). One command runs at a time; a new one replaces
- * the running one, whose completion is then not told.
+ * An arm with a {@link Hand} that holds one thing (M80). One command runs at a time; a new one
+ * replaces the running one, whose completion is then not told.
  */
 public interface GripperArm {
 
@@ -13,7 +13,7 @@ public interface GripperArm {
 
   void open(Completion completion);
 
-  /** Closes the hand around the target and fails when it is not there. */
+  /** Closes the hand around the target; fails when it is not there, or the hand cannot hold it. */
   void grasp(Target target, Completion completion);
 
   /**

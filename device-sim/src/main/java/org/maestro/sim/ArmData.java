@@ -1,65 +1,36 @@
 package org.maestro.sim;
 
 /**
- * What an arm with a jamming gripper reaches and lifts, and how long it takes.
+ * What an arm reaches and lifts, and how long it takes.
  *
  * @param reach from the base's middle; youBot data sheet: the arm reaches 0.655 m, minus its offset
  *     and the hand's angle (assumed)
  * @param payload youBot data sheet: 0.5 kg
- * @param extendSeconds assumed; so are the following durations
- * @param graspSeconds a jamming gripper's evacuation takes about a second (Brown et al. 2010), with
- *     pressing on
+ * @param extendSeconds assumed; so is the following
  * @param graspTolerance how far from where it is expected a thing is found by the camera on board;
  *     assumed
  * @param placingError standard deviation of where a thing comes to stand, each axis; assumed
- * @param power watts while moving; assumed
+ * @param power watts while moving, pressing and pumping; assumed
  */
 public record ArmData(
     double reach,
     double payload,
     double extendSeconds,
-    double graspSeconds,
-    double releaseSeconds,
     double foldSeconds,
     double graspTolerance,
     double placingError,
     double power) {
-  static final ArmData YOUBOT = new ArmData(0.5, 0.5, 1.5, 1.5, 0.5, 1.0, 0.15, 0.01, 40);
+  static final ArmData YOUBOT = new ArmData(0.5, 0.5, 1.5, 1.0, 0.15, 0.01, 40);
 
   ArmData lifting(double other) {
     return new ArmData(
-        reach,
-        other,
-        extendSeconds,
-        graspSeconds,
-        releaseSeconds,
-        foldSeconds,
-        graspTolerance,
-        placingError,
-        power);
+        reach, other, extendSeconds, foldSeconds, graspTolerance, placingError, power);
   }
 
   /**
    * The same arm with another standard deviation of where things come to stand; metres, each axis.
    */
   public ArmData withPlacingError(double other) {
-    return new ArmData(
-        reach,
-        payload,
-        extendSeconds,
-        graspSeconds,
-        releaseSeconds,
-        foldSeconds,
-        graspTolerance,
-        other,
-        power);
-  }
-
-  double pickSeconds() {
-    return extendSeconds + graspSeconds + foldSeconds;
-  }
-
-  double placeSeconds() {
-    return extendSeconds + releaseSeconds + foldSeconds;
+    return new ArmData(reach, payload, extendSeconds, foldSeconds, graspTolerance, other, power);
   }
 }

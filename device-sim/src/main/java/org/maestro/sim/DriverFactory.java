@@ -13,6 +13,8 @@ import org.maestro.hal.DoorDrive;
 import org.maestro.hal.Drivers;
 import org.maestro.hal.GripperArm;
 import org.maestro.hal.IlluminationSensor;
+import org.maestro.hal.JammingGripper;
+import org.maestro.hal.JammingHand;
 import org.maestro.hal.MobileBase;
 import org.maestro.hal.Position;
 import org.maestro.hal.ShutterDrive;
@@ -96,6 +98,8 @@ final class DriverFactory {
           Drivers.none().with(DoorDrive.class, new SimulatedDoor(actuator, parameters.drives()));
       case "shutter" -> shutter(device, actuator);
       case "mobile-robot" -> robot(device, actuator, this::gliding);
+      case "mobile-robot-with-fingers" ->
+          robot(device, actuator, this::gliding, DriverFactory::fingers);
       case "mecanum-robot" -> robot(device, actuator, this::onMecanumWheels);
       case "differential-robot" -> robot(device, actuator, this::onTwoWheels);
       case "mobile-robot-with-camera" ->
@@ -114,8 +118,8 @@ final class DriverFactory {
                   + " of "
                   + device.id()
                   + " cannot be simulated; known are lamp, switched-lamp, camera, light-sensor, tsl2561, door,"
-                  + " shutter, mobile-robot, mobile-robot-with-camera, mecanum-robot,"
-                  + " differential-robot.");
+                  + " shutter, mobile-robot, mobile-robot-with-camera,"
+                  + " mobile-robot-with-fingers, mecanum-robot, differential-robot.");
     };
   }
 
@@ -203,7 +207,32 @@ final class DriverFactory {
             data.aimRadians()));
   }
 
+  /** What is at the end of a robot's arm. */
+  private interface Fitting {
+    Drivers at(Actuator actuator, ArmData arm, Grasp grasp);
+  }
+
+  private Drivers jamming(Actuator actuator, ArmData arm, Grasp grasp) {
+    JammingGripper gripper =
+        new SimulatedJammingGripper(actuator, parameters.gripper(), grasp, arm.power());
+    return Drivers.none()
+        .with(JammingGripper.class, gripper)
+        .with(GripperArm.class, new SimulatedArm(actuator, arm, grasp, new JammingHand(gripper)));
+  }
+
+  private static Drivers fingers(Actuator actuator, ArmData arm, Grasp grasp) {
+    return Drivers.none()
+        .with(
+            GripperArm.class,
+            new SimulatedArm(
+                actuator, arm, grasp, new SimulatedFingers(actuator, grasp, arm.power())));
+  }
+
   private Drivers robot(Device device, Actuator actuator, Chassis chassis) {
+    return robot(device, actuator, chassis, this::jamming);
+  }
+
+  private Drivers robot(Device device, Actuator actuator, Chassis chassis, Fitting fitting) {
     Body body =
         world
             .whereabouts()
@@ -224,12 +253,11 @@ final class DriverFactory {
     world
         .batteries()
         .put(device.id(), parameters.battery(), base.power(), truth.charge().orElse(FULL_CHARGE));
-    return Drivers.none()
+    Likeness likeness = new Likeness(parameters.camera(), parameters.colour());
+    return fitting
+        .at(actuator, arm, new Grasp(actuator, arm, likeness))
         .with(Battery.class, SimulatedBattery.start(actuator, parameters.battery()))
         .with(MobileBase.class, chassis.on(actuator, base))
-        .with(
-            GripperArm.class,
-            new SimulatedArm(actuator, arm, new Likeness(parameters.camera(), parameters.colour())))
         .with(Surroundings.class, new OnBoardMap(device.id(), world));
   }
 

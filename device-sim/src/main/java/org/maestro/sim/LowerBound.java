@@ -56,11 +56,15 @@ final class LowerBound {
           "There is no way for " + robot + " to " + thing + " and on to " + target + ".");
     }
     ArmData arm = parameters.arm();
+    GripperData gripper = parameters.gripper();
     double seconds =
         least / parameters.base().speed()
-            + arm.pickSeconds()
             + arm.extendSeconds()
-            + arm.releaseSeconds();
+            + gripper.pressSeconds()
+            + gripper.evacuateSeconds()
+            + arm.foldSeconds()
+            + arm.extendSeconds()
+            + gripper.inflateSeconds();
     return Duration.ofNanos(Math.round(seconds * NANOS));
   }
 

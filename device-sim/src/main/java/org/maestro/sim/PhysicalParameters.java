@@ -20,6 +20,7 @@ public record PhysicalParameters(
     BaseData base,
     WheelData wheels,
     ArmData arm,
+    GripperData gripper,
     BatteryData battery,
     DriveData drives) {
 
@@ -36,32 +37,33 @@ public record PhysicalParameters(
         BaseData.YOUBOT,
         WheelData.YOUBOT,
         ArmData.YOUBOT,
+        GripperData.USUAL,
         BatteryData.YOUBOT,
         DriveData.USUAL);
   }
 
   public PhysicalParameters with(CameraData other) {
     return new PhysicalParameters(
-        shutters, other, colour, image, turn, sensor, facade, lamp, base, wheels, arm, battery,
-        drives);
+        shutters, other, colour, image, turn, sensor, facade, lamp, base, wheels, arm, gripper,
+        battery, drives);
   }
 
   public PhysicalParameters with(SensorData other) {
     return new PhysicalParameters(
-        shutters, camera, colour, image, turn, other, facade, lamp, base, wheels, arm, battery,
-        drives);
+        shutters, camera, colour, image, turn, other, facade, lamp, base, wheels, arm, gripper,
+        battery, drives);
   }
 
   public PhysicalParameters with(BaseData other) {
     return new PhysicalParameters(
-        shutters, camera, colour, image, turn, sensor, facade, lamp, other, wheels, arm, battery,
-        drives);
+        shutters, camera, colour, image, turn, sensor, facade, lamp, other, wheels, arm, gripper,
+        battery, drives);
   }
 
   public PhysicalParameters with(ArmData other) {
     return new PhysicalParameters(
-        shutters, camera, colour, image, turn, sensor, facade, lamp, base, wheels, other, battery,
-        drives);
+        shutters, camera, colour, image, turn, sensor, facade, lamp, base, wheels, other, gripper,
+        battery, drives);
   }
 
   /** The same with other settings by name, such as {@code world.camera.noise} and {@code 0.05}. */

@@ -3,10 +3,6 @@ package org.maestro.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,16 +20,8 @@ import org.maestro.rats.protocol.Result;
 class DriverExchangeTest {
 
   private static Homes bob(String scene, String instead, String by) {
-    Home home = new HomeLoader().load(text().replace(instead, by), "bob.ttl");
+    Home home = new HomeLoader().load(Homes.text("bob").replace(instead, by), "bob.ttl");
     return new Homes(home, Homes.scene(scene, home), 1);
-  }
-
-  private static String text() {
-    try {
-      return Files.readString(Path.of("../scenarios/src/main/resources/homes/bob.ttl"));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
   }
 
   private static Homes withRoseOn(String driver) {

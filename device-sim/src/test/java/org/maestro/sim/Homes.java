@@ -75,6 +75,15 @@ public final class Homes implements AutoCloseable {
     return new HomeLoader().load(RESOURCES.resolve("homes/" + name + ".ttl"));
   }
 
+  /** The text of a shipped home. */
+  public static String text(String name) {
+    try {
+      return Files.readString(RESOURCES.resolve("homes/" + name + ".ttl"));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
   public static Scene scene(String name, Home home) {
     try (InputStream turtle = Files.newInputStream(RESOURCES.resolve("scenes/" + name + ".ttl"))) {
       return SceneLoader.load(name, turtle, home);
