@@ -1,9 +1,14 @@
 package org.maestro.coordination;
 
 import java.time.Duration;
+import java.util.Collection;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
 
@@ -18,13 +23,35 @@ final class Offers {
 
   private final Map<StepKey, Duration> begunAt = new HashMap<>();
   private final Map<StepKey, Integer> considered = new HashMap<>();
+  private final Map<StepKey, Step> late = new LinkedHashMap<>();
 
   void begun(Step step, Duration now) {
     begunAt.put(step.key(), now);
+    late.remove(step.key());
+  }
+
+  /**
+   * What is left of a step whose member is late: nobody knows, and its own word has proved wrong.
+   * It counts as much as has passed already, so that it is relieved by who is quicker, and not by
+   * who would first have to undo what it did.
+   */
+  Optional<Market.Quote> priceIfLate(Step step, Takeover offer, Duration now) {
+    if (!isLate(step, offer, now)) {
+      return Optional.empty();
+    }
+    late.put(step.key(), step);
+    double passed = passed(step, now).orElse(0.0);
+    return Optional.of(new Market.Quote.Priced(Math.max(step.cost(), passed), passed));
+  }
+
+  /** Steps that were late when others offered to take them over, without those that are wanted. */
+  Stream<Step> lateBeside(Collection<Step> wanted) {
+    Set<StepKey> keys = wanted.stream().map(Step::key).collect(Collectors.toSet());
+    return late.values().stream().filter(step -> !keys.contains(step.key()));
   }
 
   /** Whether its member is late by longer than the other would need for all of it. */
-  boolean isLate(Step step, Takeover offer, Duration now) {
+  private boolean isLate(Step step, Takeover offer, Duration now) {
     return passed(step, now).filter(p -> p >= step.seconds() + offer.seconds()).isPresent();
   }
 

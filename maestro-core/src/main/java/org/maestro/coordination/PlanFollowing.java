@@ -62,6 +62,10 @@ final class PlanFollowing {
     Map<String, List<Step>> awards = new TreeMap<>();
     found.steps().forEach(s -> awards.computeIfAbsent(s.member(), m -> new ArrayList<>()).add(s));
     tender.award(awards);
+    offers
+        .lateBeside(found.steps())
+        .filter(underway::contains)
+        .forEach(step -> outlook.tooLate(step, "it takes longer than was told"));
     execution.callOffAllBut(found.steps());
     parts.contention().letGoOfWhatIsDone();
     if (!outlook.isConfirming()) {
@@ -97,24 +101,22 @@ final class PlanFollowing {
     if (!isActive() || parts.turn().isAwaited() || !parts.roster().isPresent(offer.by())) {
       return;
     }
+    underway.find(offer.from(), offer.feature()).ifPresent(step -> consider(step, offer));
+  }
+
+  private void consider(Step step, Takeover offer) {
     Duration now = parts.ports().clock().now();
-    underway
-        .find(offer.from(), offer.feature())
-        .ifPresent(
-            step ->
-                offers
-                    .reason(step, story.sentence(step), offer, now)
-                    .ifPresent(
-                        why -> {
-                          if (offers.isLate(step, offer, now)) {
-                            outlook.tooLate(step, "it takes longer than was told");
-                          }
-                          outlook.offersAgain(offer.by(), offer.feature());
-                          underway.mayChangeHands(step);
-                          parts.exactPrices().forget(offer.by());
-                          parts.exactPrices().forget(offer.from());
-                          course.makePlan(Optional.of(why));
-                        }));
+    Optional<String> why = offers.reason(step, story.sentence(step), offer, now);
+    if (why.isEmpty()) {
+      return;
+    }
+    outlook.offersAgain(offer.by(), offer.feature());
+    underway.mayChangeHands(step);
+    ExactPrices prices = parts.exactPrices();
+    prices.forget(offer.by());
+    prices.forget(offer.from());
+    offers.priceIfLate(step, offer, now).ifPresent(p -> prices.put(step.key(), p, now, now));
+    course.makePlan(why);
   }
 
   /** What it reports at its end has it planned again. */

@@ -16,10 +16,10 @@ import org.maestro.rats.time.Clock;
 /**
  * The member's impatience with what others are at (ALLIANCE, M43). It remembers calls to others of
  * features that it has too, and offers their holder to take one over, once, in two cases: something
- * about this member has changed since, and it is cheaper than what the holder still counts on and
- * than what it told the holder before the call; or the other is late, as far as can be seen, by
- * longer than the member would need for all of it. It never begins anything by itself: the holder
- * decides. Clock thread only.
+ * about this member has changed since the call, or since it told the holder its price for that, and
+ * it is cheaper than what the holder still counts on and than what it told; or the other is late,
+ * as far as can be seen, by longer than the member would need for all of it. It never begins
+ * anything by itself: the holder decides. Clock thread only.
  *
  * <p>Many members overhear each call, and a price can be a search for a way: nothing is priced
  * before it could lead to an offer.
@@ -41,7 +41,8 @@ final class Impatience {
   private final TaskQueue tasks;
   private final Clock clock;
   private final Map<Key, Watched> watched = new LinkedHashMap<>();
-  private final Map<Question, Double> told = new LinkedHashMap<>();
+  private final Map<Question, Told> told = new LinkedHashMap<>();
+  private long changes;
 
   Impatience(
       MemberProfile profile,
@@ -86,12 +87,22 @@ final class Impatience {
     if (watched.size() >= MOST_WATCHED) {
       forget(watched.keySet().iterator().next());
     }
-    Watched one = new Watched(call, since, toldBefore(call));
+    Question question =
+        question(call.from(), profile.features().get(call.feature()), call.parameters());
+    Optional<Told> before = Optional.ofNullable(told.get(question));
+    Watched one = new Watched(call, since, before.map(Told::cost));
     watched.put(key, one);
     one.end = clock.schedule(call.timeout(), profile.id(), () -> forget(key));
     if (policy.isSecured()) {
       wakeWhenOverdue(one);
     }
+    before
+        .filter(price -> price.lookedAt() < changes)
+        .ifPresent(
+            price -> {
+              told.put(question, new Told(price.cost(), changes));
+              reconsider(one, true);
+            });
   }
 
   /** The member has said what that would cost. */
@@ -103,13 +114,8 @@ final class Impatience {
       if (told.size() >= MOST_WATCHED) {
         told.remove(told.keySet().iterator().next());
       }
-      told.put(question, answer.cost().get());
+      told.put(question, new Told(answer.cost().get(), changes));
     }
-  }
-
-  private Optional<Double> toldBefore(Call call) {
-    MemberProfile.Feature feature = profile.features().get(call.feature());
-    return Optional.ofNullable(told.get(question(call.from(), feature, call.parameters())));
   }
 
   /** A call may say more than what it was asked for, such as where its plan goes on. */
@@ -163,6 +169,7 @@ final class Impatience {
 
   /** Something about this member has changed, and perhaps its prices. */
   void changed() {
+    changes++;
     watched.values().forEach(one -> reconsider(one, true));
   }
 
@@ -226,6 +233,13 @@ final class Impatience {
   private record Key(String from, String id) {}
 
   private record Question(String caller, String feature, Map<String, Object> required) {}
+
+  /**
+   * A price that a caller counts on.
+   *
+   * @param lookedAt how often the member had changed when it was last looked at
+   */
+  private record Told(double cost, long lookedAt) {}
 
   private static final class Watched {
     private final Call call;

@@ -97,6 +97,22 @@ class TakeoverTest {
     assertThat(heard.offers).as("a little cheaper than it was: still news").hasSize(1);
   }
 
+  /** A plan has several steps: it is cheaper than told for one that is called long after. */
+  @Test
+  void whoHasBecomeCheaperBetweenItsPriceAndTheCallOffersAtTheCall() {
+    tim.join();
+    run(1);
+    ask("tim");
+    tim.costs(4);
+
+    begin();
+    assertThat(heard.offers).containsExactly("tim: carry for 4.0 in 4.0 s");
+    int priced = tim.priced;
+    call("rose", Optional.of(new Call.Expectation(3, 3)));
+    run(1);
+    assertThat(tim.priced).as("nothing has changed since it looked").isEqualTo(priced);
+  }
+
   @Test
   void nothingIsPricedForACallThatGoesWell() {
     begin();
