@@ -172,7 +172,7 @@ final class DriverFactory {
   }
 
   private MobileBase gliding(Actuator actuator, BaseData base) {
-    return new SimulatedBase(actuator, base);
+    return new SimulatedBase(actuator, base, parameters.wheels().slip());
   }
 
   private MobileBase onMecanumWheels(Actuator actuator, BaseData base) {

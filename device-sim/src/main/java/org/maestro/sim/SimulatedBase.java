@@ -10,7 +10,10 @@ import org.maestro.hal.MobileBase;
 import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Segment;
 
-/** A base that drives at full speed and stands still before what comes in its way. */
+/**
+ * A base that drives at full speed, less what it slips, and stands still before what comes in its
+ * way.
+ */
 final class SimulatedBase implements MobileBase {
 
   /**
@@ -19,14 +22,22 @@ final class SimulatedBase implements MobileBase {
    */
   private static final double GRAZING_METRES = 0.01;
 
+  /** However much it slips, it gets on. */
+  private static final double MOST_SLIP = 0.95;
+
   private final Actuator actuator;
   private final BaseData data;
+  private final double slip;
   private WalledFloor walls;
   private long driveNumber;
 
-  SimulatedBase(Actuator actuator, BaseData data) {
+  /**
+   * @param slip share of its way that is lost, standard deviation, anew at each look of the scanner
+   */
+  SimulatedBase(Actuator actuator, BaseData data, double slip) {
     this.actuator = actuator;
     this.data = data;
+    this.slip = slip;
     this.walls = new WalledFloor(List.of(), data.radius() - GRAZING_METRES);
   }
 
@@ -52,7 +63,8 @@ final class SimulatedBase implements MobileBase {
 
   /** From here, as fast as the wheels grip now. */
   private void roll(List<Point2> way, long number, Completion completion) {
-    double grip = 1 - actuator.world().faults().slipOf(actuator.device());
+    double faultless = 1 - actuator.world().faults().slipOf(actuator.device());
+    double grip = faultless * gripNow();
     if (grip <= 0) {
       actuator.world().whereabouts().stop(actuator.device());
       completion.failed("its wheels do not grip");
@@ -60,17 +72,32 @@ final class SimulatedBase implements MobileBase {
     }
     Drive drive = new Drive(actuator.clock().now(), position(), way, grip * data.speed());
     actuator.world().whereabouts().start(actuator.device(), drive);
-    goOn(drive, number, completion);
+    goOn(new Rolling(drive, faultless, actuator.clock().now()), number, completion);
   }
 
-  private void goOn(Drive drive, long number, Completion completion) {
+  /** Without slip chance is not asked. */
+  private double gripNow() {
+    return slip == 0 ? 1 : 1 - Math.min(MOST_SLIP, Math.abs(actuator.error(slip)));
+  }
+
+  /**
+   * A drive, and what it was begun with.
+   *
+   * @param faultless grip that a fault left
+   */
+  private record Rolling(Drive drive, double faultless, Duration begun) {}
+
+  private void goOn(Rolling rolling, long number, Completion completion) {
+    Drive drive = rolling.drive();
     if (number != driveNumber
         || !actuator.world().whereabouts().drive(actuator.device()).equals(Optional.of(drive))) {
       return;
     }
     World world = actuator.world();
     Duration now = actuator.clock().now();
-    if (drive.speed() != (1 - world.faults().slipOf(actuator.device())) * data.speed()) {
+    boolean looksAgain = slip > 0 && now.compareTo(rolling.begun()) > 0;
+    if (rolling.faultless() != 1 - world.faults().slipOf(actuator.device())
+        || looksAgain && !drive.wayAhead(now).isEmpty()) {
       world.whereabouts().stop(actuator.device());
       roll(drive.wayAhead(now), number, completion);
       return;
@@ -88,7 +115,7 @@ final class SimulatedBase implements MobileBase {
       actuator.tell(WorldEvent.Kind.BLOCKED);
       completion.failed("something stands in the way");
     } else {
-      actuator.after(Math.min(left, data.checkSeconds()), () -> goOn(drive, number, completion));
+      actuator.after(Math.min(left, data.checkSeconds()), () -> goOn(rolling, number, completion));
     }
   }
 

@@ -20,15 +20,28 @@ import org.maestro.rats.protocol.Result;
 class DriverExchangeTest {
 
   private static Homes bob(String scene, String instead, String by) {
+    return bob(scene, instead, by, 0);
+  }
+
+  private static Homes bob(String scene, String instead, String by, double slip) {
     Home home = new HomeLoader().load(Homes.text("bob").replace(instead, by), "bob.ttl");
-    return new Homes(home, Homes.scene(scene, home), 1);
+    return new Homes(
+        home,
+        Homes.scene(scene, home),
+        1,
+        usual -> usual.with(Map.of("world.wheels.slip", String.valueOf(slip))));
   }
 
   private static Homes withRoseOn(String driver) {
+    return withRoseOn(driver, 0.02);
+  }
+
+  private static Homes withRoseOn(String driver, double slip) {
     return bob(
         "bob-lit",
         "home:rose a :MobileRobot ;",
-        "home:rose a :MobileRobot ; maestro:driver \"" + driver + "\" ;");
+        "home:rose a :MobileRobot ; maestro:driver \"" + driver + "\" ;",
+        slip);
   }
 
   private static void succeed(
@@ -54,13 +67,20 @@ class DriverExchangeTest {
 
   @Test
   void evensOutTheSlipOfItsWheels() {
-    double straight = seconds("mobile-robot");
-    assertThat(seconds("mecanum-robot")).isBetween(0.98 * straight, 1.1 * straight);
-    assertThat(seconds("differential-robot")).isBetween(straight + 0.5, straight + 10);
+    double straight = seconds("mobile-robot", 0);
+    assertThat(seconds("mecanum-robot", 0.02)).isBetween(0.98 * straight, 1.1 * straight);
+    assertThat(seconds("differential-robot", 0.02)).isBetween(straight + 0.5, straight + 10);
   }
 
-  private static double seconds(String driver) {
-    try (Homes homes = withRoseOn(driver)) {
+  /** Of a way it loses 0.8 times the standard deviation in the mean: 16 % of the time at 20 %. */
+  @Test
+  void aBaseWithoutWheelsOfItsOwnSlipsToo() {
+    double straight = seconds("mobile-robot", 0);
+    assertThat(seconds("mobile-robot", 0.2)).isBetween(1.08 * straight, 1.3 * straight);
+  }
+
+  private static double seconds(String driver, double slip) {
+    try (Homes homes = withRoseOn(driver, slip)) {
       Duration begun = homes.clock.now();
       succeed(
           homes, "rose", "move", Map.of("to", Homes.ref("zone-a"), "from", Homes.ref("zone-b")));

@@ -8,16 +8,35 @@ import org.maestro.sim.PhysicalSettings;
 
 /**
  * The physics that can be set in every experiment: every number of {@link PhysicalParameters}, by
- * its name.
+ * its name, but for those of hardware that no experiment's home has.
  */
 public final class Physics {
   private static final Map<String, String> USUAL =
       PhysicalSettings.of(PhysicalParameters.standard());
 
+  /**
+   * Wheels of their own and cameras on robots, driven doors, lamps behind switches, charging
+   * stations.
+   */
+  private static final List<String> ABSENT =
+      List.of(
+          "world.turn.",
+          "world.wheels.wheelRadius",
+          "world.wheels.halfLength",
+          "world.wheels.halfWidth",
+          "world.wheels.turnSpeed",
+          "world.wheels.controlSeconds",
+          "world.wheels.nearMetres",
+          "world.wheels.aimRadians",
+          "world.drives.doorSeconds",
+          "world.drives.relaySeconds",
+          "world.battery.chargingWatts");
+
   private Physics() {}
 
   public static List<Setting> settings() {
     return USUAL.entrySet().stream()
+        .filter(entry -> ABSENT.stream().noneMatch(entry.getKey()::startsWith))
         .map(
             entry ->
                 new Setting(
