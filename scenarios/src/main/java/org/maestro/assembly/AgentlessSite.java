@@ -69,8 +69,7 @@ public final class AgentlessSite implements AutoCloseable {
                         new DescriptionWriter(home)::write)
                     .on(bus)));
     BusLink link = parts.opened(BusLink.connect(CONTROLLER, SITE, bus.client(CONTROLLER), clock));
-    Deputies deputies =
-        new Deputies(link, clock, knowledge, new DescriptionReader(home.vocabulary())::read);
+    Deputies deputies = new Deputies(link, clock, knowledge, DescriptionReader.of(home)::read);
     coordinator =
         new Coordinator(
             new Ports(

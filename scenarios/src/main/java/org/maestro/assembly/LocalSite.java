@@ -184,7 +184,7 @@ public final class LocalSite implements AutoCloseable {
             link,
             this::link,
             clock,
-            new DescriptionReader(settings.home().vocabulary())::read);
+            DescriptionReader.of(settings.home())::read);
     parts.opened(platform);
     awaitMembers(opening);
   }

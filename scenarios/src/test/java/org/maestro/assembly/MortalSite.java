@@ -148,8 +148,7 @@ final class MortalSite implements AutoCloseable {
     private Life(int deathAt) {
       this.deathAt = deathAt;
       this.journal = new LastWords();
-      Deputies deputies =
-          new Deputies(link, clock, knowledge, new DescriptionReader(home.vocabulary())::read);
+      Deputies deputies = new Deputies(link, clock, knowledge, DescriptionReader.of(home)::read);
       coordinator =
           new Coordinator(
               new Ports(

@@ -11,8 +11,8 @@ import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceGraph;
 
 /**
- * What the shipped vocabulary and the alignments say of the words that a description uses: read
- * when first needed, then kept. Safe for threads.
+ * What the shipped vocabulary, the alignments and the home say of the words that a description
+ * uses: read when first needed, then kept. Safe for threads.
  */
 final class Background {
 
@@ -26,8 +26,16 @@ final class Background {
           OWL.hasValue.asNode());
   private static final Node OFFERS = Maestro.term("offers");
 
+  private final String ownWords;
   private SourceGraph statements;
   private SourceGraph aboutWords;
+
+  /**
+   * @param ownWords what the home adds to the vocabulary that is shipped, as Turtle
+   */
+  Background(String ownWords) {
+    this.ownWords = ownWords;
+  }
 
   /**
    * Adds to the description what follows from its words, and, when it offers nothing, what its
@@ -46,7 +54,7 @@ final class Background {
 
   private synchronized SourceGraph statements() {
     if (statements == null) {
-      statements = HomeLoader.shippedStatements();
+      statements = HomeLoader.statementsWith(ownWords);
       aboutWords = new SourceGraph();
       aboutWords.copy(statements, triple -> ABOUT_WORDS.contains(triple.getPredicate()));
     }

@@ -26,13 +26,28 @@ public final class DescriptionReader {
   private static final String BASE = "https://w3id.org/maestro/member/";
 
   private final Vocabulary vocabulary;
-  private final Background background = new Background();
+  private final Background background;
   private final SourceGraph metaVocabulary = new SourceGraph();
   private final ReadDevices known = new ReadDevices();
 
+  /** For descriptions of a home that adds nothing to the vocabulary that is shipped. */
   public DescriptionReader(Vocabulary vocabulary) {
+    this(vocabulary, "");
+  }
+
+  /**
+   * @param ownWords what the home adds to the vocabulary that is shipped, as {@link Home#words} has
+   *     it; the vocabulary has it already
+   */
+  public DescriptionReader(Vocabulary vocabulary, String ownWords) {
     this.vocabulary = vocabulary;
+    this.background = new Background(ownWords);
     HomeLoader.readMetaVocabulary(metaVocabulary);
+  }
+
+  /** For descriptions of devices of the home. */
+  public static DescriptionReader of(Home home) {
+    return new DescriptionReader(home.vocabulary(), home.words());
   }
 
   /**

@@ -153,10 +153,11 @@ public final class HomeLoader {
     }
   }
 
-  /** The shipped vocabulary and its alignments, with what follows from them. */
-  static SourceGraph shippedStatements() {
+  /** The shipped vocabulary, its alignments and a home's words, with what follows from them. */
+  static SourceGraph statementsWith(String ownWords) {
     SourceGraph graph = new SourceGraph();
     new HomeLoader().readVocabulary(graph);
+    new SourceReader(graph, OWN_WORDS, HOMES_BASE).readTurtle(ownWords);
     new Inference(graph).run();
     return graph;
   }

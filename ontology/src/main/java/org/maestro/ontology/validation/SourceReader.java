@@ -36,6 +36,13 @@ public final class SourceReader {
 
   private static final String CONTEXT_RESOURCE = "/org/maestro/ontology/context.jsonld";
 
+  /**
+   * Jena by itself takes a last statement without its dot, and so a file of which half is there.
+   */
+  private static final boolean STRICT = true;
+
+  private static final boolean LENIENT = false;
+
   static {
     JenaSystem.init();
   }
@@ -56,7 +63,10 @@ public final class SourceReader {
 
   /** Reads until the end or the first syntax error, which becomes a fault. */
   public void readTurtle(String text) {
-    read(RiotParsers.factoryTTL.create(Lang.TURTLE, profile()), text, RIOT.getContext().copy());
+    read(
+        RiotParsers.factoryTTL.create(Lang.TURTLE, profile(STRICT)),
+        text,
+        RIOT.getContext().copy());
   }
 
   /**
@@ -66,7 +76,7 @@ public final class SourceReader {
     JsonLdOptions options = new JsonLdOptions((DocumentLoader) (url, loading) -> context(url));
     Context context = RIOT.getContext().copy();
     context.set(LangJSONLD11.JSONLD_OPTIONS, options);
-    read(new LangJSONLD11(Lang.JSONLD11, profile(), new Complaints()), text, context);
+    read(new LangJSONLD11(Lang.JSONLD11, profile(LENIENT), new Complaints()), text, context);
   }
 
   private void read(org.apache.jena.riot.ReaderRIOT reader, String text, Context context) {
@@ -80,7 +90,7 @@ public final class SourceReader {
     }
   }
 
-  private ParserProfile profile() {
+  private ParserProfile profile(boolean isStrict) {
     ParserProfile standard =
         new ParserProfileStd(
             new FactoryRDFStd(),
@@ -89,7 +99,7 @@ public final class SourceReader {
             PrefixMapFactory.create(),
             RIOT.getContext().copy(),
             true,
-            false);
+            isStrict);
     return new ParserProfileWrapper(standard) {
       @Override
       public Triple createTriple(Node s, Node p, Node o, long line, long column) {

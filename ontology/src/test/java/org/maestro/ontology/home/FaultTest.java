@@ -130,6 +130,24 @@ class FaultTest {
     assertThat(refusal.faults().get(0).line()).isEqualTo(line);
   }
 
+  /** So that a file of which half is there is not taken for a whole one. */
+  @Test
+  void aLastStatementWithoutItsDotIsAFault() {
+    String cut = BOB.strip().replaceFirst("\\.$", "");
+    HomeFaultException refusal =
+        catchThrowableOfType(HomeFaultException.class, () -> new HomeLoader().load(cut, "bob.ttl"));
+    assertThat(refusal).hasMessageContaining("not terminated by DOT");
+    assertThat(refusal.faults().get(0).line()).isEqualTo((int) cut.strip().lines().count());
+
+    String lamp = "<#lamp-9> a <https://w3id.org/maestro/domain#Lamp>";
+    DescriptionReader reader = DescriptionReader.of(ShippedHomes.bob());
+    assertThat(
+            catchThrowableOfType(
+                HomeFaultException.class,
+                () -> new DeviceFile(reader::read).read(lamp, "lamp-9.ttl")))
+        .hasMessageContaining("lamp-9.ttl:1: the text has a fault");
+  }
+
   @Test
   void aMissingFileAndAFileWithoutHomeAreFaultsToo() {
     assertThat(

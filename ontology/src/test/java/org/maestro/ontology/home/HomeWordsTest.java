@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
+import org.maestro.ontology.vocabulary.FeatureType;
 
 /**
  * The words that a home file adds to the vocabulary go where the file itself does not: with them a
@@ -45,6 +46,36 @@ class HomeWordsTest {
         .isEqualTo(press);
     assertThatThrownBy(() -> new DescriptionReader(loader.vocabulary()).read(said, "press"))
         .isInstanceOf(HomeFaultException.class);
+  }
+
+  @Test
+  void aDeviceThatNamesOnlyItsClassOffersWhatTheHomeGivesThatClass() {
+    String said =
+        """
+        {"@context": "https://w3id.org/maestro/context.jsonld",
+         "id": "https://w3id.org/maestro/home/post#press",
+         "type": "https://w3id.org/maestro/domain#Press"}
+        """;
+
+    assertThat(DescriptionReader.of(post).read(said, "press").features())
+        .isEqualTo(post.devices().get("press").features());
+  }
+
+  @Test
+  void aDeviceOfAShippedClassOffersWhatTheHomeAddsToThatClass() {
+    Home blinking = loader.load(POST + ":Lamp maestro:offers :stamp .\n", "post.ttl");
+    String said =
+        """
+        {"@context": "https://w3id.org/maestro/context.jsonld",
+         "id": "https://w3id.org/maestro/home/post#lamp-1",
+         "type": "https://w3id.org/maestro/domain#Lamp",
+         "luminousIntensity": 900, "beamAngle": 100, "pose": "1 1 2.8",
+         "https://w3id.org/maestro/domain#power": 8}
+        """;
+
+    assertThat(DescriptionReader.of(blinking).read(said, "lamp-1").features())
+        .extracting(FeatureType::name)
+        .contains("stamp", "adjustLight");
   }
 
   @Test
