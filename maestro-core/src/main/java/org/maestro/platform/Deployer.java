@@ -223,8 +223,7 @@ final class Deployer {
     Deployment.requireContainerName(name);
     if (isElsewhere(name)) {
       throw new DeploymentException(
-          "Another process has joined a container %s already; choose another name."
-              .formatted(name));
+          "The platform has a container %s already; choose another --name.".formatted(name));
     }
     List<String> groups =
         containerByGroup.entrySet().stream()

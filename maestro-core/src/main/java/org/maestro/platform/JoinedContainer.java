@@ -97,6 +97,7 @@ public final class JoinedContainer implements AutoCloseable {
    * Joins the platform of a secured site.
    *
    * @param guard by which this process is let in; empty on an open site
+   * @throws NameTakenException when another container has the name
    * @throws PlatformStartException when no platform answers there, or it refuses
    */
   public static JoinedContainer join(
@@ -122,6 +123,10 @@ public final class JoinedContainer implements AutoCloseable {
     BiFunction<String, Host, AgentContainer> newContainer =
         (called, its) -> joining.join(called, its, false);
     AgentContainer container = joining.join(name, new Host(), true);
+    if (!name(container).equals(name)) {
+      JadeRuntime.end(container);
+      throw new NameTakenException(name);
+    }
     AgentTime time = AgentTime.of(clock);
     DeskAgent desk = new DeskAgent(time);
     JadeRuntime.start(container, name + "-desk", desk);
@@ -183,9 +188,7 @@ public final class JoinedContainer implements AutoCloseable {
       forAgents.add(home);
     }
     if (!name(home).equals(start.name())) {
-      throw new PlatformStartException(
-          "The platform has a container %s already; choose another --name."
-              .formatted(start.name()));
+      throw new NameTakenException(start.name());
     }
     List<Content> answer = answer(start, "joined");
     for (Content content : answer) {

@@ -4,7 +4,7 @@ package org.maestro.platform;
  * The platform, or a join to it, could not start. The message is one sentence: what, where, what to
  * do.
  */
-public final class PlatformStartException extends RuntimeException {
+public sealed class PlatformStartException extends RuntimeException permits NameTakenException {
   private static final long serialVersionUID = 1L;
 
   public PlatformStartException(String message) {

@@ -12,6 +12,7 @@ import org.maestro.deployment.ContainerStart;
 import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.platform.JoinedContainer;
+import org.maestro.platform.NameTakenException;
 import org.maestro.platform.PlatformStartException;
 import org.maestro.platform.guard.Guard;
 import org.maestro.rats.link.BusLink;
@@ -44,20 +45,14 @@ final class HostedContainer implements AutoCloseable {
       int attempt,
       Clock clock,
       Optional<SiteSecurity> security) {
-    String controller = "container-" + start.name();
-    JoinedContainer container =
-        JoinedContainer.join(
-            Optional.empty(),
-            at.host(),
-            at.port(),
-            start.name() + "-hand-over" + (attempt == 1 ? "" : "-" + attempt),
-            clock,
-            security.map(site -> Guard.open(site, controller)));
+    String controller = controller(start.name());
+    JoinedContainer container = join(at, start.name(), attempt, clock, security);
     Links links = new Links(clock, security);
     try {
       SupervisorAgent.Handover handover = container.ask(start);
       DescriptionReader reader =
-          new DescriptionReader(new HomeLoader().vocabularyWith(handover.words()));
+          new DescriptionReader(
+              new HomeLoader().vocabularyWith(handover.words()), handover.words());
       List<String> agents = container.host(start, links.at(handover).of(controller), reader::read);
       if (!start.provides().isEmpty()) {
         container.offer(start.name(), List.copyOf(start.provides()), links::at, reader::read);
@@ -68,6 +63,26 @@ final class HostedContainer implements AutoCloseable {
       container.abandon();
       throw e;
     }
+  }
+
+  /** Who hands over has a container beside that for agents, which lives as long as it. */
+  private static JoinedContainer join(
+      Endpoint at, String name, int attempt, Clock clock, Optional<SiteSecurity> security) {
+    try {
+      return JoinedContainer.join(
+          Optional.empty(),
+          at.host(),
+          at.port(),
+          name + "-hand-over" + (attempt == 1 ? "" : "-" + attempt),
+          clock,
+          security.map(site -> Guard.open(site, controller(name))));
+    } catch (NameTakenException e) {
+      throw new NameTakenException(name);
+    }
+  }
+
+  private static String controller(String name) {
+    return "container-" + name;
   }
 
   /** The links of this process to the bus, by controller. */

@@ -49,6 +49,11 @@ class RemoteContainerTest {
         assertThat(stage.platform().agents()).extracting(AgentRow::agent).containsAll(lamps);
         assertThat(stage.goal("(nextTo Cup Bob)")).isReached().tells("is set to");
         assertThat(stage.world()).hasNextTo("Cup", "Bob").hasLuxAtLeast("zone-b", 72);
+        try (JavaProcess second = lights(stage, directory)) {
+          assertThat(second.await(Duration.ofSeconds(30)).errors())
+              .isEqualToIgnoringNewLines(
+                  "maestro: The platform has a container lights already; choose another --name.");
+        }
       }
       await().atMost(Duration.ofSeconds(30)).until(() -> lightsHere(stage));
       stage.await(
