@@ -119,7 +119,7 @@ public final class AgentsBench {
         link,
         controller -> link,
         clock,
-        new DescriptionReader(home.vocabulary())::read);
+        DescriptionReader.of(home)::read);
   }
 
   private static long there(MaestroPlatform platform) {

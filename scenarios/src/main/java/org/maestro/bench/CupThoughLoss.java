@@ -61,22 +61,13 @@ final class CupThoughLoss {
    * @throws IllegalStateException when what has to be is not so
    */
   Map<Figure, Double> run(boolean areHosts) {
-    formerPlatformsHaveEnded();
+    Waiting.formerPlatformsHaveEnded();
     if (!areHosts) {
       return run(Optional.empty());
     }
     try (NetworkHosts network = NetworkHosts.open()) {
       return run(Optional.of(network));
     }
-  }
-
-  /** What JADE has for a whole process goes with its last platform, also while another begins. */
-  private static void formerPlatformsHaveEnded() {
-    Waiting.until(
-        () ->
-            Thread.getAllStackTraces().keySet().stream()
-                .noneMatch(thread -> thread.getName().equals("maestro-container-end")),
-        "the platform before has ended");
   }
 
   private Map<Figure, Double> run(Optional<NetworkHosts> network) {

@@ -5,15 +5,18 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 
 /** A Java process that stands for some hosts; killed when closed. */
 final class HostProcess implements AutoCloseable {
   private final Process process;
+  private final Path errors;
 
-  private HostProcess(Process process) {
+  private HostProcess(Process process, Path errors) {
     this.process = process;
+    this.errors = errors;
   }
 
   /**
@@ -39,9 +42,10 @@ final class HostProcess implements AutoCloseable {
             String.valueOf(first),
             String.valueOf(containers));
     try {
-      Process process =
-          new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD).start();
-      HostProcess host = new HostProcess(process);
+      Path errors = Files.createTempFile("maestro-host", ".err");
+      HostProcess host =
+          new HostProcess(
+              new ProcessBuilder(command).redirectError(errors.toFile()).start(), errors);
       host.awaitReady(name);
       return host;
     } catch (IOException e) {
@@ -57,9 +61,10 @@ final class HostProcess implements AutoCloseable {
       line = out.readLine();
     }
     if (line == null) {
-      process.destroyForcibly();
+      String said = Files.readString(errors).strip();
+      close();
       throw new IllegalStateException(
-          "The process " + name + " ended before its containers were there.");
+          "The process %s ended before its containers were there: %s".formatted(name, said));
     }
   }
 
@@ -70,6 +75,11 @@ final class HostProcess implements AutoCloseable {
 
   @Override
   public void close() {
-    process.destroyForcibly();
+    process.destroyForcibly().onExit().join();
+    try {
+      Files.deleteIfExists(errors);
+    } catch (IOException e) {
+      throw new UncheckedIOException("Cannot clean up " + errors, e);
+    }
   }
 }

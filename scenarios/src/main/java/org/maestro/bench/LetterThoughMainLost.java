@@ -13,21 +13,29 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ThreadLocalRandom;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.Words;
 import org.maestro.bench.LossesBench.Figure;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.platform.PlatformStartException;
 import org.maestro.rats.time.PacedClock;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * A letter is being stamped when the platform's process is lost; another stands by, and the goal
  * that a person follows has to be reached. For one thread.
  */
 final class LetterThoughMainLost {
+  private static final Logger LOG = LoggerFactory.getLogger(LetterThoughMainLost.class);
   private static final Duration LIMIT = Duration.ofSeconds(90);
   private static final String LETTER = "letter-0-0";
   private static final String PRESS = "press-0";
+
+  private static final int LOWEST_PORT = 20_000;
+  private static final int HIGHEST_PORT = 32_000;
+  private static final int MOST_ATTEMPTS = 100;
 
   private final Loss loss;
 
@@ -39,6 +47,7 @@ final class LetterThoughMainLost {
    * @throws IllegalStateException when what has to be is not so
    */
   Map<Figure, Double> run() {
+    Waiting.formerPlatformsHaveEnded();
     Path directory = temporary();
     int port = freePort();
     List<String> goal = List.of("goal", "(stamped " + LETTER + ")", "--main", "127.0.0.1:" + port);
@@ -54,7 +63,7 @@ final class LetterThoughMainLost {
           } else {
             main.kill();
           }
-          double answered = secondsUntilItAnswers(port);
+          double answered = secondsUntilItAnswers(second, port);
           following.awaitSaying("another has taken over");
           office.open(PRESS);
           require(following.awaitEnd(LIMIT) == 0, "the goal is reached");
@@ -101,8 +110,10 @@ final class LetterThoughMainLost {
     }
   }
 
-  private static double secondsUntilItAnswers(int port) {
+  /** JADE would keep in this process what it heard from a platform that is only half there. */
+  private static double secondsUntilItAnswers(MaestroProcess second, int port) {
     long lost = System.nanoTime();
+    second.awaitSaying(" runs: ");
     try (PacedClock clock = new PacedClock(1)) {
       Waiting.until(() -> answers(port, clock), "the platform answers again");
       return Waiting.secondsSince(lost);
@@ -121,12 +132,20 @@ final class LetterThoughMainLost {
     }
   }
 
+  /**
+   * Below those of outgoing connections, one of which could have it when the second process needs
+   * it.
+   */
   private static int freePort() {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      return socket.getLocalPort();
-    } catch (IOException e) {
-      throw new UncheckedIOException("There is no free port.", e);
+    for (int attempt = 0; attempt < MOST_ATTEMPTS; attempt++) {
+      int port = ThreadLocalRandom.current().nextInt(LOWEST_PORT, HIGHEST_PORT);
+      try (ServerSocket socket = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
+        return socket.getLocalPort();
+      } catch (IOException e) {
+        LOG.debug("The port {} is in use", port, e);
+      }
     }
+    throw new IllegalStateException("There is no free port.");
   }
 
   private static Path temporary() {

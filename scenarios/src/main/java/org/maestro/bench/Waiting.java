@@ -25,6 +25,15 @@ final class Waiting {
     }
   }
 
+  /** What JADE has for a whole process goes with its last platform, also while another begins. */
+  static void formerPlatformsHaveEnded() {
+    until(
+        () ->
+            Thread.getAllStackTraces().keySet().stream()
+                .noneMatch(thread -> thread.getName().equals("maestro-container-end")),
+        "the platform before has ended");
+  }
+
   static double secondsSince(long nanos) {
     return (System.nanoTime() - nanos) / 1e9;
   }
