@@ -163,7 +163,8 @@ final class Voice implements MemberNews.Listener {
             if (view.isReady() && news.isCurrent(description)) {
               introduce(description);
             }
-          } else if (reply.getPerformative() != ACLMessage.AGREE) {
+          } else if (reply.getPerformative() != ACLMessage.AGREE
+              && reply.getPerformative() != ACLMessage.INFORM) {
             LOG.warn("{} is not used: {}", member, reply.getContent());
           }
         });

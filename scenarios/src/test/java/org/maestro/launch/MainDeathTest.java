@@ -25,6 +25,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.SupervisorAgent;
 import org.maestro.agents.Words;
@@ -76,6 +78,51 @@ class MainDeathTest {
         until(() -> isReadyIn("devices", port), second);
       }
     }
+  }
+
+  /**
+   * The agent that has the order is in a process of its own, which joins whoever takes over: the
+   * order goes on there, and is not carried out twice.
+   */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  @Tag("full")
+  void theGoalIsReachedThoughTheAgentAtWorkIsInAnotherProcess(boolean isFrozen) throws Exception {
+    int port = freePort();
+    try (PostOffice office = new PostOffice(List.of(1, 1))) {
+      Path home = Files.writeString(directory.resolve("post.ttl"), office.homeText());
+      try (JavaProcess main = run(office, home, port);
+          JavaProcess second = standingBy(main, office, home, port);
+          JavaProcess devices =
+              maestro("container", "--main", "127.0.0.1:" + port, "--name", "devices")) {
+        until(() -> joinings(devices) == 1, devices);
+        until(() -> isReadyIn("devices", port), devices);
+        try (JavaProcess goal = maestro("goal", GOAL, "--main", "127.0.0.1:" + port)) {
+          until(() -> office.atTheGate().size() == 1, goal);
+          if (isFrozen) {
+            main.freeze();
+          } else {
+            main.kill();
+          }
+          until(() -> goal.output().contains("another has taken over"), goal);
+          until(() -> joinings(devices) == 2, devices);
+          office.open("press-0");
+          assertThat(goal.await(LIMIT).exitCode())
+              .as(() -> told(Map.of("goal", goal, "second", second, "devices", devices)))
+              .isZero();
+        }
+        assertThat(office.stampsByLetter()).containsEntry("letter-0-0", 1);
+        assertThat(office.witness().executedTwice()).isEmpty();
+      }
+    }
+  }
+
+  private static String told(Map<String, JavaProcess> processes) {
+    StringBuilder told = new StringBuilder();
+    processes.forEach(
+        (name, process) ->
+            told.append("%s said:%n%s%n%s%n".formatted(name, process.output(), process.errors())));
+    return told.toString();
   }
 
   /** How often it has become the home of the agents. */
