@@ -15,4 +15,18 @@ record Aim(Variable variable, int value) {
   boolean isFindable() {
     return variable.isUnknown(variable.initialCode(), value);
   }
+
+  /**
+   * Spelled out because aims are looked up more than anything else while a problem is made ground:
+   * what a record has of itself is many times slower until it is compiled.
+   */
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Aim aim && aim.variable == variable && aim.value == value;
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * variable.hashCode() + value;
+  }
 }

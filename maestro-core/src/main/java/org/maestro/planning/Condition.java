@@ -71,6 +71,20 @@ sealed interface Condition {
         case NOT_UNKNOWN -> !variable.isUnknown(code, value);
       };
     }
+
+    /** Spelled out for the reason for which those of {@link Aim} are. */
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof Literal literal
+          && literal.variable == variable
+          && literal.value == value
+          && literal.question == question;
+    }
+
+    @Override
+    public int hashCode() {
+      return 31 * (31 * variable.hashCode() + value) + question.ordinal();
+    }
   }
 
   record NumberKnown(NumberVariable variable, boolean known) implements Condition {

@@ -1,7 +1,6 @@
 package org.maestro.planning;
 
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -62,9 +61,9 @@ record GroundGoal(List<Alternative> alternatives) {
       String variable, Formula goal, Signature signature, StaticFacts facts) {
     Set<String> classes = new LinkedHashSet<>();
     collectClasses(goal, variable, signature, classes);
-    List<Term> fitting = new ArrayList<>(facts.individuals(""));
-    classes.forEach(name -> fitting.retainAll((Collection<?>) facts.individuals(name)));
-    return fitting;
+    Set<Term> fitting = new LinkedHashSet<>(facts.individuals(""));
+    classes.forEach(name -> fitting.retainAll(Set.copyOf(facts.individuals(name))));
+    return List.copyOf(fitting);
   }
 
   private static void collectClasses(

@@ -20,14 +20,6 @@ public record Segment(Point2 from, Point2 to) {
         from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()));
   }
 
-  /** Whether the boxes around both touch; false means that they do not intersect. */
-  boolean mayTouch(Segment other) {
-    return Math.min(from.x(), to.x()) <= Math.max(other.from.x(), other.to.x()) + TOLERANCE
-        && Math.min(other.from.x(), other.to.x()) <= Math.max(from.x(), to.x()) + TOLERANCE
-        && Math.min(from.y(), to.y()) <= Math.max(other.from.y(), other.to.y()) + TOLERANCE
-        && Math.min(other.from.y(), other.to.y()) <= Math.max(from.y(), to.y()) + TOLERANCE;
-  }
-
   /** Whether both have a point in common, ends included. */
   public boolean intersects(Segment other) {
     double ofFrom = Point2.turn(from, to, other.from);

@@ -2,7 +2,9 @@ package org.maestro.ontology.home;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.stream.IntStream;
@@ -18,9 +20,13 @@ final class WayFinder {
 
   private static final int DIRECTIONS = 8;
 
+  /** From each of them ways lead to many places: who plans asks where a robot could go. */
+  private static final int MOST_STARTS = 256;
+
   private final FloorPlan plan;
   private final List<Point2> turns = new ArrayList<>();
   private final AtomicReferenceArray<int[]> seen;
+  private final Map<Point2, WaysFrom> latest = new LinkedHashMap<>();
 
   WayFinder(FloorPlan plan, List<Polygon> solid, List<Segment> openings) {
     this.plan = plan;
@@ -44,24 +50,20 @@ final class WayFinder {
   }
 
   OptionalDouble length(Point2 from, Point2 to) {
-    int start = turns.size();
-    int end = start + 1;
-    double[] lengths = new double[end + 1];
-    Arrays.fill(lengths, Double.POSITIVE_INFINITY);
-    boolean[] done = new boolean[lengths.length];
-    lengths[start] = 0;
-    for (int next = start; next >= 0 && next != end; next = nearest(lengths, done)) {
-      done[next] = true;
-      Point2 here = next == start ? from : turns.get(next);
-      for (int other : next == start ? seenFrom(from) : seenFromTurn(next)) {
-        lengths[other] = Math.min(lengths[other], lengths[next] + here.distance(turns.get(other)));
+    return plan.isBlocked(from, to)
+        ? waysFrom(from).length(to)
+        : OptionalDouble.of(from.distance(to));
+  }
+
+  /** Those from the latest starts are kept. */
+  private WaysFrom waysFrom(Point2 start) {
+    synchronized (latest) {
+      WaysFrom ways = latest.computeIfAbsent(start, WaysFrom::new);
+      if (latest.size() > MOST_STARTS) {
+        latest.remove(latest.keySet().iterator().next());
       }
-      double last = lengths[next] + here.distance(to);
-      if (last < lengths[end] && !plan.isBlocked(here, to)) {
-        lengths[end] = last;
-      }
+      return ways;
     }
-    return Double.isFinite(lengths[end]) ? OptionalDouble.of(lengths[end]) : OptionalDouble.empty();
   }
 
   /** Walls do not move, so that it is found out once for each turn that a way leads over. */
@@ -81,16 +83,71 @@ final class WayFinder {
         .toArray();
   }
 
-  /** The point not yet done that is nearest to the start; -1 when none can be reached. */
-  private static int nearest(double[] lengths, boolean[] done) {
-    int nearest = -1;
-    for (int i = 0; i < lengths.length; i++) {
-      if (!done[i]
-          && Double.isFinite(lengths[i])
-          && (nearest < 0 || lengths[i] < lengths[nearest])) {
-        nearest = i;
+  /**
+   * The shortest ways from one start to the turns around it, known as far as was asked: what leads
+   * to one place is the beginning of what leads to others.
+   */
+  private final class WaysFrom {
+    private final double[] lengths = new double[turns.size()];
+    private final boolean[] done = new boolean[turns.size()];
+    private final Point2 start;
+    private boolean begun;
+
+    WaysFrom(Point2 start) {
+      this.start = start;
+    }
+
+    synchronized OptionalDouble length(Point2 to) {
+      begin();
+      double shortest = Double.POSITIVE_INFINITY;
+      for (int turn = 0; turn < done.length; turn++) {
+        if (done[turn]) {
+          shortest = Math.min(shortest, overTurn(turn, to, shortest));
+        }
+      }
+      for (int next = nearest(); next >= 0 && lengths[next] < shortest; next = nearest()) {
+        goOnFrom(next);
+        shortest = Math.min(shortest, overTurn(next, to, shortest));
+      }
+      return Double.isFinite(shortest) ? OptionalDouble.of(shortest) : OptionalDouble.empty();
+    }
+
+    private void begin() {
+      if (!begun) {
+        Arrays.fill(lengths, Double.POSITIVE_INFINITY);
+        for (int turn : seenFrom(start)) {
+          lengths[turn] = start.distance(turns.get(turn));
+        }
+        begun = true;
       }
     }
-    return nearest;
+
+    private double overTurn(int turn, Point2 to, double shortest) {
+      double length = lengths[turn] + turns.get(turn).distance(to);
+      return length < shortest && !plan.isBlocked(turns.get(turn), to)
+          ? length
+          : Double.POSITIVE_INFINITY;
+    }
+
+    private void goOnFrom(int turn) {
+      done[turn] = true;
+      for (int other : seenFromTurn(turn)) {
+        lengths[other] =
+            Math.min(lengths[other], lengths[turn] + turns.get(turn).distance(turns.get(other)));
+      }
+    }
+
+    /** The turn not yet done that is nearest to the start; -1 when none can be reached. */
+    private int nearest() {
+      int nearest = -1;
+      for (int i = 0; i < lengths.length; i++) {
+        if (!done[i]
+            && Double.isFinite(lengths[i])
+            && (nearest < 0 || lengths[i] < lengths[nearest])) {
+          nearest = i;
+        }
+      }
+      return nearest;
+    }
   }
 }

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
@@ -107,6 +108,28 @@ class GeometryTest {
     double around = Math.hypot(1.5, 0.5) + Math.hypot(0.5, 1.5);
     assertThat(new Geometry(corner).shortestPath("right", "top", Positions.UNKNOWN).orElseThrow())
         .isBetween(around, around + 2 * 0.3);
+  }
+
+  @Test
+  void tellsTheSameLengthWhateverWasAskedBefore() {
+    List<Point2> places = new ArrayList<>();
+    for (int i = 0; i < 12; i++) {
+      places.add(new Point2(0.2 + 1.1 * i % 5.7, 0.3 + 0.7 * i % 2.5));
+    }
+    for (Point2 from : places) {
+      for (Point2 to : places) {
+        assertThat(between(from, to, geometry)).isEqualTo(between(from, to, new Geometry(bob)));
+      }
+    }
+  }
+
+  private static OptionalDouble between(Point2 from, Point2 to, Geometry asked) {
+    Map<String, Point2> where = Map.of("rose", from, "Cup", to);
+    return asked.shortestPath(
+        "rose",
+        "Cup",
+        name ->
+            Optional.ofNullable(where.get(name)).map(at -> new Pose(at.x(), at.y(), 0, 0, 0, 0)));
   }
 
   @Test
