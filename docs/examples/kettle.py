@@ -3,7 +3,6 @@
 python3 kettle.py HOST PORT SITE [FOLDER]     FOLDER: its own of a secured site, DIR/users/kettle-1
 """
 import json
-import pathlib
 import sys
 import uuid
 
@@ -72,8 +71,9 @@ def heard(_, __, message):
 client = mqtt.Client(mqtt.CallbackAPIVersion.VERSION2, ME, protocol=mqtt.MQTTv5)
 client.will_set(OWN + "status", json.dumps({"v": "1.0", "id": ME, "status": "lost", "boot": BOOT}), 1, True)
 if len(sys.argv) > 4:
-    client.username_pw_set(ME, (pathlib.Path(sys.argv[4]) / "password").read_text().strip())
+    client.username_pw_set(ME, open(sys.argv[4] + "/password").read().strip())
     client.tls_set(ca_certs=sys.argv[4] + "/ca.pem")
-client.on_connect, client.on_message = announce, heard
+client.on_connect, client.on_message, client.suppress_exceptions = announce, heard, True  # rubbish must not end it
+client.on_disconnect = lambda *a: a[3] == "Session taken over" and sys.exit(f"Another {ME} is there; rename one")
 client.connect(sys.argv[1], int(sys.argv[2]), keepalive=15)
 client.loop_forever(retry_first_connection=True)

@@ -16,7 +16,6 @@ import org.maestro.rats.protocol.MalformedMessageException;
 import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Offer;
-import org.maestro.rats.protocol.RatsError;
 import org.maestro.rats.protocol.Release;
 import org.maestro.rats.protocol.ReservedFeature;
 import org.maestro.rats.protocol.Result;
@@ -62,6 +61,7 @@ public final class BusLink implements RatsLink {
   private final OpenCalls calls;
   private final Watchers watchers = new Watchers();
   private final Hearing hearing;
+  private final Subscriptions subscriptions;
   private final AtomicLong callCount = new AtomicLong();
   private final AtomicBoolean closed = new AtomicBoolean();
   private Optional<Clock.Timer> doubtEnds = Optional.empty();
@@ -82,7 +82,8 @@ public final class BusLink implements RatsLink {
             roster::descriptionHeard,
             roster::stateHeard,
             this::observationHeard);
-    this.hearing = new Hearing(ofAll, topics, handlers, this::subscribe);
+    this.subscriptions = new Subscriptions(controller, topics, transport, clock, complaints);
+    this.hearing = new Hearing(ofAll, topics, handlers, subscriptions);
   }
 
   /**
@@ -195,17 +196,7 @@ public final class BusLink implements RatsLink {
         exchange.parameters(),
         COST_TIMEOUT,
         Optional.empty(),
-        result -> answer.accept(answers(exchange, result)));
-  }
-
-  /** Only what the member itself rejects is declined. */
-  private static List<CostAnswer> answers(CostExchange exchange, Result result) {
-    String reason = result.error().map(RatsError::message).orElse("no reason given");
-    return switch (result.outcome()) {
-      case SUCCEEDED -> exchange.answers(result.values());
-      case REJECTED -> exchange.refused(reason);
-      default -> exchange.unanswered(reason);
-    };
+        result -> answer.accept(exchange.answers(result)));
   }
 
   @Override
@@ -226,11 +217,12 @@ public final class BusLink implements RatsLink {
 
   private void open(SiteKind kind) {
     hearing.begin();
-    subscribe(topics.results(controller), RetainedMessages.IGNORE, this::resultHeard);
+    subscriptions.subscribe(topics.results(controller), RetainedMessages.IGNORE, this::resultHeard);
     if (kind == SiteKind.OPEN) {
-      subscribe(topics.bareResult(), RetainedMessages.IGNORE, this::resultHeard);
+      subscriptions.subscribe(topics.bareResult(), RetainedMessages.IGNORE, this::resultHeard);
     }
-    subscribe(topics.progresses(controller), RetainedMessages.IGNORE, this::progressHeard);
+    subscriptions.subscribe(
+        topics.progresses(controller), RetainedMessages.IGNORE, this::progressHeard);
     transport.subscribeToOthers(
         topics.calls(),
         message -> {
@@ -356,20 +348,6 @@ public final class BusLink implements RatsLink {
 
   private Optional<String> sender(Message message) {
     return topics.senderOf(message.topic());
-  }
-
-  private void subscribe(String filter, RetainedMessages retained, Consumer<Message> handler) {
-    transport.subscribe(filter, retained, message -> perform(() -> handle(handler, message)));
-  }
-
-  private void handle(Consumer<Message> handler, Message message) {
-    try {
-      handler.accept(message);
-    } catch (MalformedMessageException malformed) {
-      if (complaints.isDue(topics.speakerOf(message.topic()))) {
-        LOG.warn("On {}: {}; the message is ignored", message.topic(), malformed.getMessage());
-      }
-    }
   }
 
   /** What tells a listener does not do so on the thread that asks for it. */

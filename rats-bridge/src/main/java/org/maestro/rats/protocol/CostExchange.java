@@ -52,6 +52,16 @@ public record CostExchange(String feature, List<Map<String, Object>> sets) {
     return values;
   }
 
+  /** Only what the member itself rejects is declined. */
+  public List<CostAnswer> answers(Result result) {
+    String reason = result.error().map(RatsError::message).orElse("no reason given");
+    return switch (result.outcome()) {
+      case SUCCEEDED -> answers(result.values());
+      case REJECTED -> refused(reason);
+      default -> unanswered(reason);
+    };
+  }
+
   /** What the result's values say; what is missing in them was not answered. */
   public List<CostAnswer> answers(Map<String, Object> values) {
     List<?> costs = values.get("costs") instanceof List<?> list ? list : List.of();

@@ -5,7 +5,9 @@ import java.nio.file.Path;
 import java.security.GeneralSecurityException;
 import java.security.KeyFactory;
 import java.security.PrivateKey;
+import java.security.cert.CertificateExpiredException;
 import java.security.cert.CertificateFactory;
+import java.security.cert.CertificateNotYetValidException;
 import java.security.cert.X509Certificate;
 import java.security.spec.PKCS8EncodedKeySpec;
 import java.util.Base64;
@@ -26,12 +28,21 @@ final class Pem {
     return wrapped(KEY, key.getEncoded());
   }
 
+  /** One that is no longer, or not yet, valid would only keep everybody from connecting. */
   static X509Certificate certificate(Path file) {
     byte[] bytes = PrivateFiles.bytes(file);
     try {
-      return (X509Certificate)
-          CertificateFactory.getInstance("X.509")
-              .generateCertificate(new ByteArrayInputStream(bytes));
+      X509Certificate certificate =
+          (X509Certificate)
+              CertificateFactory.getInstance("X.509")
+                  .generateCertificate(new ByteArrayInputStream(bytes));
+      certificate.checkValidity();
+      return certificate;
+    } catch (CertificateExpiredException | CertificateNotYetValidException outOfTime) {
+      throw new SecurityFilesException(
+          "The certificate %s cannot be used today (%s); set the clock, or make the files of the site anew with ./maestro secure in another directory"
+              .formatted(file, outOfTime.getMessage()),
+          outOfTime);
     } catch (GeneralSecurityException | ClassCastException broken) {
       throw new SecurityFilesException(
           "The security file " + file + " holds no certificate; make it anew with ./maestro secure",

@@ -82,9 +82,10 @@ public final class SiteSecurity {
   /**
    * Where the embedded broker's files are.
    *
-   * @throws SecurityFilesException when one is missing, unreadable or open to others
+   * @throws SecurityFilesException when one is missing, unreadable, open to others or out of date
    */
   public Path artemis() {
+    Pem.certificate(directory.resolve("broker/certificate.pem"));
     for (String name :
         new String[] {
           "artemis/broker.xml",

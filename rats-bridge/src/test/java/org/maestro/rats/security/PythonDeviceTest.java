@@ -1,5 +1,6 @@
 package org.maestro.rats.security;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.maestro.rats.security.SecuredSite.await;
 import static org.maestro.rats.security.SecuredSite.isReady;
@@ -12,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.rats.broker.RunsProgram;
@@ -21,6 +23,10 @@ import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.protocol.Outcome;
+import org.maestro.rats.protocol.Topics;
+import org.maestro.rats.transport.PahoTransport;
+import org.maestro.rats.transport.Publication;
+import org.maestro.rats.transport.Transport;
 
 /** A device in another language, on a secured site: it joins, answers, and is missed. */
 @RunsProgram(value = "python3", pythonModule = "paho.mqtt.enums")
@@ -45,6 +51,7 @@ class PythonDeviceTest {
           PythonKettle.start(
               site.uri(), SecuredSite.SITE, Optional.of(files.resolve("users/kettle-1")))) {
         await(() -> isReady(link, PythonKettle.ID));
+        speakRubbish(site);
         RatsLink.Order brew =
             new RatsLink.Order(
                 Optional.of("b1"),
@@ -77,6 +84,54 @@ class PythonDeviceTest {
         await(() -> phase(link).filter(MemberStatus.Phase.LOST::equals).isPresent());
       }
     }
+  }
+
+  /** Else they would throw each other off the bus for ever. */
+  @Test
+  void ofTwoThatCallThemselvesTheSameOneGives() throws IOException {
+    Path files = SecuredSite.files(directory);
+    SecureSite.make(
+        files, SecuredSite.SITE, List.of("127.0.0.1"), List.of(), List.of(PythonKettle.ID));
+    Optional<Path> folder = Optional.of(files.resolve("users/kettle-1"));
+    try (SecuredSite site = new SecuredSite(files, TestBroker.embeddedSecured(files))) {
+      RatsLink link = site.connect(site.security.password("cca"));
+      try (PythonKettle one = PythonKettle.start(site.uri(), SecuredSite.SITE, folder)) {
+        await(() -> isReady(link, PythonKettle.ID));
+        try (PythonKettle other = PythonKettle.start(site.uri(), SecuredSite.SITE, folder)) {
+          await(() -> one.hasEnded() || other.hasEnded());
+          await(() -> isReady(link, PythonKettle.ID));
+        }
+      }
+    }
+  }
+
+  /** What is no JSON, and a call without what it needs. */
+  private static void speakRubbish(SecuredSite site) {
+    PahoTransport lamp = new PahoTransport(site.uri(), site.security.password("lamp"));
+    AtomicInteger taken = new AtomicInteger();
+    List<String> rubbish = List.of("{{", "[]", "{\"id\":\"x\",\"r\":\"kettle-1\",\"f\":\"brew\"}");
+    lamp.open(
+        Optional.empty(),
+        new Transport.ConnectionListener() {
+          @Override
+          public void connected() {
+            for (String text : rubbish) {
+              lamp.publish(
+                  Publication.reliable(
+                      new Topics(SecuredSite.SITE).call("lamp"),
+                      text.getBytes(UTF_8),
+                      Optional.empty()),
+                  failure -> taken.incrementAndGet());
+            }
+          }
+
+          @Override
+          public void lost(String reason) {
+            // It tries again.
+          }
+        });
+    await(() -> taken.get() >= rubbish.size());
+    lamp.close();
   }
 
   private static List<String> values(RatsLink link) {

@@ -40,6 +40,10 @@ final class PythonKettle implements AutoCloseable {
     process.destroyForcibly();
   }
 
+  boolean hasEnded() {
+    return !process.isAlive();
+  }
+
   @Override
   public void close() {
     process.destroyForcibly();

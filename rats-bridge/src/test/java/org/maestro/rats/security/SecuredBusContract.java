@@ -21,6 +21,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.rats.broker.TestBroker;
+import org.maestro.rats.link.MemberCalls;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.member.TestDevice;
 import org.maestro.rats.protocol.Call;
@@ -174,6 +175,37 @@ abstract class SecuredBusContract {
     await(() -> !results.isEmpty());
     transport.close();
     return results.get(0);
+  }
+
+  /** Over the connection on which it is called: the broker would let it have no other. */
+  @Test
+  void aMemberAsksOthersAsTheRulesSay() {
+    Path files = SecuredSite.files(directory);
+    allow(files, "allow cca * *", "allow lamp door echo", "allow lamp door $cost");
+    try (SecuredSite site = new SecuredSite(files, byPassword(files))) {
+      TestDevice door = site.join(site.security.password("door"));
+      site.join(site.security.password("cam-1.a"));
+      MemberCalls lamp = site.joinAsking(site.security.password("lamp"));
+      RatsLink link = site.connect(site.security.password("cca"));
+      await(() -> isReady(link, "cam-1.a") && isReady(link, "door") && isReady(link, "lamp"));
+      List<CostAnswer> prices = new CopyOnWriteArrayList<>();
+      lamp.cost("door", "drive", List.of(Map.of("to", "b")), prices::addAll);
+      Heard allowed = new Heard();
+      lamp.call("door", "echo", Map.of("a", 2), Duration.ofSeconds(30), allowed);
+      Heard refused = new Heard();
+      lamp.call("cam-1.a", "echo", Map.of(), Duration.ofSeconds(30), refused);
+      Heard asked = new Heard();
+      link.call("lamp", "echo", Map.of(), Duration.ofSeconds(30), Optional.empty(), asked);
+      await(() -> !allowed.results.isEmpty() && !refused.results.isEmpty());
+      await(() -> !prices.isEmpty() && !asked.results.isEmpty());
+
+      assertThat(prices.get(0).cost()).contains(2.5);
+      assertThat(allowed.results.get(0).values()).isEqualTo(Map.of("a", 2));
+      assertThat(refused.results.get(0).error().orElseThrow().code())
+          .isEqualTo(ErrorCode.NOT_AUTHORISED);
+      assertThat(asked.results.get(0).outcome()).isEqualTo(Outcome.SUCCEEDED);
+      assertThat(door.log).hasSize(1);
+    }
   }
 
   /** A28: no process is started again. */

@@ -9,15 +9,16 @@ import java.util.function.BooleanSupplier;
 import org.awaitility.Awaitility;
 import org.maestro.rats.broker.TestBroker;
 import org.maestro.rats.link.BusLink;
+import org.maestro.rats.link.MemberCalls;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.link.SiteKind;
-import org.maestro.rats.member.MemberProfile;
 import org.maestro.rats.member.RatsMember;
 import org.maestro.rats.member.TestDevice;
 import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.rats.transport.Credentials;
 import org.maestro.rats.transport.PahoTransport;
+import org.maestro.rats.transport.Transport;
 
 /** A door, a camera, a lamp and a controller of a secured site, over some broker. */
 final class SecuredSite implements AutoCloseable {
@@ -51,17 +52,22 @@ final class SecuredSite implements AutoCloseable {
 
   TestDevice join(Credentials credentials) {
     TestDevice device = new TestDevice(credentials.user(), clock);
-    MemberProfile profile = device.profile();
-    RatsMember member =
-        RatsMember.start(
-            profile,
-            () -> List.of(),
-            new PahoTransport(uri(), credentials),
-            SITE,
-            security.rules(),
-            clock);
-    opened.add(0, member::close);
+    start(device, new PahoTransport(uri(), credentials));
     return device;
+  }
+
+  /** One that calls others, too. */
+  MemberCalls joinAsking(Credentials credentials) {
+    MemberCalls calls =
+        new MemberCalls(credentials.user(), SITE, new PahoTransport(uri(), credentials), clock);
+    start(new TestDevice(credentials.user(), clock), calls.transport());
+    return calls;
+  }
+
+  private void start(TestDevice device, Transport transport) {
+    RatsMember member =
+        RatsMember.start(device.profile(), List::of, transport, SITE, security.rules(), clock);
+    opened.add(0, member::close);
   }
 
   RatsLink connect(Credentials credentials) {

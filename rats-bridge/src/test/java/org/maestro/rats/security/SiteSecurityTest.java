@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -104,6 +105,28 @@ class SiteSecurityTest {
     assertThatThrownBy(this::useAll)
         .isInstanceOf(SecurityFilesException.class)
         .hasMessageContaining(directory.resolve(name).toString());
+  }
+
+  /** It would only keep everybody from connecting, for a reason that nobody is told. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "ca/ca.pem",
+        "users/lamp/certificate.pem",
+        "users/cca/container.pem",
+        "broker/certificate.pem"
+      })
+  void refusesCertificatesThatAreOutOfDate(String name) throws IOException {
+    SecuredSite.files(directory);
+    try (InputStream expired =
+        getClass().getResourceAsStream("/org/maestro/rats/security/expired.pem")) {
+      PrivateFiles.write(directory.resolve(name), expired.readAllBytes());
+    }
+    assertThatThrownBy(this::useAll)
+        .isInstanceOf(SecurityFilesException.class)
+        .hasMessageContaining(directory.resolve(name).toString())
+        .hasMessageContaining("2024")
+        .hasMessageContaining("maestro secure");
   }
 
   @Test

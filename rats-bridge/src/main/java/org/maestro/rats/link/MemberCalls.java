@@ -1,0 +1,245 @@
+package org.maestro.rats.link;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import org.maestro.rats.protocol.Call;
+import org.maestro.rats.protocol.Complaints;
+import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.CostExchange;
+import org.maestro.rats.protocol.Progress;
+import org.maestro.rats.protocol.ReservedFeature;
+import org.maestro.rats.protocol.Result;
+import org.maestro.rats.protocol.Topics;
+import org.maestro.rats.protocol.WireFormat;
+import org.maestro.rats.time.Clock;
+import org.maestro.rats.transport.Message;
+import org.maestro.rats.transport.Publication;
+import org.maestro.rats.transport.Transport;
+import org.maestro.rats.transport.Transport.RetainedMessages;
+
+/**
+ * What a member asks of others, in its own name and over the one connection that it has: a secured
+ * broker lets nobody have two. The member called decides by the site's rules. Any thread may call;
+ * nothing blocks; listeners are told on the clock's thread.
+ *
+ * <p>Of those it calls it hears results, progress and whether they are there, which every user of a
+ * secured site may read; of continuous features that is the first values, since what comes after
+ * them is for controllers only.
+ */
+public final class MemberCalls {
+
+  private static final Duration COST_TIMEOUT = Duration.ofSeconds(5);
+
+  /** Wall time in which a broker sends what is retained; who is not known then is not there. */
+  private static final Duration STATUS_LIMIT = Duration.ofSeconds(1);
+
+  private final String member;
+  private final String life;
+  private final Topics topics;
+  private final Transport transport;
+  private final Clock clock;
+  private final WireFormat wire = new WireFormat();
+  private final Roster roster;
+  private final OpenCalls calls;
+  private final Subscriptions subscriptions;
+  private final Set<String> followed = new HashSet<>();
+  private final Map<String, List<Runnable>> awaiting = new HashMap<>();
+  private final AtomicLong count = new AtomicLong();
+
+  /**
+   * @param member the caller's id, under which it is a member too
+   * @param transport not open yet; the member has to be started with {@link #transport}
+   */
+  public MemberCalls(String member, String site, Transport transport, Clock clock) {
+    this.member = member;
+    this.life = Long.toString(clock.instant().toEpochMilli(), 36);
+    this.topics = new Topics(site);
+    this.transport = transport;
+    this.clock = clock;
+    Complaints complaints = new Complaints();
+    this.roster = new Roster(topics, complaints, new Presence());
+    this.calls = new OpenCalls(member, topics, transport, clock, complaints);
+    this.subscriptions = new Subscriptions(member, topics, transport, clock, complaints);
+  }
+
+  /** The same connection, for the member itself. */
+  public Transport transport() {
+    return new Shared();
+  }
+
+  /**
+   * @throws IllegalArgumentException when it calls itself, or parameters are nothing for JSON
+   */
+  public RatsLink.CallHandle call(
+      String called,
+      String feature,
+      Map<String, Object> parameters,
+      Duration timeout,
+      RatsLink.CallListener listener) {
+    if (called.equals(member)) {
+      throw new IllegalArgumentException(member + " calls itself; it can do it without a call");
+    }
+    Call call =
+        new Call(
+            nextId(),
+            Optional.of(called),
+            Optional.empty(),
+            feature,
+            parameters,
+            timeout,
+            member,
+            Optional.empty());
+    wire.require(call);
+    whenKnown(called, () -> calls.begin(call, roster.readyBoot(called), listener));
+    return new RatsLink.CallHandle() {
+      @Override
+      public String callId() {
+        return call.id();
+      }
+
+      @Override
+      public void cancel() {
+        String cancelId = nextId();
+        whenKnown(called, () -> calls.cancel(call.id(), cancelId));
+      }
+    };
+  }
+
+  /** What the parameter sets of another's feature would cost; the answers are in their order. */
+  public void cost(
+      String called,
+      String feature,
+      List<Map<String, Object>> parameterSets,
+      Consumer<List<CostAnswer>> answer) {
+    CostExchange exchange = new CostExchange(feature, parameterSets);
+    call(
+        called,
+        ReservedFeature.COST.word(),
+        exchange.parameters(),
+        COST_TIMEOUT,
+        result -> answer.accept(exchange.answers(result)));
+  }
+
+  private void whenKnown(String called, Runnable action) {
+    clock.perform(
+        member,
+        () -> {
+          if (roster.member(called).isPresent()) {
+            action.run();
+            return;
+          }
+          awaiting.computeIfAbsent(called, unknown -> new ArrayList<>()).add(action);
+          if (followed.add(called)) {
+            subscriptions.subscribe(
+                topics.status(called), RetainedMessages.SEND, roster::statusHeard);
+          }
+          Duration limit = Duration.ofMillis(Math.round(STATUS_LIMIT.toMillis() * clock.speed()));
+          clock.schedule(limit, member, () -> goOn(called));
+        });
+  }
+
+  private void goOn(String called) {
+    Optional.ofNullable(awaiting.remove(called)).ifPresent(all -> all.forEach(Runnable::run));
+  }
+
+  private void resultHeard(Message message) {
+    Result result = wire.decodeResult(message.payload());
+    calls.resultHeard(topics.senderOf(message.topic()).orElse(result.from()), result);
+  }
+
+  private void progressHeard(Message message) {
+    Progress progress = wire.decodeProgress(message.payload());
+    calls.progressHeard(topics.senderOf(message.topic()).orElse(progress.from()), progress);
+  }
+
+  private String nextId() {
+    return member + "-" + life + "-asks-" + count.incrementAndGet();
+  }
+
+  private final class Presence implements Roster.Watcher {
+    @Override
+    public void changed(RatsLink.Member other) {
+      goOn(other.id());
+    }
+
+    @Override
+    public void gone(String other, String boot, String why) {
+      calls.memberGone(other, boot, why);
+    }
+
+    @Override
+    public void returned(String other) {
+      calls.resume(other);
+    }
+  }
+
+  /** The connection, on which results for the member's own calls are heard as well. */
+  private final class Shared implements Transport {
+    @Override
+    public String clientId() {
+      return transport.clientId();
+    }
+
+    @Override
+    public void subscribe(String filter, RetainedMessages retained, MessageHandler handler) {
+      transport.subscribe(filter, retained, handler);
+    }
+
+    @Override
+    public void subscribeToOthers(String filter, MessageHandler handler) {
+      transport.subscribeToOthers(filter, handler);
+    }
+
+    @Override
+    public void askForRetained(String filter) {
+      transport.askForRetained(filter);
+    }
+
+    @Override
+    public void open(Optional<Will> will, ConnectionListener listener) {
+      subscriptions.subscribe(
+          topics.results(member), RetainedMessages.IGNORE, MemberCalls.this::resultHeard);
+      subscriptions.subscribe(
+          topics.progresses(member), RetainedMessages.IGNORE, MemberCalls.this::progressHeard);
+      transport.open(
+          will,
+          new ConnectionListener() {
+            @Override
+            public void connected() {
+              listener.connected();
+              clock.perform(member, calls::resume);
+            }
+
+            @Override
+            public void lost(String reason) {
+              listener.lost(reason);
+              clock.perform(member, roster::doubtAll);
+            }
+          });
+    }
+
+    @Override
+    public void publish(Publication publication, Completion completion) {
+      transport.publish(publication, completion);
+    }
+
+    @Override
+    public void close() {
+      clock.schedule(Duration.ZERO, member, calls::closeAll);
+      transport.close();
+    }
+
+    @Override
+    public void die() {
+      transport.die();
+    }
+  }
+}
