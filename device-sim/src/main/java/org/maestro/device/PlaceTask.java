@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Supplier;
 import org.maestro.hal.Area;
 import org.maestro.hal.Completion;
 import org.maestro.hal.Position;
@@ -29,7 +30,7 @@ final class PlaceTask extends ArmTask {
       execution.fail(notHeld(parameters, "The hand does not hold " + object.name() + "."));
       return;
     }
-    if (approach(target).isEmpty()) {
+    if (ways(target).isEmpty()) {
       throw new InvalidCallException(
           "The pointer target comes without position and is no area of the map.");
     }
@@ -40,7 +41,7 @@ final class PlaceTask extends ArmTask {
             execution,
             List.of(
                 approach(
-                    () -> approach(target).orElseThrow(),
+                    () -> ways(target).orElseThrow().get(),
                     point -> spot.set(Position.onFloor(point)),
                     "Cannot place at " + target.name()),
                 new ActionSequence.Action(
@@ -86,24 +87,27 @@ final class PlaceTask extends ArmTask {
         context().reference("holding", parameters, Map.of(), "true", false).stream().toList());
   }
 
-  /** Empty when the target can be nowhere; empty inside when there is no free spot or way. */
-  private Optional<Optional<Reach.Approach>> approach(Pointer target) {
+  /**
+   * Empty when the target can be nowhere; what is found by asking is empty when there is no free
+   * spot or way.
+   */
+  private Optional<Supplier<Optional<Reach.Approach>>> ways(Pointer target) {
     Optional<Area> area =
         target
             .outline()
             .map(outline -> new Area(target.name(), outline, outline.centroid()))
             .or(() -> robot().area(target.name()));
-    return area.map(place -> reach().within(place))
-        .or(
-            () ->
-                context().deposits().position(target).map(place -> reach().beside(place.floor())));
+    if (area.isPresent()) {
+      return Optional.of(() -> reach().within(area.get()));
+    }
+    return context().deposits().position(target).map(place -> () -> reach().beside(place.floor()));
   }
 
   @Override
   CostAnswer cost(CallParameters parameters) {
     Pointer target = parameters.pointer("target");
-    return approach(target)
-        .map(approach -> price(approach, arm().placeSeconds(), target.name()))
+    return ways(target)
+        .map(approach -> price(approach.get(), arm().placeSeconds(), target.name()))
         .orElseGet(() -> price(arm().placeSeconds()));
   }
 }

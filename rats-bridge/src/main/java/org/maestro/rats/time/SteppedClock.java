@@ -3,7 +3,6 @@ package org.maestro.rats.time;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.PriorityQueue;
@@ -21,10 +20,7 @@ public final class SteppedClock implements Clock {
   private static final Duration DEFAULT_STALL_LIMIT = Duration.ofSeconds(30);
 
   private final Object monitor = new Object();
-  private final PriorityQueue<Event> events =
-      new PriorityQueue<>(
-          Comparator.comparing((Event event) -> event.due)
-              .thenComparingLong(event -> event.sequence));
+  private final PriorityQueue<Event> events = new PriorityQueue<>();
   private final Set<HeldTicket> tickets = new LinkedHashSet<>();
   private final Duration stallLimit;
   private volatile Duration now = Duration.ZERO;
@@ -170,7 +166,14 @@ public final class SteppedClock implements Clock {
     return names;
   }
 
-  private record Event(Duration due, long sequence, Runnable action) {}
+  private record Event(Duration due, long sequence, Runnable action) implements Comparable<Event> {
+
+    @Override
+    public int compareTo(Event other) {
+      int byTime = due.compareTo(other.due);
+      return byTime != 0 ? byTime : Long.compare(sequence, other.sequence);
+    }
+  }
 
   private final class HeldTicket implements Ticket {
     private final String holder;
