@@ -9,6 +9,7 @@ import java.util.OptionalDouble;
 import org.maestro.experiment.drawing.Bars;
 import org.maestro.experiment.drawing.Figure;
 import org.maestro.experiment.drawing.Ink;
+import org.maestro.experiment.drawing.Timeline;
 import org.maestro.experiment.measuring.Share;
 import org.maestro.experiment.measuring.Spread;
 import org.maestro.experiment.measuring.Table;
@@ -61,6 +62,7 @@ final class BrokenCup implements Experiment {
     Map<String, Table> tables = new LinkedHashMap<>();
     tables.put("runs", table(runs));
     tables.put("deeds", deeds(runs));
+    tables.put("steps", steps(runs));
     tables.put("story", story(runs));
     List<Figure> figures = figures(runs);
     Share reached = new Share((int) runs.stream().filter(CupRun::success).count(), runs.size());
@@ -108,6 +110,23 @@ final class BrokenCup implements Experiment {
     return table;
   }
 
+  private static Table steps(List<CupRun> runs) {
+    Table table = new Table("run", "agent", "step", "begin_s", "end_s", "done");
+    runs.forEach(
+        run ->
+            Steps.of(run.ending())
+                .forEach(
+                    step ->
+                        table.add(
+                            run.number(),
+                            step.who(),
+                            step.what(),
+                            step.begin(),
+                            step.end(),
+                            step.done())));
+    return table;
+  }
+
   private static Table story(List<CupRun> runs) {
     Table table = new Table("run", "t_s", "kind", "text");
     for (CupRun run : runs) {
@@ -146,6 +165,14 @@ final class BrokenCup implements Experiment {
                     .toList(),
                 mean(times(runs)),
                 "")));
+    List<Timeline.Deed> steps = Steps.of(runs.get(0).ending());
+    if (!steps.isEmpty()) {
+      figures.add(
+          Figure.of(
+              "timeline",
+              "Which agent did what when, in run 1: each step of the plan, from the agent's order to its report.",
+              Timeline.draw("Who did what when, run 1", "time since the goal (s)", steps)));
+    }
     runs.forEach(run -> figures.addAll(run.pictures()));
     return figures;
   }

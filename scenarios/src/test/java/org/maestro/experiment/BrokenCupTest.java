@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.maestro.experiment.drawing.Figure;
 
 /** Three robots, words of the home's own. */
 class BrokenCupTest {
@@ -15,6 +16,11 @@ class BrokenCupTest {
 
     CarriedOut.assertReadable(findings);
     assertThat(findings.tables().get("runs").rows()).allMatch(row -> row.get(3).equals("true"));
+    assertThat(findings.figures()).extracting(Figure::name).contains("timeline");
+    assertThat(findings.tables().get("steps").rows())
+        .as("one after the other, each to its end")
+        .hasSizeGreaterThan(8)
+        .allMatch(row -> row.get(5).equals("true"));
     assertThat(findings.tables().get("deeds").rows())
         .extracting(row -> row.get(2))
         .startsWith("scout")

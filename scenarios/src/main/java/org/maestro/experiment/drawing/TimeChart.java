@@ -86,7 +86,7 @@ public final class TimeChart {
   }
 
   /** So that a dozen of them stand below the axis at most, each a round number. */
-  private static double tick(double last) {
+  static double tick(double last) {
     double tick = 1;
     for (int i = 0; last / tick > MOST_TICKS; i++) {
       tick *= i % 3 == 1 ? 2.5 : 2;
