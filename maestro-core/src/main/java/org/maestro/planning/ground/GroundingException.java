@@ -7,4 +7,9 @@ public final class GroundingException extends RuntimeException {
   GroundingException(String sentence) {
     super(sentence);
   }
+
+  /** The same, with where it is written. */
+  GroundingException at(String place) {
+    return new GroundingException(place + ": " + getMessage());
+  }
 }

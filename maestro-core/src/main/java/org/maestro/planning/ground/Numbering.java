@@ -156,8 +156,8 @@ final class Numbering {
     }
     TreeSet<Integer> result = new TreeSet<>();
     for (Comparison comparison : schema.comparisons()) {
-      Optional<LinearForm> left = form(comparison.left(), binding);
-      Optional<LinearForm> right = form(comparison.right(), binding);
+      Optional<LinearForm> left = form(comparison.left(), schema, binding);
+      Optional<LinearForm> right = form(comparison.right(), schema, binding);
       if (left.isEmpty() || right.isEmpty()) {
         return Optional.empty();
       }
@@ -215,9 +215,13 @@ final class Numbering {
     return bounds.computeIfAbsent(bound, absent -> bounds.size());
   }
 
-  private Optional<LinearForm> form(Amount amount, int[] binding) {
-    return LinearForm.of(
-        amount, binding, task.values(), function -> changingFunctions[function.symbol()]);
+  private Optional<LinearForm> form(Amount amount, Schema schema, int[] binding) {
+    try {
+      return LinearForm.of(
+          amount, binding, task.values(), function -> changingFunctions[function.symbol()]);
+    } catch (GroundingException e) {
+      throw e.at(schema.place());
+    }
   }
 
   private Optional<Draft> draft(Instances.Instance instance, int[] kept, boolean ofGoal) {
@@ -225,14 +229,15 @@ final class Numbering {
     BigDecimal cost = task.metric().isEmpty() && !ofGoal ? BigDecimal.ONE : BigDecimal.ZERO;
     Map<Integer, BigDecimal> changes = new LinkedHashMap<>();
     for (Schema.Increase increase : schema.increases()) {
-      Optional<LinearForm> amount = form(increase.amount(), instance.binding());
+      Optional<LinearForm> amount = form(increase.amount(), schema, instance.binding());
       if (amount.isEmpty()) {
         return Optional.empty();
       }
       if (!amount.get().isConstant()) {
         throw new GroundingException(
-            "%s changes a number by an amount that changes itself; this is not supported."
-                .formatted(schema.name()));
+                "%s changes a number by an amount that changes itself; this is not supported."
+                    .formatted(schema.name()))
+            .at(schema.place());
       }
       Atom function =
           new Atom(increase.function().symbol(), increase.function().ground(instance.binding()));
@@ -247,8 +252,9 @@ final class Numbering {
     }
     if (cost.signum() < 0) {
       throw new GroundingException(
-          "%s costs %s; costs below 0 are not supported."
-              .formatted(schema.name(), cost.toPlainString()));
+              "%s costs %s; costs below 0 are not supported."
+                  .formatted(schema.name(), cost.toPlainString()))
+          .at(schema.place());
     }
     changes.values().removeIf(change -> change.signum() == 0);
     return Optional.of(new Draft(instance, kept, cost, changes));
@@ -299,7 +305,7 @@ final class Numbering {
     if (units.abs().compareTo(MOST_UNITS) > 0) {
       throw new GroundingException(
           "The number %s is too large, or other numbers are too fine beside it."
-              .formatted(value.toPlainString()));
+              .formatted(value.stripTrailingZeros()));
     }
     return units.longValueExact();
   }

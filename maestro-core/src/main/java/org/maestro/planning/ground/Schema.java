@@ -6,6 +6,7 @@ import java.util.List;
 /**
  * An operator with parameters.
  *
+ * @param place where it is written, for complaints: file, line and column
  * @param domains which objects each parameter may be
  * @param shown how many parameters, from the first, are named in a plan; the others are those of
  *     existential conditions
@@ -14,6 +15,7 @@ import java.util.List;
  */
 public record Schema(
     String name,
+    String place,
     List<BitSet> domains,
     int shown,
     List<Literal> conditions,

@@ -11,6 +11,11 @@ sealed interface Expression {
     PddlException error(String problem, Object... values) {
       return new PddlException(source, line, column, problem.formatted(values));
     }
+
+    @Override
+    public String toString() {
+      return source + ":" + line + ":" + column;
+    }
   }
 
   /** PDDL knows no case: the text is in small letters. */

@@ -144,6 +144,8 @@ public final class PddlReader {
   private LiftedTask problem(Group text) {
     name(text, "problem");
     List<Group> sections = sections(text);
+    refuseTwo(":goal", sections);
+    refuseTwo(":metric", sections);
     Map<Integer, BigDecimal> metric = Map.of();
     for (Group section : sections) {
       switch (section.head()) {
@@ -167,7 +169,7 @@ public final class PddlReader {
         if (section.items().size() != 2) {
           throw section.position().error("Expected one condition in (:goal ...).");
         }
-        SchemaReader reader = new SchemaReader(symbols, "goal");
+        SchemaReader reader = new SchemaReader(symbols, "goal", section.position());
         reader.condition(section.items().get(1));
         goal = reader.done();
       }
@@ -184,6 +186,13 @@ public final class PddlReader {
         values,
         goal,
         metric);
+  }
+
+  private static void refuseTwo(String head, List<Group> sections) {
+    List<Group> such = sections.stream().filter(part -> part.head().equals(head)).toList();
+    if (such.size() > 1) {
+      throw such.get(1).position().error("(%s ...) is there twice.", head);
+    }
   }
 
   private void checkDomain(Group section) {
@@ -214,7 +223,10 @@ public final class PddlReader {
       throw section.position().error("Expected an action's name.");
     }
     SchemaReader reader =
-        new SchemaReader(symbols, section.items().get(1).word("an action's name").text());
+        new SchemaReader(
+            symbols,
+            section.items().get(1).word("an action's name").text(),
+            section.items().get(1).position());
     Map<String, Expression> parts = new LinkedHashMap<>();
     for (int i = 2; i < section.items().size(); i += 2) {
       Word key = section.items().get(i).word("a part such as :effect");
@@ -240,7 +252,7 @@ public final class PddlReader {
 
   private void addInitial(Expression item, List<Atom> initial, Map<Atom, BigDecimal> values) {
     Group group = item.group("a fact");
-    SchemaReader reader = new SchemaReader(symbols, "init");
+    SchemaReader reader = new SchemaReader(symbols, "init", item.position());
     switch (group.head()) {
       case "=" -> {
         if (group.items().size() != 3) {
@@ -301,7 +313,8 @@ public final class PddlReader {
       addMetric(
           group.items().get(3 - number), factor.multiply(new BigDecimal(times.text())), factors);
     } else {
-      Atom function = new SchemaReader(symbols, "metric").groundFunction(expression);
+      Atom function =
+          new SchemaReader(symbols, "metric", expression.position()).groundFunction(expression);
       if (function.terms().length > 0) {
         throw expression.position().error("Functions of objects are not supported in a metric.");
       }

@@ -28,6 +28,7 @@ final class SchemaReader {
 
   private final Symbols symbols;
   private final String name;
+  private final Expression.Position position;
   private final List<BitSet> domains = new ArrayList<>();
   private final Map<String, Integer> scope = new HashMap<>();
   private final List<Literal> conditions = new ArrayList<>();
@@ -38,14 +39,19 @@ final class SchemaReader {
   private final List<Schema.Increase> increases = new ArrayList<>();
   private int shown;
 
-  SchemaReader(Symbols symbols, String name) {
+  /**
+   * @param position where what is read stands
+   */
+  SchemaReader(Symbols symbols, String name, Expression.Position position) {
     this.symbols = symbols;
     this.name = name;
+    this.position = position;
   }
 
   Schema done() {
     return new Schema(
         name,
+        position.toString(),
         domains,
         shown,
         conditions,

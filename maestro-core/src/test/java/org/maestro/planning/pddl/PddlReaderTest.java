@@ -100,12 +100,27 @@ class PddlReaderTest {
   }
 
   @Test
+  void namesTheActionThatGroundingRefuses() {
+    String dear = DOMAIN.replace("(total-cost) 2.5", "(total-cost) (- 1 (gain ?l))");
+    assertThatThrownBy(() -> plan(dear, PROBLEM, "6"))
+        .hasMessage("d:7:12: switch-on costs -39; costs below 0 are not supported.");
+    String twice = DOMAIN.replace("(<= (lux ?r) 80)", "(<= (* (lux ?r) (lux ?r)) 80)");
+    assertThatThrownBy(() -> plan(twice, PROBLEM, "6"))
+        .hasMessage("d:11:12: A product of two numbers that change is not supported.");
+  }
+
+  @Test
   void refusesTwoOfOneName() {
     String action = "(:action again :parameters (%s) :effect (seen r))";
     int end = DOMAIN.lastIndexOf(')');
     String twice = DOMAIN.substring(0, end) + action.formatted("") + action.formatted("") + ")";
     assertThatThrownBy(() -> PddlReader.parse("d", twice, "p", PROBLEM))
         .hasMessageEndingWith("The action again is there twice.");
+    assertThatThrownBy(
+            () ->
+                PddlReader.parse(
+                    "d", DOMAIN, "p", PROBLEM.replace("(:goal", "(:goal (and)) (:goal")))
+        .hasMessage("p:5:17: (:goal ...) is there twice.");
     String same = DOMAIN.substring(0, end) + action.formatted("?a ?a - room") + ")";
     assertThatThrownBy(() -> PddlReader.parse("d", same, "p", PROBLEM))
         .hasMessageEndingWith("Two parameters have the same name.");
