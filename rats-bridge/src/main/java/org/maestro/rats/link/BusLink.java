@@ -18,7 +18,6 @@ import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Offer;
 import org.maestro.rats.protocol.Release;
 import org.maestro.rats.protocol.ReservedFeature;
-import org.maestro.rats.protocol.Result;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.protocol.WireFormat;
 import org.maestro.rats.time.Clock;
@@ -217,12 +216,13 @@ public final class BusLink implements RatsLink {
 
   private void open(SiteKind kind) {
     hearing.begin();
-    subscriptions.subscribe(topics.results(controller), RetainedMessages.IGNORE, this::resultHeard);
+    subscriptions.subscribe(
+        topics.results(controller), RetainedMessages.IGNORE, calls::resultHeard);
     if (kind == SiteKind.OPEN) {
-      subscriptions.subscribe(topics.bareResult(), RetainedMessages.IGNORE, this::resultHeard);
+      subscriptions.subscribe(topics.bareResult(), RetainedMessages.IGNORE, calls::resultHeard);
     }
     subscriptions.subscribe(
-        topics.progresses(controller), RetainedMessages.IGNORE, this::progressHeard);
+        topics.progresses(controller), RetainedMessages.IGNORE, calls::progressHeard);
     transport.subscribeToOthers(
         topics.calls(),
         message -> {
@@ -296,16 +296,6 @@ public final class BusLink implements RatsLink {
     roster.doubtAll();
   }
 
-  private void resultHeard(Message message) {
-    Result result = wire.decodeResult(message.payload());
-    calls.resultHeard(sender(message).orElse(result.from()), result);
-  }
-
-  private void progressHeard(Message message) {
-    sender(message)
-        .ifPresent(sender -> calls.progressHeard(sender, wire.decodeProgress(message.payload())));
-  }
-
   private void observationHeard(Message message) {
     topics
         .memberOf(message.topic())
@@ -344,10 +334,6 @@ public final class BusLink implements RatsLink {
     } else if (forMe && sender.isPresent() && call.feature().equals(ReservedFeature.RELEASE)) {
       Release.of(call.parameters()).ifPresent(release -> calls.released(sender.get(), release));
     }
-  }
-
-  private Optional<String> sender(Message message) {
-    return topics.senderOf(message.topic());
   }
 
   /** What tells a listener does not do so on the thread that asks for it. */

@@ -14,13 +14,10 @@ import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.CostExchange;
-import org.maestro.rats.protocol.Progress;
 import org.maestro.rats.protocol.ReservedFeature;
-import org.maestro.rats.protocol.Result;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.protocol.WireFormat;
 import org.maestro.rats.time.Clock;
-import org.maestro.rats.transport.Message;
 import org.maestro.rats.transport.Publication;
 import org.maestro.rats.transport.Transport;
 import org.maestro.rats.transport.Transport.RetainedMessages;
@@ -150,16 +147,6 @@ public final class MemberCalls {
     Optional.ofNullable(awaiting.remove(called)).ifPresent(all -> all.forEach(Runnable::run));
   }
 
-  private void resultHeard(Message message) {
-    Result result = wire.decodeResult(message.payload());
-    calls.resultHeard(topics.senderOf(message.topic()).orElse(result.from()), result);
-  }
-
-  private void progressHeard(Message message) {
-    Progress progress = wire.decodeProgress(message.payload());
-    calls.progressHeard(topics.senderOf(message.topic()).orElse(progress.from()), progress);
-  }
-
   private String nextId() {
     return member + "-" + life + "-asks-" + count.incrementAndGet();
   }
@@ -205,10 +192,9 @@ public final class MemberCalls {
 
     @Override
     public void open(Optional<Will> will, ConnectionListener listener) {
+      subscriptions.subscribe(topics.results(member), RetainedMessages.IGNORE, calls::resultHeard);
       subscriptions.subscribe(
-          topics.results(member), RetainedMessages.IGNORE, MemberCalls.this::resultHeard);
-      subscriptions.subscribe(
-          topics.progresses(member), RetainedMessages.IGNORE, MemberCalls.this::progressHeard);
+          topics.progresses(member), RetainedMessages.IGNORE, calls::progressHeard);
       transport.open(
           will,
           new ConnectionListener() {

@@ -21,6 +21,7 @@ import org.maestro.rats.protocol.Result;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.protocol.WireFormat;
 import org.maestro.rats.time.Clock;
+import org.maestro.rats.transport.Message;
 import org.maestro.rats.transport.Publication;
 import org.maestro.rats.transport.PublishException;
 import org.maestro.rats.transport.Transport;
@@ -154,14 +155,19 @@ final class OpenCalls {
     sendCancel(call);
   }
 
-  void resultHeard(String sender, Result result) {
+  /** On the bare topic nobody is named but in the message itself. */
+  void resultHeard(Message message) {
+    Result result = wire.decodeResult(message.payload());
+    String sender = topics.senderOf(message.topic()).orElse(result.from());
     Open call = open.get(result.id());
     if (call != null && isFrom(call, sender, result.from())) {
       end(call, result);
     }
   }
 
-  void progressHeard(String sender, Progress progress) {
+  void progressHeard(Message message) {
+    Progress progress = wire.decodeProgress(message.payload());
+    String sender = topics.senderOf(message.topic()).orElse(progress.from());
     Open call = open.get(progress.id());
     if (call == null || !isFrom(call, sender, progress.from())) {
       return;

@@ -42,11 +42,11 @@ public final class RatsMember implements AutoCloseable {
   private final Impatience impatience;
   private final CallPolicy policy;
   private final ControllerWatch controllers;
+  private final OtherLives others;
   private Optional<Clock.Timer> byTime = Optional.empty();
   private String restedIn;
   private final Complaints complaints;
   private boolean announced;
-  private boolean heardItself;
   private volatile boolean refused;
   private boolean connected;
   private boolean changePending;
@@ -75,6 +75,7 @@ public final class RatsMember implements AutoCloseable {
             profile, voice, condition, answers, this::tellState, this::stateChanged, clock);
     this.controllers = new ControllerWatch(profile.id(), topics, profile.rules(), tasks, clock);
     this.policy = policy;
+    this.others = new OtherLives(boot);
     this.impatience = new Impatience(profile, policy, voice, condition, tasks, clock);
     this.reception =
         new Reception(
@@ -254,7 +255,7 @@ public final class RatsMember implements AutoCloseable {
 
           @Override
           public void lost(String reason) {
-            perform(() -> connected = false);
+            perform(RatsMember.this::disconnected);
           }
         });
   }
@@ -267,6 +268,11 @@ public final class RatsMember implements AutoCloseable {
             action.run();
           }
         });
+  }
+
+  private void disconnected() {
+    connected = false;
+    others.dropped();
   }
 
   /** After each connect, since the broker may have come back empty. */
@@ -297,19 +303,17 @@ public final class RatsMember implements AutoCloseable {
       return;
     }
     if (message.payload().length == 0) {
-      if (heardItself) {
+      if (others.heardItself()) {
         describe();
       }
       return;
     }
     try {
       MemberStatus status = wire.decodeStatus(message.payload());
-      boolean own = status.boot().equals(boot);
-      heardItself |= own && status.phase() == MemberStatus.Phase.READY;
-      if (status.phase() == MemberStatus.Phase.LOST) {
-        voice.status(MemberStatus.Phase.READY);
-      } else if (!own && heardItself && status.phase() != MemberStatus.Phase.DISCONNECTED) {
+      if (others.isAlive(status)) {
         meetTwin(status.boot());
+      } else if (status.phase() == MemberStatus.Phase.LOST) {
+        voice.status(MemberStatus.Phase.READY);
       }
     } catch (MalformedMessageException malformed) {
       if (complaints.isDue(profile.id())) {

@@ -3,10 +3,16 @@ package org.maestro.rats.link;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.function.BooleanSupplier;
 import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
 import org.maestro.rats.broker.TestBroker;
+import org.maestro.rats.member.MemberProfile;
+import org.maestro.rats.member.RatsMember;
+import org.maestro.rats.member.TestDevice;
+import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.rats.transport.PahoTransport;
@@ -38,6 +44,32 @@ abstract class PahoLinkContract extends LinkContract {
                             name.startsWith("rats-")
                                 || name.startsWith("maestro-")
                                 || name.contains("MQTT")));
+  }
+
+  /** M9: the broker knows one client of that id, and drops it whenever the other comes. */
+  @Test
+  void ofTwoMembersOfTheSameIdTheSecondLeaves() {
+    try (RatsLink link = BusLink.connect("watch", "twins", client("watch"), clock);
+        RatsMember first = joinTwin()) {
+      await(() -> isReady(link, first));
+      try (RatsMember second = joinTwin()) {
+        await(second::isRefused);
+        await(() -> isReady(link, first));
+        assertThat(first.isRefused()).isFalse();
+      }
+    }
+  }
+
+  private RatsMember joinTwin() {
+    MemberProfile profile = new TestDevice("twin", clock).profile();
+    return RatsMember.start(profile, List::of, client("twin"), "twins", clock);
+  }
+
+  private static boolean isReady(RatsLink link, RatsMember member) {
+    return link.members().stream()
+        .anyMatch(
+            known ->
+                known.phase() == MemberStatus.Phase.READY && known.boot().equals(member.boot()));
   }
 
   @Override
