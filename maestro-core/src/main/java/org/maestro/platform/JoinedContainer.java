@@ -129,7 +129,14 @@ public final class JoinedContainer implements AutoCloseable {
     }
     AgentTime time = AgentTime.of(clock);
     DeskAgent desk = new DeskAgent(time);
-    JadeRuntime.start(container, name + "-desk", desk);
+    try {
+      JadeRuntime.start(container, name + "-desk", desk);
+    } catch (PlatformStartException e) {
+      // JADE goes on in this process as long as one of its containers does: who tries again would
+      // not begin afresh.
+      JadeRuntime.abandon(container);
+      throw e;
+    }
     return new JoinedContainer(newContainer, container, desk, time);
   }
 

@@ -143,12 +143,25 @@ public final class PostOffice implements AutoCloseable {
     String letter = letterOf(execution);
     if (letter.endsWith("-0")) {
       atTheGate.put(press, execution);
+      execution.onCancel(
+          safe -> {
+            leave(press, execution);
+            safe.run();
+          });
     } else {
       clock.schedule(Duration.ofMillis(5), press, () -> stamped(execution));
     }
   }
 
+  private synchronized void leave(String press, Execution cancelled) {
+    atTheGate.remove(press, cancelled);
+  }
+
+  /** What was cancelled meanwhile is not done. */
   private synchronized void stamped(Execution execution) {
+    if (execution.ended()) {
+      return;
+    }
     stampsByLetter.merge(letterOf(execution), 1, Integer::sum);
     execution.succeed(Map.of());
   }
@@ -172,9 +185,10 @@ public final class PostOffice implements AutoCloseable {
     return Set.copyOf(atTheGate.keySet());
   }
 
+  /** Lets through what waits there now, if anything does. */
   public synchronized void open(String press) {
-    Execution execution = atTheGate.remove(press);
-    clock.schedule(Duration.ZERO, press, () -> stamped(execution));
+    Optional.ofNullable(atTheGate.remove(press))
+        .ifPresent(waiting -> clock.schedule(Duration.ZERO, press, () -> stamped(waiting)));
   }
 
   public synchronized Map<String, Integer> stampsByLetter() {

@@ -11,7 +11,6 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 import org.maestro.deployment.ContainerStart;
 import org.maestro.deployment.Deployment;
-import org.maestro.platform.PlatformStartException;
 import org.maestro.rats.time.PacedClock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -116,7 +115,8 @@ final class ContainerCommand implements Callable<Integer> {
       try {
         begin();
         out.println(announcement());
-      } catch (PlatformStartException | CommandException e) {
+      } catch (RuntimeException e) {
+        // JADE throws what it likes where a platform is only half there.
         LOG.info("{} cannot join yet: {}", name, e.getMessage());
         LockSupport.parkNanos(BETWEEN_TRIES.toNanos());
       }
