@@ -14,6 +14,9 @@ import org.maestro.rats.time.Clock;
 final class ContainerWatch {
   private static final int REMEMBERED = 10_000;
 
+  /** Where more agents of a process are silent at once, they wait for time, and none hangs. */
+  private static final int MOST_HANG = 8;
+
   private final Clock clock;
   private final HeartbeatSettings settings;
   private final Watcher watcher;
@@ -149,10 +152,7 @@ final class ContainerWatch {
       beatByContainer.forEach(
           (container, beat) -> {
             if (lifeByContainer.containsKey(container)) {
-              // A process that gets no time gives none to its agents.
-              Duration late = containers.lateness(container);
-              beat.silences()
-                  .forEach((agent, silence) -> silenceByAgent.put(agent, silence.minus(late)));
+              judge(beat, containers.lateness(container));
             }
           });
       for (Map.Entry<String, Duration> entry : silenceByAgent.entrySet()) {
@@ -166,6 +166,22 @@ final class ContainerWatch {
     changed.forEach(
         (agent, now) ->
             watcher.agent(agent, now, silenceByAgent.getOrDefault(agent, Duration.ZERO)));
+  }
+
+  /** A process that gets no time gives none to its agents. */
+  private void judge(Beat beat, Duration late) {
+    Map<String, Duration> silences = new TreeMap<>();
+    beat.silences().forEach((agent, silence) -> silences.put(agent, silence.minus(late)));
+    long silent = silences.values().stream().filter(this::isSuspicious).count();
+    Duration longest = containers.hungAfter().minus(settings.period());
+    silences.forEach(
+        (agent, silence) ->
+            silenceByAgent.put(
+                agent, silent > MOST_HANG && silence.compareTo(longest) > 0 ? longest : silence));
+  }
+
+  private boolean isSuspicious(Duration silence) {
+    return silence.compareTo(containers.suspectedAfter()) >= 0;
   }
 
   private void note(String agent, Condition now, Map<String, Condition> changed) {
@@ -183,9 +199,7 @@ final class ContainerWatch {
     if (silence.compareTo(containers.hungAfter()) >= 0) {
       return Condition.LOST;
     }
-    return silence.compareTo(containers.suspectedAfter()) >= 0
-        ? Condition.SUSPECTED
-        : Condition.ALIVE;
+    return isSuspicious(silence) ? Condition.SUSPECTED : Condition.ALIVE;
   }
 
   /** Where the container's process was reached, as it said itself. */

@@ -79,6 +79,21 @@ class ContainerWatchTest {
         .containsExactly("agent lamp one SUSPECTED", "agent lamp one LOST", "agent lamp one ALIVE");
   }
 
+  /** Ten thousand agents that all read at once wait for each other, and are not replaced for it. */
+  @Test
+  void whereManyAgentsAreSilentAtOnceNoneHangs() {
+    for (int beats = 0; beats < 40; beats++) {
+      StringBuilder silences = new StringBuilder();
+      for (int lamp = 0; lamp < 9; lamp++) {
+        silences.append("%d lamp-%d%n".formatted(beats * 500, lamp));
+      }
+      hear("lights", "life", beats < 2 ? "" : silences.toString());
+      pass(SETTINGS.period());
+    }
+
+    assertThat(told).hasSize(9).allMatch(line -> line.endsWith("SUSPECTED"));
+  }
+
   /** A platform that has taken over does not know it. */
   @Test
   void aContainerOfAnotherPlatformIsNotWelcome() {
