@@ -7,8 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.coordination.Coordinator;
@@ -25,13 +23,16 @@ import org.maestro.rats.time.Clock;
  * beside the agent. Its scope are the members that it is told of. Agent thread only.
  */
 final class Deliberation {
+
+  /** For so long a plan made again lets first plans go before it. */
+  private static final Duration PATIENCE = Duration.ofSeconds(2);
+
   private final MaestroAgent agent;
   private final Mind mind;
   private final Contracts contracts = new Contracts();
   private final AclCrew crew;
   private final Coordinator coordinator;
-  private final ExecutorService planning =
-      Executors.newSingleThreadExecutor(Deliberation::planningThread);
+  private final PlanningThread planning = new PlanningThread();
   private final Map<String, AID> agentByMember = new HashMap<>();
   private volatile boolean ended;
 
@@ -96,7 +97,7 @@ final class Deliberation {
         mind.planner(),
         market,
         orders,
-        new OwnThread(clock),
+        new OwnThread(clock, Duration.ZERO),
         clock,
         story,
         journal);
@@ -124,7 +125,7 @@ final class Deliberation {
   /** What is under way at members goes on; nobody here waits for it any more. */
   void end() {
     ended = true;
-    planning.shutdownNow();
+    planning.end();
   }
 
   int ordersUnderway() {
@@ -226,18 +227,19 @@ final class Deliberation {
         : Optional.empty();
   }
 
-  private static Thread planningThread(Runnable work) {
-    Thread thread = new Thread(work, "planning");
-    thread.setDaemon(true);
-    return thread;
-  }
-
   /** Plans beside the agent, and hands the result back through the clock. */
   private final class OwnThread implements Thinking {
     private final Clock clock;
+    private final Duration patience;
 
-    private OwnThread(Clock clock) {
+    private OwnThread(Clock clock, Duration patience) {
       this.clock = clock;
+      this.patience = patience;
+    }
+
+    @Override
+    public Thinking patient() {
+      return new OwnThread(clock, PATIENCE);
     }
 
     @Override
@@ -266,7 +268,8 @@ final class Deliberation {
             } finally {
               ticket.close();
             }
-          });
+          },
+          patience);
     }
   }
 }

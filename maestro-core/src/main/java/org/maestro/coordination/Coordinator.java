@@ -25,7 +25,7 @@ public final class Coordinator {
   /** Before the number of a goal of the whole platform. */
   public static final String PREFIX = "G";
 
-  /** Of that many goals, the latest ones, choices can be explained. */
+  /** Of that many goals that are over, the latest ones, choices can be explained. */
   private static final int MOST_EXPLAINED = 50;
 
   private final Ports ports;
@@ -38,7 +38,7 @@ public final class Coordinator {
   private final Comeback comeback = new Comeback();
   private final Map<String, Clock.Timer> deadlines = new HashMap<>();
   private final String prefix;
-  private final Map<String, Pursuit> latest = new LinkedHashMap<>();
+  private final Map<String, Decisions> explained = new LinkedHashMap<>();
   private int lastNumber;
 
   /** The coordinator of a whole platform; its goals are G1, G2 ... */
@@ -73,10 +73,6 @@ public final class Coordinator {
     int number = ++lastNumber;
     String id = prefix + number;
     Pursuit pursuit = pursuit(id, request, number, news, ended);
-    latest.put(id, pursuit);
-    if (latest.size() > MOST_EXPLAINED) {
-      latest.remove(latest.keySet().iterator().next());
-    }
     ports.journal().write(new JournalEntry.Submitted(id, request));
     comeback.afterwards(
         () -> ports.thinking().think(() -> id, started -> rivals.run(pursuit::start)));
@@ -93,6 +89,7 @@ public final class Coordinator {
     Consumer<GoalOutcome> over =
         outcome -> {
           Optional.ofNullable(deadlines.remove(id)).ifPresent(Clock.Timer::cancel);
+          ended(new Recovery.EndedGoal(request, outcome));
           ports.journal().afterwards(() -> told.accept(outcome));
         };
     HeldPursuit.Reaching reaching =
@@ -112,6 +109,16 @@ public final class Coordinator {
     rivals.enter(pursuit, standing);
     request.deadline().ifPresent(deadline -> endAt(deadline, pursuit));
     return pursuit;
+  }
+
+  /** Of what is over little is kept: a platform pursues goals for as long as it runs. */
+  private void ended(Recovery.EndedGoal goal) {
+    String id = goal.outcome().id();
+    ended.put(id, goal);
+    explained.put(id, pursuits.remove(id).decisions());
+    if (explained.size() > MOST_EXPLAINED) {
+      explained.remove(explained.keySet().iterator().next());
+    }
   }
 
   /** The same, and of held goals only the end is wanted to be known. */
@@ -153,7 +160,10 @@ public final class Coordinator {
     recovery.unwanted().forEach(call -> former.giveUp(call, "nobody wants it"));
     recovery.goals().stream()
         .sorted(Comparator.comparing(goal -> goal.calls().isEmpty()))
-        .forEach(goal -> pursuits.get(goal.id()).takeUp(goal, former));
+        .forEach(
+            goal ->
+                Optional.ofNullable(pursuits.get(goal.id()))
+                    .ifPresent(pursuit -> pursuit.takeUp(goal, former)));
   }
 
   /** Of a goal's id; 0 when it does not begin so. */
@@ -177,7 +187,7 @@ public final class Coordinator {
   /** Returns whether there is such a goal, and it had not ended yet. */
   public boolean cancel(String goalId, String who) {
     Pursuit pursuit = pursuits.get(goalId);
-    if (pursuit == null || pursuit.status().state().isFinal()) {
+    if (pursuit == null) {
       return false;
     }
     rivals.run(() -> pursuit.cancel(who));
@@ -285,7 +295,10 @@ public final class Coordinator {
   public void explainChoice(
       String goalId, OptionalInt plan, int step, Consumer<List<String>> told) {
     Decisions decisions =
-        Optional.ofNullable(latest.get(goalId)).map(Pursuit::decisions).orElseGet(Decisions::new);
+        Optional.ofNullable(pursuits.get(goalId))
+            .map(Pursuit::decisions)
+            .or(() -> Optional.ofNullable(explained.get(goalId)))
+            .orElseGet(Decisions::new);
     Optional<Decision> decision = decisions.find(plan);
     Optional<Step> chosen = decision.flatMap(d -> d.step(step));
     if (chosen.isEmpty()) {
@@ -294,6 +307,7 @@ public final class Coordinator {
     }
     ports
         .thinking()
+        .patient()
         .think(
             () ->
                 decision
@@ -317,12 +331,15 @@ public final class Coordinator {
     List<GoalStatus> goals = new ArrayList<>();
     ended.values().forEach(goal -> goals.add(status(goal)));
     pursuits.values().forEach(pursuit -> goals.add(pursuit.status()));
+    goals.sort(Comparator.comparingInt(goal -> number(prefix, goal.id())));
     return goals;
   }
 
-  /** Who asked for a goal that is pursued now. */
+  /** Who asked for a goal, also when it is over: steps may have yet to come to rest. */
   public Optional<String> requester(String goalId) {
-    return Optional.ofNullable(pursuits.get(goalId)).map(goal -> goal.status().requester());
+    return Optional.ofNullable(pursuits.get(goalId))
+        .map(goal -> goal.status().requester())
+        .or(() -> Optional.ofNullable(ended.get(goalId)).map(goal -> goal.request().requester()));
   }
 
   /** The highest number that a goal's id has had. */

@@ -205,6 +205,7 @@ final class GoalEnding {
     parts
         .ports()
         .thinking()
+        .patient()
         .think(
             () -> review.reports(life.request().goal()),
             reports -> parts.rivals().run(() -> gaveUp(reasons, reports)));

@@ -81,7 +81,7 @@ final class GoalPlanning {
     parts.story().planning(life.plans(), why);
     new PlanMaking(
             parts.id(),
-            parts.ports(),
+            life.plans() > 1 || confirming ? parts.ports().patient() : parts.ports(),
             parts.roster(),
             parts.exactPrices(),
             parts.outlook(),

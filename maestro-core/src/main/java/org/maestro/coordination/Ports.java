@@ -56,4 +56,10 @@ public record Ports(
   Ports with(Crew other) {
     return new Ports(knowledge, planner, market, other, thinking, clock, story, journal, comeback);
   }
+
+  /** For work that can wait a moment. */
+  Ports patient() {
+    return new Ports(
+        knowledge, planner, market, crew, thinking.patient(), clock, story, journal, comeback);
+  }
 }

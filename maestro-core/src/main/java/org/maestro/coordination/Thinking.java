@@ -9,4 +9,12 @@ import java.util.function.Supplier;
  */
 public interface Thinking {
   <T> void think(Supplier<T> work, Consumer<T> then);
+
+  /**
+   * For work that can wait a moment for such as cannot, that of goals of which nobody has heard
+   * anything yet: a plan made again, or an explanation.
+   */
+  default Thinking patient() {
+    return this;
+  }
 }
