@@ -144,6 +144,9 @@ public final class PddlReader {
   private LiftedTask problem(Group text) {
     name(text, "problem");
     List<Group> sections = sections(text);
+    if (sections.stream().noneMatch(section -> section.head().equals(":domain"))) {
+      throw text.position().error("The problem does not name its (:domain %s).", domainName);
+    }
     refuseTwo(":goal", sections);
     refuseTwo(":metric", sections);
     Map<Integer, BigDecimal> metric = Map.of();

@@ -236,9 +236,26 @@ final class SchemaReader {
     }
     int[] terms = new int[arguments.size()];
     for (int i = 0; i < terms.length; i++) {
-      terms[i] = term(arguments.get(i));
+      Word argument = arguments.get(i).word("a term");
+      terms[i] = term(argument);
+      if (!argument.isVariable()) {
+        requireType(argument, terms[i], head, signature.types().get(i));
+      }
     }
     return new Atom(signature.number(), terms);
+  }
+
+  /**
+   * What is said of the wrong things matches no step: there would be no plan, and no reason given.
+   */
+  private void requireType(Word argument, int object, Word head, List<String> types) {
+    if (!symbols.isOfType(object, types)) {
+      throw argument
+          .position()
+          .error(
+              "%s takes an object of the type %s here, and %s is none.",
+              head.text(), String.join(" or ", types), argument.text());
+    }
   }
 
   /** A ground atom, as initial states have them. */

@@ -107,6 +107,15 @@ final class Symbols {
     return List.copyOf(objects.keySet());
   }
 
+  boolean isOfType(int object, List<String> types) {
+    for (String type : types) {
+      if (members.containsKey(type) && members.get(type).get(object)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   BitSet members(List<String> types) {
     BitSet all = new BitSet();
     for (String type : types) {

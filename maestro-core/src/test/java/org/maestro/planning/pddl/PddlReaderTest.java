@@ -99,6 +99,22 @@ class PddlReaderTest {
         .hasMessageContaining("is never closed");
   }
 
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "(in a r) | (in r a) | p:3:14: in takes an object of the type lamp here, and r is none.",
+        "(= (lux s) 0) | (= (lux b) 0) | p:3:80: lux takes an object of the type room here, and b is none.",
+        "(other r ?x) | (other c ?x) | p:5:37: other takes an object of the type room here, and c is none.",
+        "(:domain lamps) | '' | p:1:1: The problem does not name its (:domain lamps).",
+        "(:domain lamps) | (:domain lights) | p:1:30: The problem is of the domain lights, not of lamps."
+      })
+  void refusesWhatIsSaidOfTheWrongThings(String from, String to, String refusal) {
+    assertThatThrownBy(() -> PddlReader.parse("d", DOMAIN, "p", PROBLEM.replace(from, to)))
+        .isInstanceOf(PddlException.class)
+        .hasMessage(refusal);
+  }
+
   @Test
   void namesTheActionThatGroundingRefuses() {
     String dear = DOMAIN.replace("(total-cost) 2.5", "(total-cost) (- 1 (gain ?l))");
