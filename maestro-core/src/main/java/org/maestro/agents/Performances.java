@@ -324,8 +324,13 @@ final class Performances {
     words.string("order").map(handles::get).ifPresent(RatsLink.CallHandle::cancel);
     words
         .string("call")
-        .filter(call -> words.string("life").filter(life()::equals).isPresent())
+        .filter(call -> words.string("life").filter(this::isOfThisBoot).isPresent())
         .ifPresent(call -> link.cancel(member, news.boot(), call));
+  }
+
+  /** A member may be asked to end what another has called, but not what it did in another life. */
+  private boolean isOfThisBoot(String life) {
+    return life.startsWith(news.boot() + "@");
   }
 
   private void answer(ACLMessage order, Outcome outcome, Crew.Report report) {

@@ -18,6 +18,13 @@ final class Comeback {
     awaited.add(member);
   }
 
+  /** It is there, and may be on its way elsewhere: as long as something waits, it waits on. */
+  void doubt(String member) {
+    if (!postponed.isEmpty()) {
+      awaited.add(member);
+    }
+  }
+
   /** At once when nobody is awaited; otherwise later, in the order of these calls. */
   void afterwards(Runnable action) {
     postponed.add(action);

@@ -220,7 +220,9 @@ public final class Coordinator {
    * it is there again or lost.
    */
   public void memberDoubted(String member, String reason) {
-    roster.doubt(member, reason);
+    if (roster.doubt(member, reason)) {
+      comeback.doubt(member);
+    }
   }
 
   /** The member has never been there, and this is why. */
@@ -233,6 +235,7 @@ public final class Coordinator {
   /** The member was there all the time. */
   public void memberTrusted(String member) {
     if (roster.trust(member)) {
+      comeback.present(member);
       rivals.run(() -> rivals.all().forEach(pursuit -> pursuit.doubtOver(member)));
     }
   }

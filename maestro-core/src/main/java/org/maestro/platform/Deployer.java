@@ -61,6 +61,9 @@ final class Deployer {
    */
   private final Map<String, String> heirOf = new ConcurrentSkipListMap<>();
 
+  /** Agents whose container, of another process, may be back soon. */
+  private final Set<String> awaited = new TreeSet<>();
+
   /** Agents of a container that another process is about to have. */
   private final Map<String, List<AgentStart>> handedOver = new TreeMap<>();
 
@@ -103,12 +106,35 @@ final class Deployer {
 
   /** Starts the agent unless its members have one, or were dismissed. */
   synchronized boolean place(AgentStart start) {
-    if (deployment.find(start.agent()).isPresent()
-        || start.members().stream()
-            .anyMatch(m -> deployment.agentOf(m).isPresent() || deployment.isDismissed(m))) {
+    if (!isNew(start)) {
       return false;
     }
     begin(start.in(deployment.containerFor(Optional.empty(), start.topic(), start.needs())));
+    return true;
+  }
+
+  private boolean isNew(AgentStart start) {
+    return deployment.find(start.agent()).isEmpty()
+        && start.members().stream()
+            .noneMatch(m -> deployment.agentOf(m).isPresent() || deployment.isDismissed(m));
+  }
+
+  /**
+   * The agent lived in a container that joins again, as far as one can know: it is noted down, and
+   * begins there when that has happened, or where {@link #reclaim} has it begin.
+   *
+   * @return false when its members have an agent, or were dismissed, or it could begin at once
+   */
+  synchronized boolean await(AgentStart start, String container) {
+    if (!isNew(start)) {
+      return false;
+    }
+    if (isElsewhere(container)) {
+      begin(start.in(container));
+      return false;
+    }
+    deployment.placed(start.in(container));
+    awaited.add(start.agent());
     return true;
   }
 
@@ -200,6 +226,8 @@ final class Deployer {
     Optional<AgentContainer> ended = release(joining.name(), leaving);
     ended.ifPresent(JadeRuntime::endNow);
     awaitEnds(joining.name());
+    // Not before: an agent that still lived would report what it has under way as failed.
+    heirs.letGo(HeirLinks.controller(joining.name()));
   }
 
   /** JADE ends agents beside who asks for it, and gives their names away only then. */
@@ -244,11 +272,12 @@ final class Deployer {
             .toList();
     handedOver.put(name, starts);
     for (AgentStart start : starts) {
-      ending.add(start.agent());
-      kill(start.agent());
+      if (!awaited.remove(start.agent())) {
+        ending.add(start.agent());
+        kill(start.agent());
+      }
       leaving.accept(start.agent());
     }
-    heirs.letGo(HeirLinks.controller(name));
     deployment.containerGone(name);
     return Optional.ofNullable(own.remove(name));
   }
@@ -270,7 +299,9 @@ final class Deployer {
     }
     List<String> toMove = new ArrayList<>();
     for (AgentStart start : deployment.agents()) {
-      if (topics.contains(start.topic()) && !start.container().equals(joined.name())) {
+      if (topics.contains(start.topic())
+          && !start.container().equals(joined.name())
+          && !awaited.contains(start.agent())) {
         toMove.add(start.agent());
       }
     }
@@ -330,7 +361,12 @@ final class Deployer {
    */
   synchronized void reclaim(String agent, String controller) {
     Optional<AgentStart> lost = deployment.find(agent);
-    if (lost.isEmpty()) {
+    boolean wasAwaited = awaited.remove(agent);
+    if (lost.isEmpty() || hasPlace(agent)) {
+      return;
+    }
+    if (wasAwaited && isElsewhere(lost.get().container())) {
+      begin(lost.get());
       return;
     }
     if (isElsewhere(lost.get().container())) {
@@ -351,10 +387,18 @@ final class Deployer {
     }
   }
 
+  /** Whether another process has it, or is about to. */
+  private boolean hasPlace(String agent) {
+    return elsewhere.contains(agent)
+        || handedOver.values().stream()
+            .anyMatch(starts -> starts.stream().anyMatch(start -> start.agent().equals(agent)));
+  }
+
   /**
    * The agent is to begin in another process, under the name under which the one before it called.
    */
-  void rescued(String agent, String container, String controller) {
+  synchronized void rescued(String agent, String container, String controller) {
+    awaited.remove(agent);
     moved(agent, container);
     heirOf.put(agent, controller);
   }

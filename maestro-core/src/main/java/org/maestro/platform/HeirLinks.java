@@ -1,6 +1,7 @@
 package org.maestro.platform;
 
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Function;
 import org.maestro.rats.link.RatsLink;
@@ -12,6 +13,8 @@ import org.maestro.rats.link.RatsLink;
  * the one before it is shut out. Thread-safe.
  */
 final class HeirLinks implements AutoCloseable {
+  private static final String PREFIX = "container-";
+
   private final Function<String, RatsLink> connect;
   private final Map<String, RatsLink> linkByController = new TreeMap<>();
   private boolean closed;
@@ -25,7 +28,14 @@ final class HeirLinks implements AutoCloseable {
 
   /** What a container's link is called on the bus. */
   static String controller(String container) {
-    return "container-" + container;
+    return PREFIX + container;
+  }
+
+  /** The container whose link is called so; empty when it is no container's. */
+  static Optional<String> container(String controller) {
+    return Optional.of(controller)
+        .filter(name -> name.startsWith(PREFIX))
+        .map(name -> name.substring(PREFIX.length()));
   }
 
   synchronized RatsLink of(String controller) {

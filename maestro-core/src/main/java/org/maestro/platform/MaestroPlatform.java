@@ -18,6 +18,8 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -64,6 +66,9 @@ public final class MaestroPlatform implements AutoCloseable {
   private static final String GROUPS = "groups";
   private static final String DESK = "desk";
 
+  /** Who asks to be let in waits a little longer. */
+  private static final Duration PLACED_WITHIN = Duration.ofSeconds(15);
+
   /** Containers that have outlived a platform have joined the next one by then. */
   private static final Duration RETURN = Duration.ofSeconds(15);
 
@@ -93,6 +98,8 @@ public final class MaestroPlatform implements AutoCloseable {
   private final SupervisorAgent supervisor;
   private final Rescue rescue;
   private final Starter starter;
+  private final FormerCallers callers;
+  private final CountDownLatch placed = new CountDownLatch(1);
   private volatile boolean closing;
   private volatile Optional<Pulse> heartbeats = Optional.empty();
   private final Collection<Story> listeners = new ConcurrentLinkedQueue<>();
@@ -163,6 +170,7 @@ public final class MaestroPlatform implements AutoCloseable {
             settings.premises().host() + ":" + port,
             settings.dataDirectory().orElse(fileDirectory),
             deployer::isElsewhere);
+    this.callers = FormerCallers.of(past.recovery(), link.controller());
   }
 
   /**
@@ -243,6 +251,7 @@ public final class MaestroPlatform implements AutoCloseable {
     knowledge.home().devices().values().stream()
         .sorted(Comparator.comparingDouble(Device::order).thenComparing(Device::id))
         .forEach(device -> place(device.id(), topic(device)));
+    placed.countDown();
     knowledge
         .home()
         .groups()
@@ -338,10 +347,17 @@ public final class MaestroPlatform implements AutoCloseable {
   }
 
   private void place(String member, String topic) {
-    if (rescue.fitsHere(member)) {
-      deployer.place(AgentStart.of(member, topic));
+    AgentStart start = AgentStart.of(member, topic);
+    Optional<String> former = callers.of(member);
+    if (former.isPresent()) {
+      String container = former.flatMap(HeirLinks::container).orElse(topic);
+      if (deployer.await(start, container)) {
+        rescue.awaits(member, former.get());
+      }
+    } else if (rescue.fitsHere(member)) {
+      deployer.place(start);
     } else {
-      deployer.deployment().placed(AgentStart.of(member, topic));
+      deployer.deployment().placed(start);
       rescue.settle(member);
     }
   }
@@ -555,6 +571,16 @@ public final class MaestroPlatform implements AutoCloseable {
         describedBy,
         () -> knowledge.home().words(),
         new Supervision.Centre() {
+          @Override
+          public boolean isPlaced() {
+            try {
+              return placed.await(PLACED_WITHIN.toMillis(), TimeUnit.MILLISECONDS);
+            } catch (InterruptedException e) {
+              Thread.currentThread().interrupt();
+              return false;
+            }
+          }
+
           @Override
           public void agentMoves(String agent) {
             coordinator.agentMoves(agent);

@@ -25,6 +25,12 @@ import org.slf4j.LoggerFactory;
 final class Rescue {
   private static final Logger LOG = LoggerFactory.getLogger(Rescue.class);
 
+  /**
+   * Wall time for the process of a container to join the platform that takes over; not as long as
+   * the coordinator waits for members then.
+   */
+  static final Duration JOINS_AGAIN_WITHIN = Duration.ofSeconds(5);
+
   /** The host that is this process. */
   private static final String OWN = "";
 
@@ -36,6 +42,7 @@ final class Rescue {
   private final Map<String, String> controllerByMember = new TreeMap<>();
   private final Map<String, String> holderByController = new TreeMap<>();
   private final Set<String> homeless = new TreeSet<>();
+  private final Set<String> awaited = new TreeSet<>();
 
   /** What can be done about it. */
   interface Ways {
@@ -98,6 +105,31 @@ final class Rescue {
     later(member);
   }
 
+  /**
+   * The member's agent lives in a process that joins again, as far as one can know; if it does not,
+   * another is begun in time.
+   *
+   * @param controller under whose name it has called
+   */
+  void awaits(String member, String controller) {
+    synchronized (this) {
+      controllerByMember.putIfAbsent(member, controller);
+      awaited.add(member);
+    }
+    afterWallTime(
+        JOINS_AGAIN_WITHIN,
+        member,
+        () -> {
+          if (hasNotCome(member)) {
+            settle(member);
+          }
+        });
+  }
+
+  private synchronized boolean hasNotCome(String member) {
+    return awaited.remove(member);
+  }
+
   private void later(String member) {
     Duration delay;
     synchronized (this) {
@@ -108,11 +140,12 @@ final class Rescue {
     } else {
       LOG.warn(
           "The agent of {} has no place again; one is sought in {} s", member, delay.toSeconds());
-      clock.schedule(
-          Duration.ofMillis(Math.round(delay.toMillis() * clock.speed())),
-          member,
-          () -> settle(member));
+      afterWallTime(delay, member, () -> settle(member));
     }
+  }
+
+  private void afterWallTime(Duration delay, String member, Runnable action) {
+    clock.schedule(Duration.ofMillis(Math.round(delay.toMillis() * clock.speed())), member, action);
   }
 
   private Duration wallTime() {
@@ -121,6 +154,7 @@ final class Rescue {
 
   /** The member has an agent by other means. */
   synchronized void settled(String member) {
+    awaited.remove(member);
     homeless.remove(member);
     controllerByMember.remove(member);
     hostByMember.remove(member);

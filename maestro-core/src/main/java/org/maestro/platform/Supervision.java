@@ -33,6 +33,9 @@ final class Supervision implements Containers {
 
   /** The central agent, which may be another one each time. */
   interface Centre {
+    /** Waits a while: whether the agents of the home have their places. */
+    boolean isPlaced();
+
     void agentMoves(String agent);
 
     boolean revive();
@@ -74,6 +77,10 @@ final class Supervision implements Containers {
                 () ->
                     new DeploymentException(
                         "The bus of this platform lives within its process, where no other gets at it."));
+    if (!centre.isPlaced()) {
+      throw new DeploymentException(
+          "The platform has not begun all of its own agents yet; join again in a moment.");
+    }
     deployer.admit(
         container,
         agent -> {

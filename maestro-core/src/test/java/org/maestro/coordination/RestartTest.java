@@ -75,6 +75,29 @@ class RestartTest {
     assertThat(next.calls).doesNotContain("pick rose");
   }
 
+  /** Its agent ends here and begins in another process, before all the others are back. */
+  @Test
+  void whoGetsAnotherAgentMeanwhileIsWaitedForToo() {
+    String why = "it is getting another agent";
+    submit("(nextTo Cup Bob)", Optional.empty());
+    house.clock.run(Duration.ofMillis(50));
+    PretendHouse next = new PretendHouse(home);
+    next.coordinator.memberDoubted("rose", why);
+    next.coordinator.memberDoubted("lamp-a1", why);
+    next.coordinator.resume(house.recovery(), Duration.ofSeconds(10), outcomes::add);
+
+    next.coordinator.memberTrusted("rose");
+    next.coordinator.memberDoubted("rose", why);
+    next.coordinator.memberTrusted("lamp-a1");
+    next.clock.run(Duration.ofSeconds(1));
+    assertThat(next.coordinator.goals().get(0).detail())
+        .isEqualTo("for its devices to come back after the restart");
+
+    next.coordinator.memberTrusted("rose");
+    next.clock.runUntil(() -> !outcomes.isEmpty(), Duration.ofMinutes(5));
+    assertThat(outcomes).extracting(GoalOutcome::reached).containsExactly(true);
+  }
+
   @Test
   void aDeadlineGoesOnToCount() {
     house.stepTakes = Duration.ofSeconds(40);

@@ -96,6 +96,25 @@ class RescueTest {
     assertThat(rescue.homeless()).isEmpty();
   }
 
+  @Test
+  void whoseProcessStaysAwayGoesOnElsewhereUnderItsName() {
+    rescue.awaits("ear", HeirLinks.controller("kitchen"));
+    pass(Rescue.JOINS_AGAIN_WITHIN.plusMillis(1));
+
+    awaitBegun("ear on attic calls as " + HeirLinks.controller("kitchen"));
+  }
+
+  @Test
+  void whoseProcessHasJoinedAgainIsBegunNowhereElse() {
+    rescue.awaits("ear", HeirLinks.controller("kitchen"));
+    rescue.awaits("eye", HeirLinks.controller("cellar"));
+    rescue.settled("ear");
+    pass(Rescue.JOINS_AGAIN_WITHIN.plusMillis(1));
+
+    await().until(() -> !begun.isEmpty());
+    assertThat(begun).noneMatch(line -> line.startsWith("ear "));
+  }
+
   /** As when JADE has not let go of its name yet. */
   @Test
   void whomAllThatFitFailToBeginIsTriedAgainLater() {
