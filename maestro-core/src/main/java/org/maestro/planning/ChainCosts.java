@@ -23,42 +23,17 @@ final class ChainCosts {
   /** Makes the operators that change a variable. */
   interface Source {
     /**
-     * All operators that bring an {@link Aim} or an {@link End} about, or change a {@link Variable}
-     * or {@link NumberVariable}, as far as they cost no more than is left.
+     * All operators that bring an {@link Aim} about, or change a {@link Variable} or {@link
+     * NumberVariable}, as far as they cost no more than is left.
      *
-     * @param beside what has to be paid besides, for other steps
-     * @return the least cost of those that were left out because they cost more, that besides
-     *     included; infinite when there are none
+     * @return the least cost of those that were left out because they cost more, infinite when
+     *     there are none
      */
-    double changing(Object want, double left, Way beside, List<Operator> into);
-  }
-
-  /** Knows what has to be paid for steps that are not on a chain. */
-  interface OffChain {
-    /** One that knows of none. */
-    OffChain UNKNOWN =
-        new OffChain() {
-          @Override
-          public Way ahead(Operator operator) {
-            return Way.NOTHING;
-          }
-
-          @Override
-          public Way beside(Condition condition, Condition leaf) {
-            return Way.NOTHING;
-          }
-        };
-
-    /** What comes before the operator. */
-    Way ahead(Operator operator);
-
-    /** What comes before a step with this condition, when that leaf is on the chain. */
-    Way beside(Condition condition, Condition leaf);
+    double changing(Object want, double left, List<Operator> into);
   }
 
   /** A want whose turn comes when all chains that cost less have been followed. */
-  private record Turn(double cost, long sequence, Object want, Way beside)
-      implements Comparable<Turn> {
+  private record Turn(double cost, long sequence, Object want) implements Comparable<Turn> {
     @Override
     public int compareTo(Turn other) {
       int byCost = Double.compare(cost, other.cost);
@@ -70,15 +45,13 @@ final class ChainCosts {
 
   private final Source source;
   private final ToDoubleFunction<Operator> leastCost;
-  private final OffChain offChain;
+  private final ToDoubleFunction<Operator> costAhead;
   private final double budget;
   private final Map<Object, Double> needed = new HashMap<>();
-  private final Map<Object, Way> besides = new HashMap<>();
   private final Set<Object> active = new HashSet<>();
   private final Set<Object> watched = new HashSet<>();
   private final Map<Object, Set<Object>> dormant = new HashMap<>();
   private final Map<Operator, Double> chains = new LinkedHashMap<>();
-  private final Map<Operator, Way> besideChains = new HashMap<>();
   private final Map<Object, List<Touch>> touching = new HashMap<>();
   private final Set<Object> lookedAt = new HashSet<>();
   private final PriorityQueue<Turn> queue = new PriorityQueue<>();
@@ -87,40 +60,39 @@ final class ChainCosts {
 
   /**
    * @param leastCost of an operator in any state
-   * @param offChain what has to be paid at least for other steps
+   * @param costAhead what has to be paid at least for other steps before an operator can be used
    * @param budget in cost units; may be infinite
    */
   ChainCosts(
-      Source source, ToDoubleFunction<Operator> leastCost, OffChain offChain, double budget) {
+      Source source,
+      ToDoubleFunction<Operator> leastCost,
+      ToDoubleFunction<Operator> costAhead,
+      double budget) {
     this.source = source;
     this.leastCost = leastCost;
-    this.offChain = offChain;
+    this.costAhead = costAhead;
     this.budget = budget;
   }
 
   ChainCosts follow(Condition goal) {
-    need(goal, 0, Way.NOTHING);
+    need(goal, 0);
     while (!queue.isEmpty()) {
       Turn turn = queue.remove();
-      Way beside = besides.get(turn.want());
-      if (turn.cost() > needed.get(turn.want()) || !beside.equals(turn.beside())) {
+      if (turn.cost() > needed.get(turn.want())) {
         continue;
       }
       List<Operator> changing = new ArrayList<>();
-      double cheapest = source.changing(turn.want(), budget - turn.cost(), beside, changing);
+      double cheapest = source.changing(turn.want(), budget - turn.cost(), changing);
       beyond = Math.min(beyond, turn.cost() + cheapest);
       for (Operator operator : changing) {
-        accept(operator, turn.cost() + leastCost.applyAsDouble(operator), beside);
+        accept(operator, turn.cost() + leastCost.applyAsDouble(operator));
       }
     }
     return this;
   }
 
   private static Object target(Object want) {
-    if (want instanceof Aim aim) {
-      return aim.variable();
-    }
-    return want instanceof End end ? end.variable() : want;
+    return want instanceof Aim aim ? aim.variable() : want;
   }
 
   /** Whether a plan within the budget may use the operator. */
@@ -156,25 +128,25 @@ final class ChainCosts {
     }
   }
 
-  private void accept(Operator operator, double cost, Way beside) {
-    Double before = chains.get(operator);
-    Way besideBefore = besideChains.get(operator);
-    double chain = before == null ? cost : Math.min(before, cost);
-    Way least = besideBefore == null ? beside : weaker(besideBefore, beside);
-    if (before != null && before <= cost && least.equals(besideBefore)) {
+  private void accept(Operator operator, double cost) {
+    if (cost > budget) {
+      beyond = Math.min(beyond, cost);
       return;
     }
-    double whole = before == null ? cost + offChain.ahead(operator).and(beside).cost() : cost;
+    Double before = chains.get(operator);
+    if (before != null && before <= cost) {
+      return;
+    }
+    double whole = before == null ? cost + costAhead.applyAsDouble(operator) : cost;
     if (whole > budget) {
       beyond = Math.min(beyond, whole);
       operator.precondition().forEachLeaf(this::lookAt);
       return;
     }
-    chains.put(operator, chain);
-    besideChains.put(operator, least);
-    need(operator.precondition(), chain, least);
-    operator.price().cost().forEachVariable(variable -> activate(variable, chain));
-    operator.price().seconds().forEachVariable(variable -> activate(variable, chain));
+    chains.put(operator, cost);
+    need(operator.precondition(), cost);
+    operator.price().cost().forEachVariable(variable -> activate(variable, cost));
+    operator.price().seconds().forEachVariable(variable -> activate(variable, cost));
     for (Change change : operator.changes()) {
       Object target = change.target();
       if (before == null) {
@@ -183,10 +155,10 @@ final class ChainCosts {
             .add(new Touch(operator, change));
       }
       if (watched.contains(target)) {
-        needAllOf(change, chain);
+        needAllOf(change, cost);
       }
       for (Object want : dormant.getOrDefault(target, Set.of())) {
-        activate(want, needed.get(want), besides.get(want));
+        activate(want, needed.get(want));
       }
       dormant.remove(target);
     }
@@ -209,70 +181,52 @@ final class ChainCosts {
     } else if (leaf instanceof Condition.NumberKnown known) {
       activate(known.variable(), cost);
     } else {
-      needLeaf(leaf, cost, Way.NOTHING);
+      needLeaf(leaf, cost);
     }
   }
 
-  private void need(Condition condition, double cost, Way beside) {
-    condition.forEachLeaf(
-        leaf -> needLeaf(leaf, cost, beside.and(offChain.beside(condition, leaf))));
+  private void need(Condition condition, double cost) {
+    condition.forEachLeaf(leaf -> needLeaf(leaf, cost));
   }
 
-  private void needLeaf(Condition leaf, double cost, Way beside) {
+  private void needLeaf(Condition leaf, double cost) {
     if (leaf instanceof Condition.Literal literal) {
       Variable variable = literal.variable();
-      need(want(literal), literal.holdsFor(variable.initialCode()), cost, beside);
+      need(
+          literal.question() == Condition.Question.IS
+              ? new Aim(variable, literal.value())
+              : variable,
+          literal.holdsFor(variable.initialCode()),
+          cost);
     } else if (leaf instanceof Condition.NumberKnown known) {
-      NumberVariable number = known.variable();
-      need(number, Quantity.isUnknown(number.initial()) != known.known(), cost, beside);
+      need(known.variable(), Quantity.isUnknown(known.variable().initial()) != known.known(), cost);
     } else if (leaf instanceof Condition.Compare compare) {
       compare.left().forEachVariable(variable -> activate(variable, cost));
       compare.right().forEachVariable(variable -> activate(variable, cost));
     }
   }
 
-  private static Object want(Condition.Literal literal) {
-    return switch (literal.question()) {
-      case IS -> new Aim(literal.variable(), literal.value());
-      case IS_NOT -> new End(literal.variable(), literal.value());
-      case UNKNOWN, NOT_UNKNOWN -> literal.variable();
-    };
-  }
-
   /** What holds at first matters once somebody may change it. */
-  private void need(Object want, boolean holdsAtFirst, double cost, Way beside) {
+  private void need(Object want, boolean holdsAtFirst, double cost) {
     if (!holdsAtFirst || active.contains(want) || touching.containsKey(target(want))) {
-      activate(want, cost, beside);
+      activate(want, cost);
     } else {
       needed.merge(want, cost, Math::min);
-      besides.merge(want, beside, ChainCosts::weaker);
       dormant.computeIfAbsent(target(want), absent -> new LinkedHashSet<>()).add(want);
     }
   }
 
   private void activate(Object want, double cost) {
-    activate(want, cost, Way.NOTHING);
-  }
-
-  private void activate(Object want, double cost, Way beside) {
     Double before = needed.get(want);
-    Way besideBefore = besides.get(want);
-    Way weaker = besideBefore == null ? beside : weaker(besideBefore, beside);
-    if (active.add(want) || cost < before || !weaker.equals(besideBefore)) {
+    if (active.add(want) || cost < before) {
       double least = before == null ? cost : Math.min(before, cost);
       needed.put(want, least);
-      besides.put(want, weaker);
-      queue.add(new Turn(least, sequence++, want, weaker));
+      queue.add(new Turn(least, sequence++, want));
     }
     if (watched.add(target(want))) {
       for (Touch touch : touching.getOrDefault(target(want), List.of())) {
         needAllOf(touch.change(), chains.get(touch.operator()));
       }
     }
-  }
-
-  /** Where there are many different ones, little is gained from what they have in common. */
-  private static Way weaker(Way before, Way beside) {
-    return before.equals(beside) ? before : Way.NOTHING;
   }
 }

@@ -34,7 +34,6 @@ final class FeatureTemplate {
   private final ConditionCompiler conditions;
   private final Map<String, List<Term>> domains = new LinkedHashMap<>();
   private final List<Conjunct> conjuncts = new ArrayList<>();
-  private final List<Formula.Atom> dynamic = new ArrayList<>();
   private final List<Target> targets = new ArrayList<>();
   private final IdleParameters idle;
   private final Map<Set<String>, Next> nextOf = new HashMap<>();
@@ -81,7 +80,7 @@ final class FeatureTemplate {
         }
       }
     }
-    collectConjuncts(feature.type().precondition(), signature, staticAnswers);
+    collectStatic(feature.type().precondition(), signature, staticAnswers);
     collectTargets(feature.type().effect());
   }
 
@@ -114,10 +113,10 @@ final class FeatureTemplate {
     return List.copyOf(values);
   }
 
-  private void collectConjuncts(
+  private void collectStatic(
       Formula formula, Signature signature, Map<Formula, Map<List<Term>, Boolean>> staticAnswers) {
     if (formula instanceof Formula.And and) {
-      and.operands().forEach(operand -> collectConjuncts(operand, signature, staticAnswers));
+      and.operands().forEach(operand -> collectStatic(operand, signature, staticAnswers));
     } else if (!signature.isDynamic(formula)) {
       Set<String> variables = new LinkedHashSet<>(FreeVariables.of(formula));
       boolean speaksOfSelf = variables.remove(SELF);
@@ -127,8 +126,6 @@ final class FeatureTemplate {
               variables,
               speaksOfSelf,
               staticAnswers.computeIfAbsent(formula, absent -> new HashMap<>())));
-    } else if (formula instanceof Formula.Atom atom) {
-      dynamic.add(atom);
     }
   }
 
@@ -161,46 +158,18 @@ final class FeatureTemplate {
    */
   void forEachInstanceChanging(
       String name, List<Term> arguments, boolean symmetric, Consumer<Map<String, Term>> consumer) {
-    forEachOpening(name, arguments, symmetric, bindings -> forEachInstance(bindings, consumer));
-  }
-
-  /**
-   * What all instances ask for that may change what is named: the parts of the precondition that
-   * are decided by that alone, for each way of naming it.
-   */
-  List<Condition> openings(String name, List<Term> arguments, boolean symmetric) {
-    List<Condition> openings = new ArrayList<>();
-    forEachOpening(
-        name,
-        arguments,
-        symmetric,
-        bindings -> {
-          Condition asked =
-              Condition.all(
-                  dynamic.stream()
-                      .filter(atom -> bindings.keySet().containsAll(FreeVariables.of(atom)))
-                      .map(atom -> conditions.condition(atom, bindings))
-                      .toList());
-          if (asked != Constant.FALSE && isPossible(bindings)) {
-            openings.add(asked);
-          }
-        });
-    return openings;
-  }
-
-  private void forEachOpening(
-      String name, List<Term> arguments, boolean symmetric, Consumer<Map<String, Term>> consumer) {
     for (Target target : targets) {
       if (target.name().equals(name)) {
-        bound(target, arguments).ifPresent(consumer);
+        bindAndEnumerate(target, arguments, consumer);
         if (symmetric && arguments.size() == 2) {
-          bound(target, List.of(arguments.get(1), arguments.get(0))).ifPresent(consumer);
+          bindAndEnumerate(target, List.of(arguments.get(1), arguments.get(0)), consumer);
         }
       }
     }
   }
 
-  private Optional<Map<String, Term>> bound(Target target, List<Term> arguments) {
+  private void bindAndEnumerate(
+      Target target, List<Term> arguments, Consumer<Map<String, Term>> consumer) {
     Map<String, Term> bindings = selfOnly();
     for (int i = 0; i < Math.min(arguments.size(), target.arguments().size()); i++) {
       Term pattern = target.arguments().get(i);
@@ -209,16 +178,16 @@ final class FeatureTemplate {
         Term before = bindings.get(variable.name());
         List<Term> domain = domains.get(variable.name());
         if (before != null && !before.equals(value) || domain != null && !domain.contains(value)) {
-          return Optional.empty();
+          return;
         }
         if (domain != null) {
           bindings.put(variable.name(), value);
         }
       } else if (!pattern.equals(value)) {
-        return Optional.empty();
+        return;
       }
     }
-    return Optional.of(bindings);
+    forEachInstance(bindings, consumer);
   }
 
   private Map<String, Term> selfOnly() {
@@ -245,24 +214,14 @@ final class FeatureTemplate {
   }
 
   private void forEachInstance(Map<String, Term> bindings, Consumer<Map<String, Term>> consumer) {
-    if (isPossible(bindings)) {
-      Set<String> open = new LinkedHashSet<>(domains.keySet());
-      open.removeAll(bindings.keySet());
-      choose(open, bindings, consumer);
-    }
-  }
-
-  /** Whether no static condition that is decided already fails. */
-  private boolean isPossible(Map<String, Term> bindings) {
+    Set<String> open = new LinkedHashSet<>(domains.keySet());
+    open.removeAll(bindings.keySet());
     for (Conjunct conjunct : conjuncts) {
-      boolean decided =
-          conjunct.variables().stream()
-              .allMatch(name -> bindings.containsKey(name) || !domains.containsKey(name));
-      if (decided && !holds(conjunct, bindings)) {
-        return false;
+      if (Collections.disjoint(conjunct.variables(), open) && !holds(conjunct, bindings)) {
+        return;
       }
     }
-    return true;
+    choose(open, bindings, consumer);
   }
 
   private void choose(

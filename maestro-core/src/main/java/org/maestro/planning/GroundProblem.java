@@ -96,18 +96,11 @@ record GroundProblem(
       }
     }
     ChainCosts.Source source =
-        (want, left, beside, into) -> {
-          if (want instanceof End end) {
-            byWant.getOrDefault(end.variable(), List.of()).stream()
-                .filter(end::isReachedBy)
-                .forEach(into::add);
-          } else {
-            into.addAll(byWant.getOrDefault(want, List.of()));
-          }
+        (want, left, into) -> {
+          into.addAll(byWant.getOrDefault(want, List.of()));
           return Double.POSITIVE_INFINITY;
         };
-    return new ChainCosts(source, leastCost, ChainCosts.OffChain.UNKNOWN, budget)
-        .follow(goal.condition());
+    return new ChainCosts(source, leastCost, operator -> 0, budget).follow(goal.condition());
   }
 
   static Map<Object, List<Operator>> byTarget(List<Operator> operators) {

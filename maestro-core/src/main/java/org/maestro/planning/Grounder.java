@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.TreeMap;
 import org.maestro.planning.PlanningResult.Obstacle;
 import org.maestro.planning.PlanningResult.Obstacle.Kind;
 import org.maestro.sl.Expression;
@@ -48,13 +49,13 @@ final class Grounder {
     this.work = work;
     this.usesBarred = usesBarred;
     this.goal = work.goal(task.goal());
-    this.costAhead = new CostAhead(this::openings);
+    this.costAhead = new CostAhead(this::settingPrices);
     this.barred = task.barred();
   }
 
   /** The groundwork went over to another task for the same goal. */
   void renew(PlanningTask next) {
-    costAhead = new CostAhead(this::openings);
+    costAhead = new CostAhead(this::settingPrices);
     barred = next.barred();
   }
 
@@ -127,25 +128,25 @@ final class Grounder {
         new ChainCosts(
                 this::changing,
                 work::leastCost,
-                Double.isFinite(budget) ? costAhead : ChainCosts.OffChain.UNKNOWN,
+                Double.isFinite(budget) ? costAhead::of : operator -> 0,
                 budget)
             .follow(goal.condition());
     consulted.addAll(chains.consulted());
-    consulted.addAll(costAhead.lookedAt());
     Map<Object, List<Operator>> byTarget = byTarget(chains);
     Relevance relevance = new Relevance(target -> byTarget.getOrDefault(target, List.of()));
     relevance.close(goal.condition());
     return new Grounded(GroundProblem.reduced(relevance, goal), chains.beyond());
   }
 
-  private List<CostAhead.Opening> openings(Aim aim) {
-    List<CostAhead.Opening> openings = new ArrayList<>();
+  private Map<Integer, Double> settingPrices(Aim aim) {
+    Map<Integer, Double> prices = new TreeMap<>();
     for (int template : work.offers().changing(aim.variable().predicate())) {
       if (work.offers().mayBringAbout(work.offers().feature(template).type(), aim)) {
-        openings.addAll(work.openings(aim, template));
+        OptionalDouble least = work.settingPrice(aim, template);
+        least.ifPresent(price -> prices.put(template, price));
       }
     }
-    return openings;
+    return prices;
   }
 
   /**
@@ -155,7 +156,7 @@ final class Grounder {
     return !usesBarred && barred.contains(key) ? List.of() : work.instances(key);
   }
 
-  private double changing(Object want, double left, Way beside, List<Operator> into) {
+  private double changing(Object want, double left, List<Operator> into) {
     double cheapestLeftOut = Double.POSITIVE_INFINITY;
     Offers offers = work.offers();
     for (int template : offers.changing(Groundwork.name(want))) {
@@ -163,7 +164,7 @@ final class Grounder {
       if (want instanceof Aim aim && !offers.mayBringAbout(feature.type(), aim)) {
         continue;
       }
-      double price = price(want, template, left, beside);
+      double price = work.leastPrice(feature);
       if (price > left) {
         cheapestLeftOut = Math.min(cheapestLeftOut, price);
       } else if (usesBarred || barred.isEmpty()) {
@@ -175,23 +176,6 @@ final class Grounder {
       }
     }
     return cheapestLeftOut;
-  }
-
-  /** What instances cost at least that bring it about, with all that has to be paid besides. */
-  private double price(Object want, int template, double left, Way beside) {
-    double price = work.leastPrice(work.offers().feature(template));
-    if (price > left || Double.isInfinite(left)) {
-      return price;
-    }
-    if (want instanceof Aim || want instanceof End) {
-      price = Double.POSITIVE_INFINITY;
-      for (CostAhead.Opening opening : work.openings(want, template)) {
-        if (!(want instanceof End end) || end.mayFollow(opening.needs())) {
-          price = Math.min(price, opening.price() + costAhead.of(opening).and(beside).cost());
-        }
-      }
-    }
-    return price;
   }
 
   /** By what they change, the features in their order. */

@@ -14,7 +14,6 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
-import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
@@ -46,7 +45,7 @@ final class Groundwork {
   private final Map<Integer, Map<List<Term>, List<Operator>>> made = new HashMap<>();
   private final Map<Operator, Integer> templateOf = new IdentityHashMap<>();
   private final Map<Object, Map<Integer, List<Operator>>> changing = new HashMap<>();
-  private final Map<Object, Map<Integer, List<CostAhead.Opening>>> openings = new HashMap<>();
+  private final Map<Aim, Map<Integer, OptionalDouble>> settingPrices = new HashMap<>();
   private final ChangeLog changes = new ChangeLog();
   private int generation;
 
@@ -137,7 +136,7 @@ final class Groundwork {
     made.clear();
     templateOf.clear();
     changing.clear();
-    openings.clear();
+    settingPrices.clear();
   }
 
   /** Grows whenever all instances are forgotten: what was made of them is of no more use. */
@@ -197,42 +196,19 @@ final class Groundwork {
     return leastPrices.computeIfAbsent(feature, leastPrice::of);
   }
 
-  /** The instances of one feature that may bring it about, as far as that tells of them. */
-  List<CostAhead.Opening> openings(Object want, int template) {
-    return openings
-        .computeIfAbsent(want, absent -> new HashMap<>())
-        .computeIfAbsent(template, absent -> openingsAnew(want, template));
+  /** What an instance costs at least that may bring it about; empty when there is none. */
+  OptionalDouble settingPrice(Aim aim, int template) {
+    return settingPrices
+        .computeIfAbsent(aim, absent -> new HashMap<>())
+        .computeIfAbsent(template, absent -> leastSettingPrice(aim, template));
   }
 
-  private List<CostAhead.Opening> openingsAnew(Object want, int template) {
-    List<Condition> asked =
-        template(template).openings(name(want), arguments(want), isSymmetric(name(want)));
-    OptionalDouble price = asked.isEmpty() ? OptionalDouble.empty() : leastPriceOf(want, template);
-    List<CostAhead.Opening> made = new ArrayList<>();
-    for (Condition condition : price.isPresent() ? asked : List.<Condition>of()) {
-      List<Condition.Literal> needs = new ArrayList<>();
-      for (Condition part : condition.conjuncts()) {
-        if (part instanceof Condition.Literal literal
-            && literal.question() == Condition.Question.IS) {
-          needs.add(literal);
-        }
-      }
-      made.add(new CostAhead.Opening(template, price.getAsDouble(), List.copyOf(needs)));
-    }
-    return List.copyOf(made);
-  }
-
-  /** Where prices differ, instances have to be looked at; empty when there are none. */
-  private OptionalDouble leastPriceOf(Object want, int template) {
+  private OptionalDouble leastSettingPrice(Aim aim, int template) {
     PricedFeature feature = offers.feature(template);
-    if (feature.exact().isEmpty()
-        && FeatureTemplate.statedPrice(feature) instanceof Expression.OfTerm) {
-      return OptionalDouble.of(leastPrice(feature));
-    }
     double[] least = {Double.NaN};
     forEachInstance(
         template,
-        want,
+        aim,
         bindings -> {
           double price = leastCost(factory.price(feature, bindings), feature);
           least[0] = Double.isNaN(least[0]) ? price : Math.min(least[0], price);
@@ -261,9 +237,6 @@ final class Groundwork {
   }
 
   private static boolean changes(Operator operator, Object want) {
-    if (want instanceof End end) {
-      return end.isReachedBy(operator);
-    }
     List<Change> changes = operator.changes();
     for (int i = 0; i < changes.size(); i++) {
       if (want instanceof Aim aim
@@ -327,12 +300,8 @@ final class Groundwork {
 
   /** The instances that may bring about or change what is wanted. */
   private void forEachInstance(int template, Object want, Consumer<Map<String, Term>> consumer) {
-    template(template)
-        .forEachInstanceChanging(name(want), arguments(want), isSymmetric(name(want)), consumer);
-  }
-
-  private static List<Term> arguments(Object want) {
     Object target = target(want);
+    String name = name(target);
     List<Term> arguments =
         new ArrayList<>(
             target instanceof Variable variable
@@ -341,14 +310,11 @@ final class Groundwork {
     if (want instanceof Aim aim && aim.variable().functional()) {
       arguments.add(aim.variable().value(aim.value()));
     }
-    return arguments;
+    template(template).forEachInstanceChanging(name, arguments, isSymmetric(name), consumer);
   }
 
   private static Object target(Object want) {
-    if (want instanceof Aim aim) {
-      return aim.variable();
-    }
-    return want instanceof End end ? end.variable() : want;
+    return want instanceof Aim aim ? aim.variable() : want;
   }
 
   /** The predicate or fluent of a want. */
