@@ -20,6 +20,7 @@ import java.util.function.Function;
 import org.maestro.agents.AgentTime;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.GenericAgent;
+import org.maestro.agents.Handover;
 import org.maestro.agents.Host;
 import org.maestro.agents.HostAgent;
 import org.maestro.agents.StartWords;
@@ -177,8 +178,8 @@ public final class JoinedContainer implements AutoCloseable {
    *
    * @throws PlatformStartException when the platform does not let it in
    */
-  public SupervisorAgent.Handover ask(ContainerStart start) {
-    return SupervisorAgent.Handover.read(Words.of(answer(start, "join").get(0)));
+  public Handover ask(ContainerStart start) {
+    return Handover.read(Words.of(answer(start, "join").get(0)));
   }
 
   /**
@@ -242,7 +243,7 @@ public final class JoinedContainer implements AutoCloseable {
   public void offer(
       String name,
       List<String> provides,
-      Function<SupervisorAgent.Handover, Links> links,
+      Function<Handover, Links> links,
       BiFunction<String, String, Device> describedBy) {
     AgentContainer home;
     synchronized (this) {
@@ -274,14 +275,14 @@ public final class JoinedContainer implements AutoCloseable {
     bus.complete(links.apply(handover(answered)));
   }
 
-  private static SupervisorAgent.Handover handover(CompletableFuture<ACLMessage> answered) {
+  private static Handover handover(CompletableFuture<ACLMessage> answered) {
     try {
       ACLMessage reply = answered.get(ANSWER_WITHIN.toSeconds() + 5, TimeUnit.SECONDS);
       Words words = Words.of(Words.parse(reply.getContent()).get(0));
       if (reply.getPerformative() != ACLMessage.INFORM) {
         throw new PlatformStartException(words.string("reason").orElse("Refused."));
       }
-      return SupervisorAgent.Handover.read(words);
+      return Handover.read(words);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new PlatformStartException("Interrupted while the platform was asked.", e);

@@ -604,7 +604,9 @@ public final class MaestroPlatform implements AutoCloseable {
           @Override
           public void returns(String container) {
             String controller = HeirLinks.controller(container);
-            rescue.released(controller).ifPresent(holder -> supervisor.letGo(holder, controller));
+            rescue
+                .released(controller)
+                .ifPresent(holder -> supervisor.orders().letGo(holder, controller));
           }
 
           @Override

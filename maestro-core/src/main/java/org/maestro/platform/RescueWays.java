@@ -62,7 +62,7 @@ final class RescueWays implements Rescue.Ways {
       String hosting, String member, String controller, Consumer<Optional<String>> problem) {
     AgentStart start = deployer.deployment().require(member).in(hosting);
     deployer.rescued(member, hosting, controller);
-    supervisor.beginOn(hosting, start, controller, problem);
+    supervisor.orders().beginOn(hosting, start, controller, problem);
   }
 
   @Override
@@ -81,6 +81,6 @@ final class RescueWays implements Rescue.Ways {
         member,
         reason);
     coordinator.get().agentStaysAway(member, reason);
-    supervisor.tellLost(member, reason, home.get().groups().keySet());
+    supervisor.orders().tellLost(member, reason, home.get().groups().keySet());
   }
 }

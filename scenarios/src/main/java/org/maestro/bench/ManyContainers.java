@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
-import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.Handover;
 import org.maestro.assembly.SiteBus;
 import org.maestro.deployment.ContainerStart;
 import org.maestro.ontology.home.DescriptionReader;
@@ -39,7 +39,7 @@ public final class ManyContainers {
     List<String> names = IntStream.range(first, first + count).mapToObj(Dial::container).toList();
     for (String container : names) {
       ContainerStart start = new ContainerStart(container, Set.of(container), Set.of(), false);
-      SupervisorAgent.Handover handover = joined.ask(start);
+      Handover handover = joined.ask(start);
       joined.host(start, link(container, handover, clock), reader::read);
     }
     PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
@@ -49,8 +49,7 @@ public final class ManyContainers {
     System.exit(0);
   }
 
-  private static RatsLink link(
-      String container, SupervisorAgent.Handover handover, PacedClock clock) {
+  private static RatsLink link(String container, Handover handover, PacedClock clock) {
     String controller = "container-" + container;
     SiteBus bus = new SiteBus(URI.create(handover.brokerUri()), handover.site(), Optional.empty());
     return BusLink.connectForWatched(

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
-import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.Handover;
 import org.maestro.assembly.SiteBus;
 import org.maestro.deployment.ContainerStart;
 import org.maestro.ontology.home.DescriptionReader;
@@ -49,7 +49,7 @@ final class HostedContainer implements AutoCloseable {
     JoinedContainer container = join(at, start.name(), attempt, clock, security);
     Links links = new Links(clock, security);
     try {
-      SupervisorAgent.Handover handover = container.ask(start);
+      Handover handover = container.ask(start);
       DescriptionReader reader =
           new DescriptionReader(
               new HomeLoader().vocabularyWith(handover.words()), handover.words());
@@ -97,7 +97,7 @@ final class HostedContainer implements AutoCloseable {
       this.security = security;
     }
 
-    private Links at(SupervisorAgent.Handover handover) {
+    private Links at(Handover handover) {
       URI broker = Endpoint.broker(handover.brokerUri());
       SiteBus bus = new SiteBus(broker, handover.site(), security);
       making =
