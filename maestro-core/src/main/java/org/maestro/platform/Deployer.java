@@ -1,14 +1,6 @@
 package org.maestro.platform;
 
-import jade.core.AID;
-import jade.core.AgentManager;
-import jade.core.ContainerID;
-import jade.core.NameClashException;
-import jade.core.NotFoundException;
-import jade.core.UnreachableException;
-import jade.security.JADESecurityException;
 import jade.wrapper.AgentContainer;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -19,17 +11,13 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.ConcurrentSkipListSet;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
-import java.util.function.Predicate;
 import org.maestro.agents.GenericAgent;
 import org.maestro.agents.Host;
 import org.maestro.agents.MaestroAgent;
-import org.maestro.agents.StartWords;
 import org.maestro.agents.Surroundings;
 import org.maestro.agents.Welcome;
-import org.maestro.agents.Words;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.ContainerStart;
 import org.maestro.deployment.Deployment;
@@ -41,17 +29,12 @@ import org.maestro.deployment.DeploymentException;
  * processes have joined. Any thread may call, one at a time.
  */
 final class Deployer {
-  private static final Duration ENDS_WITHIN = Duration.ofSeconds(5);
-  private static final Duration BETWEEN_LOOKS = Duration.ofMillis(5);
-
   private final Deployment deployment;
   private final Set<String> provides;
-  private final String platform;
-  private final Host main;
   private final Surroundings here;
   private final BiFunction<String, Host, AgentContainer> newContainer;
   private final HeirLinks heirs;
-  private final Predicate<String> lives;
+  private final AgentsByName jade;
   private final Map<String, AgentContainer> own = new LinkedHashMap<>();
   private final Map<String, String> containerByGroup = new TreeMap<>();
 
@@ -70,34 +53,25 @@ final class Deployer {
   /** Agents that live in other processes. */
   private final Set<String> elsewhere = new ConcurrentSkipListSet<>();
 
-  /** Agents that were ended here, until JADE says so: it may say it late. */
-  private final Set<String> ending = new ConcurrentSkipListSet<>();
-
   /**
-   * @param platform its name
-   * @param main of the platform's main container
    * @param here what this process's containers give to their agents
    * @param newContainer joins a container of that name to the platform
    * @param heirs of containers that are lost
-   * @param lives whether JADE has an agent of that name
+   * @param jade begins and ends agents by their names
    * @param provides what this process has for agents
    */
   Deployer(
-      String platform,
-      Host main,
       Surroundings here,
       BiFunction<String, Host, AgentContainer> newContainer,
       HeirLinks heirs,
-      Predicate<String> lives,
+      AgentsByName jade,
       Set<String> provides) {
     this.deployment = new Deployment(provides);
     this.provides = provides;
-    this.platform = platform;
-    this.main = main;
     this.here = here;
     this.newContainer = newContainer;
     this.heirs = heirs;
-    this.lives = lives;
+    this.jade = jade;
   }
 
   Deployment deployment() {
@@ -157,7 +131,7 @@ final class Deployer {
     if (isElsewhere(start.container())) {
       elsewhere.add(start.agent());
       heirOf.remove(start.agent());
-      create(start);
+      jade.create(start);
     } else {
       elsewhere.remove(start.agent());
       JadeRuntime.start(
@@ -174,34 +148,6 @@ final class Deployer {
         .orElse(here);
   }
 
-  /** Its configuration goes to the other process; the class is there already. */
-  private void create(AgentStart start) {
-    try {
-      manager()
-          .create(
-              start.agent(),
-              GenericAgent.class.getName(),
-              new Object[] {Words.print(StartWords.content(start))},
-              new ContainerID(start.container(), null),
-              null,
-              null,
-              null,
-              null);
-    } catch (UnreachableException
-        | NotFoundException
-        | NameClashException
-        | JADESecurityException e) {
-      throw new DeploymentException(
-          "The agent %s could not begin in the container %s: %s"
-              .formatted(start.agent(), start.container(), e.getMessage()));
-    }
-  }
-
-  private AgentManager manager() {
-    return main.manager()
-        .orElseThrow(() -> new DeploymentException("The platform has no main container any more."));
-  }
-
   private AgentContainer ownContainer(String name) {
     return own.computeIfAbsent(
         name,
@@ -210,6 +156,11 @@ final class Deployer {
           deployment.containerThere(new ContainerStart(missing, Set.of(missing), provides, true));
           return container;
         });
+  }
+
+  /** Whether the agent that ended, as JADE tells once for each, was to begin again elsewhere. */
+  boolean wasHandedOver(String agent) {
+    return jade.wasHandedOver(agent);
   }
 
   boolean isElsewhere(String container) {
@@ -230,21 +181,12 @@ final class Deployer {
     heirs.letGo(HeirLinks.controller(joining.name()));
   }
 
-  /** JADE ends agents beside who asks for it, and gives their names away only then. */
   private void awaitEnds(String container) {
     List<AgentStart> starts;
     synchronized (this) {
       starts = handedOver.getOrDefault(container, List.of());
     }
-    awaitEnds(starts);
-  }
-
-  private void awaitEnds(List<AgentStart> starts) {
-    long end = System.nanoTime() + ENDS_WITHIN.toNanos();
-    while (starts.stream().anyMatch(start -> lives.test(start.agent()))
-        && System.nanoTime() < end) {
-      LockSupport.parkNanos(BETWEEN_LOOKS.toNanos());
-    }
+    jade.awaitEnds(starts);
   }
 
   private synchronized Optional<AgentContainer> release(String name, Consumer<String> leaving) {
@@ -273,8 +215,8 @@ final class Deployer {
     handedOver.put(name, starts);
     for (AgentStart start : starts) {
       if (!awaited.remove(start.agent())) {
-        ending.add(start.agent());
-        kill(start.agent());
+        jade.endsHere(start.agent());
+        jade.kill(start.agent());
       }
       leaving.accept(start.agent());
     }
@@ -313,24 +255,8 @@ final class Deployer {
     AgentStart start = deployment.require(agent);
     elsewhere.remove(agent);
     deployment.dismissed(agent);
-    kill(agent);
+    jade.kill(agent);
     return start;
-  }
-
-  private void kill(String agent) {
-    try {
-      manager().kill(new AID(agent + "@" + platform, AID.ISGUID), null, null);
-    } catch (NotFoundException e) {
-      ending.remove(agent);
-    } catch (UnreachableException | JADESecurityException e) {
-      throw new DeploymentException(
-          "The agent %s could not be ended: %s".formatted(agent, e.getMessage()));
-    }
-  }
-
-  /** Whether the agent that ended, as JADE tells once for each, was to begin again elsewhere. */
-  boolean wasHandedOver(String agent) {
-    return ending.remove(agent);
   }
 
   /**
@@ -410,9 +336,9 @@ final class Deployer {
    */
   synchronized void replace(String agent, Consumer<String> end) {
     AgentStart start = deployment.require(agent);
-    ending.add(agent);
+    jade.endsHere(agent);
     end.accept(start.container());
-    awaitEnds(List.of(start));
+    jade.awaitEnds(List.of(start));
     begin(start);
   }
 

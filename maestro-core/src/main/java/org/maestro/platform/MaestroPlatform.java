@@ -137,8 +137,6 @@ public final class MaestroPlatform implements AutoCloseable {
     host.give(here);
     this.deployer =
         new Deployer(
-            settings.name(),
-            host,
             here,
             (name, its) ->
                 JadeRuntime.join(
@@ -151,7 +149,7 @@ public final class MaestroPlatform implements AutoCloseable {
                     its,
                     shared),
             heirs,
-            agent -> directory.find(agent).isPresent(),
+            new AgentsByName(settings.name(), host, agent -> directory.find(agent).isPresent()),
             settings.premises().provides());
     this.tables = new PlatformTables(deployer.deployment(), directory, clock::instant);
     Past ofCentre = past.ofCentre();
