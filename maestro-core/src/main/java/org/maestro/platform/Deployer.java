@@ -175,7 +175,7 @@ final class Deployer {
    */
   void admit(ContainerStart joining, Consumer<String> leaving) {
     Optional<AgentContainer> ended = release(joining.name(), leaving);
-    ended.ifPresent(JadeRuntime::endNow);
+    ended.ifPresent(ContainerEnds::endNow);
     awaitEnds(joining.name());
     // Not before: an agent that still lived would report what it has under way as failed.
     heirs.letGo(HeirLinks.controller(joining.name()));

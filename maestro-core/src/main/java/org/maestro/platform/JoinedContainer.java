@@ -125,7 +125,7 @@ public final class JoinedContainer implements AutoCloseable {
         (called, its) -> joining.join(called, its, false);
     AgentContainer container = joining.join(name, new Host(), true);
     if (!name(container).equals(name)) {
-      JadeRuntime.end(container);
+      ContainerEnds.end(container);
       throw new NameTakenException(name);
     }
     AgentTime time = AgentTime.of(clock);
@@ -135,7 +135,7 @@ public final class JoinedContainer implements AutoCloseable {
     } catch (PlatformStartException e) {
       // JADE goes on in this process as long as one of its containers does: who tries again would
       // not begin afresh.
-      JadeRuntime.abandon(container);
+      ContainerEnds.abandon(container);
       throw e;
     }
     return new JoinedContainer(newContainer, container, desk, time);
@@ -298,7 +298,7 @@ public final class JoinedContainer implements AutoCloseable {
   private AgentContainer named(String wanted, Host host) {
     AgentContainer joined = newContainer.apply(wanted, host);
     for (int attempt = 0; attempt < MOST_TRIES && !name(joined).equals(wanted); attempt++) {
-      JadeRuntime.end(joined);
+      ContainerEnds.end(joined);
       LockSupport.parkNanos(BETWEEN_TRIES.toNanos());
       joined = newContainer.apply(wanted, host);
     }
@@ -324,17 +324,17 @@ public final class JoinedContainer implements AutoCloseable {
   /** Ends what is of no use any more, beside the caller, and waits for nobody. */
   public void abandon() {
     synchronized (this) {
-      forAgents.forEach(JadeRuntime::abandon);
+      forAgents.forEach(ContainerEnds::abandon);
     }
-    JadeRuntime.abandon(container);
+    ContainerEnds.abandon(container);
   }
 
   @Override
   public void close() {
     synchronized (this) {
-      forAgents.forEach(JadeRuntime::end);
+      forAgents.forEach(ContainerEnds::end);
     }
-    JadeRuntime.end(container);
+    ContainerEnds.end(container);
   }
 
   private static Path temporaryDirectory() {

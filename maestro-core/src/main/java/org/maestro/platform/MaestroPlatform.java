@@ -191,7 +191,7 @@ public final class MaestroPlatform implements AutoCloseable {
       throw new PlatformStartException(
           "There is no display for the JADE GUI; run without --gui, or set DISPLAY.");
     }
-    int port = JadeRuntime.claim(settings.premises().host(), settings.port(), "--port");
+    int port = Sockets.claim(settings.premises().host(), settings.port(), "--port");
     Premises premises = claimed(settings);
     PlatformMemory memory = PlatformMemory.open(settings, knowledge, clock);
     Path files = temporaryDirectory();
@@ -235,7 +235,7 @@ public final class MaestroPlatform implements AutoCloseable {
             .map(
                 box ->
                     new Premises.LetterBox(
-                        box.host(), JadeRuntime.claim(box.host(), box.port(), "--mtp"))));
+                        box.host(), Sockets.claim(box.host(), box.port(), "--mtp"))));
   }
 
   private void boot() {
@@ -544,7 +544,7 @@ public final class MaestroPlatform implements AutoCloseable {
     heirs.close();
     List<AgentContainer> containers = new ArrayList<>(deployer.close());
     containers.add(main);
-    JadeRuntime.end(containers, sinceNanos);
+    ContainerEnds.end(containers, sinceNanos);
     knowledge.close();
     try (var files = Files.walk(fileDirectory)) {
       files.sorted(Comparator.reverseOrder()).forEach(file -> file.toFile().delete());

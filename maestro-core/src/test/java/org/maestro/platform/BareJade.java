@@ -21,7 +21,7 @@ public final class BareJade implements AutoCloseable {
   public BareJade(String name, Path files, Optional<Guard> guard) {
     this.name = name;
     this.files = files;
-    this.port = JadeRuntime.claim(0);
+    this.port = Sockets.claim(0);
     this.main = JadeRuntime.main(name, port, files, guard);
   }
 
@@ -54,6 +54,6 @@ public final class BareJade implements AutoCloseable {
 
   @Override
   public void close() {
-    JadeRuntime.end(main);
+    ContainerEnds.end(main);
   }
 }

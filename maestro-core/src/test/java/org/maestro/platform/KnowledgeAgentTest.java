@@ -38,7 +38,7 @@ class KnowledgeAgentTest {
     clock = new SteppedClock();
     Home home = new HomeLoader().load(Path.of("../scenarios/src/main/resources/homes/bob.ttl"));
     knowledge = new CollectiveKnowledge(home, clock);
-    main = JadeRuntime.main("knowing", JadeRuntime.claim(0), files);
+    main = JadeRuntime.main("knowing", Sockets.claim(0), files);
     AgentTime time = AgentTime.of(clock);
     JadeRuntime.start(
         main,
@@ -50,7 +50,7 @@ class KnowledgeAgentTest {
 
   @AfterAll
   static void end() {
-    JadeRuntime.end(main);
+    ContainerEnds.end(main);
     knowledge.close();
   }
 

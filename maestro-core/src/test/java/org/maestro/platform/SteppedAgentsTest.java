@@ -39,7 +39,7 @@ class SteppedAgentsTest {
 
   @BeforeAll
   static void startJade() {
-    int port = JadeRuntime.claim(0);
+    int port = Sockets.claim(0);
     main = JadeRuntime.main("stepped-agents", port, files);
     second =
         JadeRuntime.join(
@@ -53,8 +53,8 @@ class SteppedAgentsTest {
 
   @AfterAll
   static void endJade() {
-    JadeRuntime.end(second);
-    JadeRuntime.end(main);
+    ContainerEnds.end(second);
+    ContainerEnds.end(main);
   }
 
   @Test

@@ -1,0 +1,59 @@
+package org.maestro.platform;
+
+import jade.core.Profile;
+import jade.util.leap.Properties;
+import java.io.File;
+import java.nio.file.Path;
+import org.maestro.agents.Host;
+import org.maestro.agents.HostService;
+import org.maestro.agents.pulse.ProcessPulse;
+import org.maestro.agents.pulse.PulseService;
+import org.maestro.agents.stepping.SteppedMailService;
+import org.maestro.platform.guard.SerialFilter;
+import org.maestro.platform.letters.BoundedLetters;
+import org.maestro.platform.letters.EnvelopeReader;
+import org.maestro.platform.threads.AgentThreads;
+
+/**
+ * How a JADE container is to be made, with safe defaults: loopback only, no multicast, no MTP, no
+ * files in the working directory.
+ */
+final class ContainerProfile {
+  private static final String LETTERS = BoundedLetters.class.getName();
+  private static final String SERVICES =
+      String.join(
+          ";",
+          "jade.core.mobility.AgentMobilityService",
+          "jade.core.event.NotificationService",
+          SteppedMailService.class.getName(),
+          PulseService.class.getName(),
+          HostService.class.getName());
+
+  private ContainerProfile() {}
+
+  /** Agents of other platforms are heard; what they send is read with care. */
+  static void exchange(Properties properties, Premises.LetterBox box) {
+    SerialFilter.install();
+    properties.setProperty(Profile.NO_MTP, "false");
+    properties.setProperty(Profile.MTPS, LETTERS + "(" + box.url() + ")");
+    properties.setProperty("jade_mtp_http_parser", EnvelopeReader.class.getName());
+  }
+
+  /** What all containers have in common. */
+  static Properties common(Path fileDirectory, Host host, String from, SharedParts shared) {
+    Properties properties = new Properties();
+    properties.put(ProcessPulse.KEY, shared.pulse());
+    properties.put(HostService.KEY, host);
+    properties.setProperty(Profile.LOCAL_HOST, from);
+    properties.setProperty(Profile.DETECT_MAIN, "false");
+    properties.setProperty(Profile.NO_MTP, "true");
+    properties.setProperty(Profile.SERVICES, SERVICES);
+    properties.setProperty(Profile.FILE_DIR, fileDirectory + File.separator);
+    properties.setProperty("jade_imtp_leap_JICP_JICPServer_acceptlocalhostonly", "true");
+    properties.setProperty("jade_core_messaging_MessageManager_poolsize", "1");
+    properties.setProperty("jade_domain_df_autocleanup", "true");
+    properties.setProperty("jade_core_FullResourceManager_disablethreadgroupinterrupt", "true");
+    AgentThreads.chosen().of(properties);
+    return properties;
+  }
+}
