@@ -18,8 +18,6 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -28,7 +26,6 @@ import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.GroupAgent;
 import org.maestro.agents.Host;
-import org.maestro.agents.HostAgent;
 import org.maestro.agents.KnowledgeAgent;
 import org.maestro.agents.MaestroAgent;
 import org.maestro.agents.Mind;
@@ -49,12 +46,8 @@ import org.maestro.ontology.home.Device;
 import org.maestro.planning.Planner;
 import org.maestro.platform.wires.Wires;
 import org.maestro.rats.link.RatsLink;
-import org.maestro.rats.protocol.Complaints;
-import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Formula;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /**
  * A running platform in this process: a JADE main container with CCA, knowledge agent, supervisor
@@ -62,12 +55,8 @@ import org.slf4j.LoggerFactory;
  * M68-M72). Any thread may use it.
  */
 public final class MaestroPlatform implements AutoCloseable {
-  private static final Logger LOG = LoggerFactory.getLogger(MaestroPlatform.class);
   private static final String GROUPS = "groups";
   private static final String DESK = "desk";
-
-  /** Who asks to be let in waits a little longer. */
-  private static final Duration PLACED_WITHIN = Duration.ofSeconds(15);
 
   /** Containers that have outlived a platform have joined the next one by then. */
   private static final Duration RETURN = Duration.ofSeconds(15);
@@ -87,19 +76,16 @@ public final class MaestroPlatform implements AutoCloseable {
   private final Host host;
   private final Deployer deployer;
   private final Directory directory = new Directory();
-  private final Complaints complaints = new Complaints();
   private final PlatformTables tables;
   private final Mind mind;
   private final Past past;
-  private final Chronicle chronicle;
-  private volatile CoordinatorAgent coordinator;
-  private volatile boolean hasCoordinator = true;
+  private final CentralAgent central;
   private final DeskAgent desk;
   private final SupervisorAgent supervisor;
   private final Rescue rescue;
   private final Starter starter;
-  private final FormerCallers callers;
-  private final CountDownLatch placed = new CountDownLatch(1);
+  private final Arrivals arrivals;
+  private final Departures departures;
   private volatile boolean closing;
   private volatile Optional<Pulse> heartbeats = Optional.empty();
   private final Collection<Story> listeners = new ConcurrentLinkedQueue<>();
@@ -152,14 +138,18 @@ public final class MaestroPlatform implements AutoCloseable {
             new AgentsByName(settings.name(), host, agent -> directory.find(agent).isPresent()),
             settings.premises().provides());
     this.tables = new PlatformTables(deployer.deployment(), directory, clock::instant);
-    Past ofCentre = past.ofCentre();
-    this.chronicle = new Chronicle(ofCentre.journal(), clock, ofCentre.recovery());
-    this.coordinator = coordinator(new Past(chronicle, ofCentre.recovery(), ofCentre.stories()));
+    this.central =
+        new CentralAgent(
+            past.ofCentre(),
+            clock,
+            before ->
+                new CoordinatorAgent(
+                    time, knowledge, planner, this::told, settings.decisionTime(), before));
     this.desk = new DeskAgent(time);
     this.supervisor = new SupervisorAgent(time, link, supervision());
     this.rescue =
         new Rescue(
-            new RescueWays(knowledge::home, deployer, supervisor, () -> coordinator),
+            new RescueWays(knowledge::home, deployer, supervisor, central::now),
             clock,
             Provision.of(settings.premises().provides()));
     this.starter =
@@ -168,7 +158,14 @@ public final class MaestroPlatform implements AutoCloseable {
             settings.premises().host() + ":" + port,
             settings.dataDirectory().orElse(fileDirectory),
             deployer::isElsewhere);
-    this.callers = FormerCallers.of(past.recovery(), link.controller());
+    this.arrivals = new Arrivals(
+            knowledge,
+            describedBy,
+            clock,
+            deployer,
+            rescue,
+            FormerCallers.of(past.recovery(), link.controller()));
+    this.departures = new Departures(deployer, rescue, starter, desk, central, () -> closing);
   }
 
   /**
@@ -240,16 +237,13 @@ public final class MaestroPlatform implements AutoCloseable {
 
   private void boot() {
     PlatformEvents.watch(
-        host.manager().orElseThrow(), directory, time.clock()::instant, new Events());
+        host.manager().orElseThrow(), directory, time.clock()::instant, departures);
     memory.stories().ifPresent(listeners::add);
     accept(KnowledgeAgent.NAME, new KnowledgeAgent(time, knowledge, describedBy));
-    accept(CoordinatorAgent.NAME, coordinator);
+    accept(CoordinatorAgent.NAME, central.now());
     accept(SupervisorAgent.NAME, supervisor);
     accept(DESK, desk);
-    knowledge.home().devices().values().stream()
-        .sorted(Comparator.comparingDouble(Device::order).thenComparing(Device::id))
-        .forEach(device -> place(device.id(), topic(device)));
-    placed.countDown();
+    arrivals.ofHome();
     knowledge
         .home()
         .groups()
@@ -260,7 +254,11 @@ public final class MaestroPlatform implements AutoCloseable {
                     group.id(),
                     group.container().orElse(GROUPS),
                     new GroupAgent(time, mind, group, this::told, past)));
-    link.watch(this::memberChanged);
+    link.watch(
+        member -> {
+          tables.memberChanged(member);
+          arrivals.memberChanged(member);
+        });
     starter.begin(past.ofCentre().recovery().equals(Recovery.NOTHING) ? Duration.ZERO : RETURN);
     if (settings.gui()) {
       try {
@@ -271,27 +269,18 @@ public final class MaestroPlatform implements AutoCloseable {
     }
   }
 
-  private CoordinatorAgent coordinator(Past past) {
-    return new CoordinatorAgent(
-        time, knowledge, mind.planner(), this::told, settings.decisionTime(), past);
-  }
-
   /**
    * Starts the central agent again after it was ended; its goals go on.
    *
    * @return false when it is there
    */
-  public synchronized boolean reviveCoordinator() {
-    if (hasCoordinator || closing) {
-      return false;
-    }
-    CoordinatorAgent revived =
-        coordinator(new Past(chronicle, chronicle.recovery(), coordinator.stories(), true));
-    coordinator = revived;
-    hasCoordinator = true;
-    accept(CoordinatorAgent.NAME, revived);
-    revived.ask(deployer.deployment().agents().stream().map(AgentStart::agent).toList());
-    return true;
+  public boolean reviveCoordinator() {
+    return !closing
+        && central.revive(
+            revived -> {
+              accept(CoordinatorAgent.NAME, revived);
+              revived.ask(deployer.deployment().agents().stream().map(AgentStart::agent).toList());
+            });
   }
 
   /**
@@ -305,130 +294,6 @@ public final class MaestroPlatform implements AutoCloseable {
     } catch (ControllerException e) {
       throw new PlatformStartException("There is no agent " + name + " to end.", e);
     }
-  }
-
-  private static String topic(Device device) {
-    return device.container().orElse(Supervision.DEFAULT_TOPIC);
-  }
-
-  /** A member that no agent stands for yet: it gets one (M3, M7). */
-  private void memberChanged(RatsLink.Member member) {
-    tables.memberChanged(member);
-    if (member.phase() == MemberStatus.Phase.READY
-        && member.description().isPresent()
-        && deployer.deployment().agentOf(member.id()).isEmpty()
-        && !deployer.deployment().isDismissed(member.id())
-        && !knowledge.home().devices().containsKey(member.id())) {
-      Clock.Ticket untilItHasStarted = time.clock().hold("the start of " + member.id());
-      Thread starter =
-          new Thread(
-              () -> {
-                try (untilItHasStarted) {
-                  receive(member.id(), member.description().get());
-                }
-              },
-              "agent-starter");
-      starter.setDaemon(true);
-      starter.start();
-    }
-  }
-
-  /** One whose description cannot be understood stays without an agent; the others go on. */
-  private void receive(String member, String description) {
-    try {
-      place(member, topic(describedBy.apply(description, member)));
-    } catch (RuntimeException e) {
-      if (complaints.isDue(member)) {
-        LOG.warn("The member {} gets no agent: {}", member, Complaints.shortened(e.getMessage()));
-      }
-    }
-  }
-
-  private void place(String member, String topic) {
-    AgentStart start = AgentStart.of(member, topic);
-    Optional<String> former = callers.of(member);
-    if (former.isPresent()) {
-      String container = former.flatMap(HeirLinks::container).orElse(topic);
-      if (deployer.await(start, container)) {
-        rescue.awaits(member, former.get());
-      }
-    } else if (rescue.fitsHere(member)) {
-      deployer.place(start);
-    } else {
-      deployer.deployment().placed(start);
-      rescue.settle(member);
-    }
-  }
-
-  /** What JADE tells of agents and containers. */
-  private final class Events implements PlatformEvents.Listener {
-    @Override
-    public void died(String agent) {
-      agentDied(agent);
-    }
-
-    @Override
-    public void moved(String agent, String container) {
-      deployer.moved(agent, container);
-    }
-
-    @Override
-    public void containerGone(String container) {
-      if (!closing && deployer.isElsewhere(container)) {
-        deployer.deployment().containerGone(container);
-        starter.gone(container);
-      }
-    }
-  }
-
-  /**
-   * A process that had taken a topic ended or was killed: its agents begin here again. One that
-   * ended here is not counted on any more.
-   */
-  private void agentDied(String agent) {
-    if (closing) {
-      return;
-    }
-    desk.agentEnded(agent);
-    if (agent.equals(CoordinatorAgent.NAME)) {
-      hasCoordinator = false;
-      return;
-    }
-    if (deployer.wasHandedOver(agent)) {
-      return;
-    }
-    if (agent.startsWith(HostAgent.name(""))) {
-      rescue.gone(agent.substring(HostAgent.name("").length()));
-      return;
-    }
-    Optional<AgentStart> lost = deployer.ended(agent);
-    if (lost.isPresent()) {
-      coordinator.agentMoves(agent);
-      rescue.lost(agent, HeirLinks.controller(lost.get().container()));
-    } else {
-      coordinator.agentEnded(agent);
-    }
-  }
-
-  /** An agent hangs in a container that lives: another takes its place. */
-  private void replaceHung(Pulse pulse, String agent) {
-    if (closing || deployer.deployment().find(agent).isEmpty()) {
-      return;
-    }
-    LOG.warn("The agent of {} hangs; another takes its place", agent);
-    Thread replacing =
-        new Thread(
-            () -> {
-              coordinator.agentMoves(agent);
-              try {
-                deployer.replace(agent, container -> pulse.end(container, agent));
-              } catch (RuntimeException e) {
-                LOG.warn("The agent of {} gets no other: {}", agent, e.getMessage());
-              }
-            },
-            "agent-starter");
-    replacing.setDaemon(true);
-    replacing.start();
   }
 
   private void accept(String name, MaestroAgent agent) {
@@ -449,7 +314,7 @@ public final class MaestroPlatform implements AutoCloseable {
 
   /** The members that the CCA can use now. */
   public Collection<String> presentMembers() {
-    return coordinator.presentMembers();
+    return central.now().presentMembers();
   }
 
   public KnowledgeBase knowledge() {
@@ -571,17 +436,12 @@ public final class MaestroPlatform implements AutoCloseable {
         new Supervision.Centre() {
           @Override
           public boolean isPlaced() {
-            try {
-              return placed.await(PLACED_WITHIN.toMillis(), TimeUnit.MILLISECONDS);
-            } catch (InterruptedException e) {
-              Thread.currentThread().interrupt();
-              return false;
-            }
+            return arrivals.awaitHome();
           }
 
           @Override
           public void agentMoves(String agent) {
-            coordinator.agentMoves(agent);
+            central.now().agentMoves(agent);
           }
 
           @Override
@@ -614,7 +474,11 @@ public final class MaestroPlatform implements AutoCloseable {
                 time.clock(),
                 settings.heartbeats(),
                 new Vigil(
-                    pulse, wires, deployer, () -> coordinator, agent -> replaceHung(pulse, agent)));
+                    pulse,
+                    wires,
+                    deployer,
+                    central::now,
+                    agent -> departures.replaceHung(pulse, agent)));
           }
         });
   }

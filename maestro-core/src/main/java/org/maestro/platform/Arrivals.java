@@ -1,0 +1,124 @@
+package org.maestro.platform;
+
+import java.time.Duration;
+import java.util.Comparator;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BiFunction;
+import org.maestro.deployment.AgentStart;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.ontology.home.Device;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.Complaints;
+import org.maestro.rats.protocol.MemberStatus;
+import org.maestro.rats.time.Clock;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Gives agents to members that none stands for yet (M3, M7). Any thread may call. */
+final class Arrivals {
+  private static final Logger LOG = LoggerFactory.getLogger(Arrivals.class);
+
+  /** Who asks to be let in waits a little longer. */
+  private static final Duration PLACED_WITHIN = Duration.ofSeconds(15);
+
+  private final KnowledgeBase knowledge;
+  private final BiFunction<String, String, Device> describedBy;
+  private final Clock clock;
+  private final Deployer deployer;
+  private final Rescue rescue;
+  private final FormerCallers callers;
+  private final CountDownLatch placed = new CountDownLatch(1);
+  private final Complaints complaints = new Complaints();
+
+  /**
+   * @param describedBy reads a description (first argument) that a member (second) sent
+   * @param rescue finds hosts for agents that need what this process does not provide
+   * @param callers who called members for what is under way since before
+   */
+  Arrivals(
+      KnowledgeBase knowledge,
+      BiFunction<String, String, Device> describedBy,
+      Clock clock,
+      Deployer deployer,
+      Rescue rescue,
+      FormerCallers callers) {
+    this.knowledge = knowledge;
+    this.describedBy = describedBy;
+    this.clock = clock;
+    this.deployer = deployer;
+    this.rescue = rescue;
+    this.callers = callers;
+  }
+
+  /** The devices of the home get their agents. */
+  void ofHome() {
+    knowledge.home().devices().values().stream()
+        .sorted(Comparator.comparingDouble(Device::order).thenComparing(Device::id))
+        .forEach(device -> place(device.id(), topic(device)));
+    placed.countDown();
+  }
+
+  /** Waits a bounded time; false when the home's devices have no agents even then. */
+  boolean awaitHome() {
+    try {
+      return placed.await(PLACED_WITHIN.toMillis(), TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    }
+  }
+
+  /** A member that no agent stands for yet gets one. */
+  void memberChanged(RatsLink.Member member) {
+    if (member.phase() == MemberStatus.Phase.READY
+        && member.description().isPresent()
+        && deployer.deployment().agentOf(member.id()).isEmpty()
+        && !deployer.deployment().isDismissed(member.id())
+        && !knowledge.home().devices().containsKey(member.id())) {
+      Clock.Ticket untilItHasStarted = clock.hold("the start of " + member.id());
+      Thread starter =
+          new Thread(
+              () -> {
+                try (untilItHasStarted) {
+                  receive(member.id(), member.description().get());
+                }
+              },
+              "agent-starter");
+      starter.setDaemon(true);
+      starter.start();
+    }
+  }
+
+  /** One whose description cannot be understood stays without an agent; the others go on. */
+  private void receive(String member, String description) {
+    try {
+      place(member, topic(describedBy.apply(description, member)));
+    } catch (RuntimeException e) {
+      if (complaints.isDue(member)) {
+        LOG.warn("The member {} gets no agent: {}", member, Complaints.shortened(e.getMessage()));
+      }
+    }
+  }
+
+  private void place(String member, String topic) {
+    AgentStart start = AgentStart.of(member, topic);
+    Optional<String> former = callers.of(member);
+    if (former.isPresent()) {
+      String container = former.flatMap(HeirLinks::container).orElse(topic);
+      if (deployer.await(start, container)) {
+        rescue.awaits(member, former.get());
+      }
+    } else if (rescue.fitsHere(member)) {
+      deployer.place(start);
+    } else {
+      deployer.deployment().placed(start);
+      rescue.settle(member);
+    }
+  }
+
+  private static String topic(Device device) {
+    return device.container().orElse(Supervision.DEFAULT_TOPIC);
+  }
+}

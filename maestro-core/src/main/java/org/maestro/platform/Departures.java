@@ -1,0 +1,108 @@
+package org.maestro.platform;
+
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.DeskAgent;
+import org.maestro.agents.HostAgent;
+import org.maestro.agents.pulse.Pulse;
+import org.maestro.deployment.AgentStart;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * What becomes of agents that have ended or hang, and of containers that are gone: they begin
+ * elsewhere, or are not counted on any more. Any thread may call.
+ */
+final class Departures implements PlatformEvents.Listener {
+  private static final Logger LOG = LoggerFactory.getLogger(Departures.class);
+
+  private final Deployer deployer;
+  private final Rescue rescue;
+  private final Starter starter;
+  private final DeskAgent desk;
+  private final CentralAgent central;
+  private final BooleanSupplier closing;
+
+  /**
+   * @param closing whether the platform itself ends, and nothing is to begin any more
+   */
+  Departures(
+      Deployer deployer,
+      Rescue rescue,
+      Starter starter,
+      DeskAgent desk,
+      CentralAgent central,
+      BooleanSupplier closing) {
+    this.deployer = deployer;
+    this.rescue = rescue;
+    this.starter = starter;
+    this.desk = desk;
+    this.central = central;
+    this.closing = closing;
+  }
+
+  @Override
+  public void moved(String agent, String container) {
+    deployer.moved(agent, container);
+  }
+
+  @Override
+  public void containerGone(String container) {
+    if (!closing.getAsBoolean() && deployer.isElsewhere(container)) {
+      deployer.deployment().containerGone(container);
+      starter.gone(container);
+    }
+  }
+
+  /**
+   * A process that had taken a topic ended or was killed: its agents begin here again. One that
+   * ended here is not counted on any more.
+   */
+  @Override
+  public void died(String agent) {
+    if (closing.getAsBoolean()) {
+      return;
+    }
+    desk.agentEnded(agent);
+    if (agent.equals(CoordinatorAgent.NAME)) {
+      central.ended();
+      return;
+    }
+    if (deployer.wasHandedOver(agent)) {
+      return;
+    }
+    if (agent.startsWith(HostAgent.name(""))) {
+      rescue.gone(agent.substring(HostAgent.name("").length()));
+      return;
+    }
+    Optional<AgentStart> lost = deployer.ended(agent);
+    if (lost.isPresent()) {
+      central.now().agentMoves(agent);
+      rescue.lost(agent, HeirLinks.controller(lost.get().container()));
+    } else {
+      central.now().agentEnded(agent);
+    }
+  }
+
+  /** An agent hangs in a container that lives: another takes its place. */
+  void replaceHung(Pulse pulse, String agent) {
+    if (closing.getAsBoolean() || deployer.deployment().find(agent).isEmpty()) {
+      return;
+    }
+    LOG.warn("The agent of {} hangs; another takes its place", agent);
+    Thread replacing =
+        new Thread(
+            () -> {
+              central.now().agentMoves(agent);
+              try {
+                deployer.replace(agent, container -> pulse.end(container, agent));
+              } catch (RuntimeException e) {
+                LOG.warn("The agent of {} gets no other: {}", agent, e.getMessage());
+              }
+            },
+            "agent-starter");
+    replacing.setDaemon(true);
+    replacing.start();
+  }
+}
