@@ -5,19 +5,13 @@ import jade.wrapper.AgentContainer;
 import jade.wrapper.ControllerException;
 import jade.wrapper.StaleProxyException;
 import java.awt.GraphicsEnvironment;
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
-import java.util.TreeMap;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -31,12 +25,11 @@ import org.maestro.agents.MaestroAgent;
 import org.maestro.agents.Mind;
 import org.maestro.agents.Past;
 import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.SupervisorOrders;
 import org.maestro.agents.Surroundings;
 import org.maestro.agents.pulse.Condition;
-import org.maestro.agents.pulse.Pulse;
 import org.maestro.coordination.Recovery;
 import org.maestro.coordination.Story;
-import org.maestro.coordination.StoryEntry;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.Deployment;
 import org.maestro.deployment.Directory;
@@ -44,7 +37,6 @@ import org.maestro.deployment.Provision;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.ontology.home.Device;
 import org.maestro.planning.Planner;
-import org.maestro.platform.wires.Wires;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Formula;
@@ -69,9 +61,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private final KnowledgeBase knowledge;
   private final BiFunction<String, String, Device> describedBy;
   private final PlatformMemory memory;
-  private final Path fileDirectory;
-  private final int port;
-  private final Wires wires;
+  private final JadeDirectory files;
   private final AgentContainer main;
   private final Host host;
   private final Deployer deployer;
@@ -86,9 +76,9 @@ public final class MaestroPlatform implements AutoCloseable {
   private final Starter starter;
   private final Arrivals arrivals;
   private final Departures departures;
+  private final SignsOfLife signs;
   private volatile boolean closing;
-  private volatile Optional<Pulse> heartbeats = Optional.empty();
-  private final Collection<Story> listeners = new ConcurrentLinkedQueue<>();
+  private final StoriesTold stories = new StoriesTold();
 
   private MaestroPlatform(
       PlatformSettings settings,
@@ -99,8 +89,7 @@ public final class MaestroPlatform implements AutoCloseable {
       Clock clock,
       BiFunction<String, String, Device> describedBy,
       PlatformMemory memory,
-      Path fileDirectory,
-      int port,
+      JadeDirectory files,
       Host host,
       SharedParts shared,
       AgentContainer main) {
@@ -110,16 +99,13 @@ public final class MaestroPlatform implements AutoCloseable {
     this.heirs = heirs;
     this.describedBy = describedBy;
     this.memory = memory;
-    this.fileDirectory = fileDirectory;
-    this.port = port;
-    this.wires = shared.wires();
+    this.files = files;
     this.main = main;
     this.knowledge = knowledge;
     this.host = host;
     this.mind = new Mind(knowledge, planner, settings.decisionTime());
     this.past = memory.past();
-    Surroundings here =
-        new Surroundings(time, link, describedBy, Optional.of(mind), this::told, past);
+    Surroundings here = new Surroundings(time, link, describedBy, Optional.of(mind), stories, past);
     host.give(here);
     this.deployer =
         new Deployer(
@@ -128,9 +114,9 @@ public final class MaestroPlatform implements AutoCloseable {
                 JadeRuntime.join(
                     Optional.of(settings.name()),
                     settings.premises().host(),
-                    port,
+                    settings.port(),
                     name,
-                    fileDirectory,
+                    files.path(),
                     new JadeRuntime.Entry(settings.guard(), false, settings.premises().host()),
                     its,
                     shared),
@@ -144,19 +130,18 @@ public final class MaestroPlatform implements AutoCloseable {
             clock,
             before ->
                 new CoordinatorAgent(
-                    time, knowledge, planner, this::told, settings.decisionTime(), before));
+                    time, knowledge, planner, stories, settings.decisionTime(), before));
     this.desk = new DeskAgent(time);
-    this.supervisor = new SupervisorAgent(time, link, supervision());
     this.rescue =
         new Rescue(
-            new RescueWays(knowledge::home, deployer, supervisor, central::now),
+            new RescueWays(knowledge::home, deployer, this::orders, central::now),
             clock,
             Provision.of(settings.premises().provides()));
     this.starter =
         new Starter(
             settings.premises().hosts(),
-            settings.premises().host() + ":" + port,
-            settings.dataDirectory().orElse(fileDirectory),
+            settings.premises().host() + ":" + settings.port(),
+            settings.dataDirectory().orElseGet(files::path),
             deployer::isElsewhere);
     this.arrivals = new Arrivals(
             knowledge,
@@ -166,6 +151,33 @@ public final class MaestroPlatform implements AutoCloseable {
             rescue,
             FormerCallers.of(past.recovery(), link.controller()));
     this.departures = new Departures(deployer, rescue, starter, desk, central, () -> closing);
+    this.signs =
+        new SignsOfLife(
+            clock,
+            settings.heartbeats(),
+            pulse ->
+                new Vigil(
+                    pulse,
+                    shared.wires(),
+                    deployer,
+                    central::now,
+                    agent -> departures.replaceHung(pulse, agent)));
+    this.supervisor =
+        new SupervisorAgent(
+            time,
+            link,
+            new Supervision(
+                settings,
+                deployer,
+                tables,
+                describedBy,
+                () -> knowledge.home().words(),
+                new PlatformCentre(
+                    arrivals, central, this::reviveCoordinator, rescue, this::orders, signs)));
+  }
+
+  private SupervisorOrders orders() {
+    return supervisor.orders();
   }
 
   /**
@@ -188,17 +200,23 @@ public final class MaestroPlatform implements AutoCloseable {
       throw new PlatformStartException(
           "There is no display for the JADE GUI; run without --gui, or set DISPLAY.");
     }
-    int port = Sockets.claim(settings.premises().host(), settings.port(), "--port");
-    Premises premises = claimed(settings);
+    PlatformSettings claimed = settings.claimed();
     PlatformMemory memory = PlatformMemory.open(settings, knowledge, clock);
-    Path files = temporaryDirectory();
+    JadeDirectory files = JadeDirectory.fresh();
     Host host = new Host();
     SharedParts shared = SharedParts.fresh();
     AgentContainer main =
-        JadeRuntime.main(settings.name(), port, files, host, settings.guard(), shared, premises);
+        JadeRuntime.main(
+            claimed.name(),
+            claimed.port(),
+            files.path(),
+            host,
+            claimed.guard(),
+            shared,
+            claimed.premises());
     MaestroPlatform platform =
         new MaestroPlatform(
-            settings.at(premises),
+            claimed,
             knowledge,
             planner,
             link,
@@ -207,7 +225,6 @@ public final class MaestroPlatform implements AutoCloseable {
             describedBy,
             memory,
             files,
-            port,
             host,
             shared,
             main);
@@ -215,45 +232,21 @@ public final class MaestroPlatform implements AutoCloseable {
     return platform;
   }
 
-  /**
-   * What speaks to agents of other platforms has a port of its own.
-   *
-   * @throws PlatformStartException when that is taken, or the site is secured
-   */
-  private static Premises claimed(PlatformSettings settings) {
-    Premises wanted = settings.premises();
-    if (wanted.letters().isPresent() && settings.guard().isPresent()) {
-      throw new PlatformStartException(
-          "A secured site hears nobody whose messages its own processes have not signed, so it has no --mtp; leave that away, or have the other platform's people join as guests (./maestro secure --guest).");
-    }
-    return wanted.with(
-        wanted
-            .letters()
-            .map(
-                box ->
-                    new Premises.LetterBox(
-                        box.host(), Sockets.claim(box.host(), box.port(), "--mtp"))));
-  }
-
   private void boot() {
     PlatformEvents.watch(
         host.manager().orElseThrow(), directory, time.clock()::instant, departures);
-    memory.stories().ifPresent(listeners::add);
+    memory.stories().ifPresent(stories::addListener);
     accept(KnowledgeAgent.NAME, new KnowledgeAgent(time, knowledge, describedBy));
     accept(CoordinatorAgent.NAME, central.now());
     accept(SupervisorAgent.NAME, supervisor);
     accept(DESK, desk);
     arrivals.ofHome();
-    knowledge
-        .home()
-        .groups()
-        .values()
-        .forEach(
-            group ->
-                deployer.placeGroup(
-                    group.id(),
-                    group.container().orElse(GROUPS),
-                    new GroupAgent(time, mind, group, this::told, past)));
+    for (var group : knowledge.home().groups().values()) {
+      deployer.placeGroup(
+          group.id(),
+          group.container().orElse(GROUPS),
+          new GroupAgent(time, mind, group, stories, past));
+    }
     link.watch(
         member -> {
           tables.memberChanged(member);
@@ -300,16 +293,11 @@ public final class MaestroPlatform implements AutoCloseable {
     JadeRuntime.start(main, name, agent);
   }
 
-  /** The central agent tells, and others that have goals of their own. */
-  private synchronized void told(StoryEntry entry) {
-    listeners.forEach(listener -> listener.tell(entry));
-  }
-
   /**
    * Tells the listener of every sentence of every story from now on, on the coordinator's thread.
    */
   public void onStory(Story listener) {
-    listeners.add(listener);
+    stories.addListener(listener);
   }
 
   /** The members that the CCA can use now. */
@@ -367,7 +355,7 @@ public final class MaestroPlatform implements AutoCloseable {
   }
 
   public int port() {
-    return port;
+    return settings.port();
   }
 
   /** Where this process can be reached, with the ports it has got. */
@@ -382,7 +370,7 @@ public final class MaestroPlatform implements AutoCloseable {
 
   /** Whether the containers of the platform give signs of life; empty on a stepped clock. */
   public SortedMap<String, Condition> containers() {
-    return heartbeats.map(Pulse::containers).orElseGet(TreeMap::new);
+    return signs.containers();
   }
 
   /** Agents that stand for members or groups. */
@@ -411,75 +399,6 @@ public final class MaestroPlatform implements AutoCloseable {
     containers.add(main);
     ContainerEnds.end(containers, sinceNanos);
     knowledge.close();
-    try (var files = Files.walk(fileDirectory)) {
-      files.sorted(Comparator.reverseOrder()).forEach(file -> file.toFile().delete());
-    } catch (IOException e) {
-      throw new java.io.UncheckedIOException("Cannot clean up " + fileDirectory, e);
-    }
-  }
-
-  private static Path temporaryDirectory() {
-    try {
-      return Files.createTempDirectory("maestro-jade");
-    } catch (IOException e) {
-      throw new PlatformStartException("No temporary directory can be made.", e);
-    }
-  }
-
-  private Supervision supervision() {
-    return new Supervision(
-        settings,
-        deployer,
-        tables,
-        describedBy,
-        () -> knowledge.home().words(),
-        new Supervision.Centre() {
-          @Override
-          public boolean isPlaced() {
-            return arrivals.awaitHome();
-          }
-
-          @Override
-          public void agentMoves(String agent) {
-            central.now().agentMoves(agent);
-          }
-
-          @Override
-          public boolean revive() {
-            return reviveCoordinator();
-          }
-
-          @Override
-          public void offered(String offering, List<String> provides) {
-            rescue.offered(offering, provides);
-          }
-
-          @Override
-          public void settled(String agent) {
-            rescue.settled(agent);
-          }
-
-          @Override
-          public void returns(String container) {
-            String controller = HeirLinks.controller(container);
-            rescue
-                .released(controller)
-                .ifPresent(holder -> supervisor.orders().letGo(holder, controller));
-          }
-
-          @Override
-          public void watchOver(Pulse pulse) {
-            heartbeats = Optional.of(pulse);
-            pulse.watch(
-                time.clock(),
-                settings.heartbeats(),
-                new Vigil(
-                    pulse,
-                    wires,
-                    deployer,
-                    central::now,
-                    agent -> departures.replaceHung(pulse, agent)));
-          }
-        });
+    files.close();
   }
 }

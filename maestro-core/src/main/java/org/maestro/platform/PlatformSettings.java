@@ -115,6 +115,39 @@ public record PlatformSettings(
         other);
   }
 
+  /**
+   * The same, with ports of its own where any free one is wanted. What speaks to agents of other
+   * platforms has one apart.
+   *
+   * @throws PlatformStartException when one is taken, or a secured site is to hear other platforms
+   */
+  PlatformSettings claimed() {
+    int own = Sockets.claim(premises.host(), port, "--port");
+    if (premises.letters().isPresent() && guard.isPresent()) {
+      throw new PlatformStartException(
+          "A secured site hears nobody whose messages its own processes have not signed, so it has no --mtp; leave that away, or have the other platform's people join as guests (./maestro secure --guest).");
+    }
+    return new PlatformSettings(
+        name,
+        own,
+        gui,
+        brokerUri,
+        site,
+        decisionTime,
+        storyDirectory,
+        dataDirectory,
+        patience,
+        guard,
+        heartbeats,
+        premises.with(
+            premises
+                .letters()
+                .map(
+                    box ->
+                        new Premises.LetterBox(
+                            box.host(), Sockets.claim(box.host(), box.port(), "--mtp")))));
+  }
+
   /** Of a platform whose goals end with it. */
   public PlatformSettings(
       String name,

@@ -8,7 +8,7 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.agents.CoordinatorAgent;
-import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.SupervisorOrders;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.Provision;
 import org.maestro.ontology.home.Device;
@@ -22,21 +22,22 @@ final class RescueWays implements Rescue.Ways {
 
   private final Supplier<Home> home;
   private final Deployer deployer;
-  private final SupervisorAgent supervisor;
+  private final Supplier<SupervisorOrders> orders;
   private final Supplier<CoordinatorAgent> coordinator;
 
   /**
    * @param home as it is known at the time
+   * @param orders of the supervisor, which is made after those whom it supervises
    * @param coordinator the central agent, which may be another one each time
    */
   RescueWays(
       Supplier<Home> home,
       Deployer deployer,
-      SupervisorAgent supervisor,
+      Supplier<SupervisorOrders> orders,
       Supplier<CoordinatorAgent> coordinator) {
     this.home = home;
     this.deployer = deployer;
-    this.supervisor = supervisor;
+    this.orders = orders;
     this.coordinator = coordinator;
   }
 
@@ -62,7 +63,7 @@ final class RescueWays implements Rescue.Ways {
       String hosting, String member, String controller, Consumer<Optional<String>> problem) {
     AgentStart start = deployer.deployment().require(member).in(hosting);
     deployer.rescued(member, hosting, controller);
-    supervisor.orders().beginOn(hosting, start, controller, problem);
+    orders.get().beginOn(hosting, start, controller, problem);
   }
 
   @Override
@@ -81,6 +82,6 @@ final class RescueWays implements Rescue.Ways {
         member,
         reason);
     coordinator.get().agentStaysAway(member, reason);
-    supervisor.orders().tellLost(member, reason, home.get().groups().keySet());
+    orders.get().tellLost(member, reason, home.get().groups().keySet());
   }
 }

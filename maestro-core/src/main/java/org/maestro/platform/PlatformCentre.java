@@ -1,0 +1,72 @@
+package org.maestro.platform;
+
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import org.maestro.agents.SupervisorOrders;
+import org.maestro.agents.pulse.Pulse;
+
+/** What the supervision has of the platform around it: those it tells, and who revives whom. */
+final class PlatformCentre implements Supervision.Centre {
+  private final Arrivals arrivals;
+  private final CentralAgent central;
+  private final BooleanSupplier reviving;
+  private final Rescue rescue;
+  private final Supplier<SupervisorOrders> orders;
+  private final SignsOfLife signs;
+
+  /**
+   * @param reviving begins the central agent again; false when it is there
+   * @param orders of the supervisor, which is made after those whom it supervises
+   */
+  PlatformCentre(
+      Arrivals arrivals,
+      CentralAgent central,
+      BooleanSupplier reviving,
+      Rescue rescue,
+      Supplier<SupervisorOrders> orders,
+      SignsOfLife signs) {
+    this.arrivals = arrivals;
+    this.central = central;
+    this.reviving = reviving;
+    this.rescue = rescue;
+    this.orders = orders;
+    this.signs = signs;
+  }
+
+  @Override
+  public boolean isPlaced() {
+    return arrivals.awaitHome();
+  }
+
+  @Override
+  public void agentMoves(String agent) {
+    central.now().agentMoves(agent);
+  }
+
+  @Override
+  public boolean revive() {
+    return reviving.getAsBoolean();
+  }
+
+  @Override
+  public void offered(String offering, List<String> provides) {
+    rescue.offered(offering, provides);
+  }
+
+  @Override
+  public void settled(String agent) {
+    rescue.settled(agent);
+  }
+
+  @Override
+  public void returns(String container) {
+    String controller = HeirLinks.controller(container);
+    rescue.released(controller).ifPresent(holder -> orders.get().letGo(holder, controller));
+  }
+
+  @Override
+  public void watchOver(Pulse pulse) {
+    signs.watch(pulse);
+  }
+}
