@@ -16,7 +16,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.Consumer;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.Charge;
 import org.maestro.ontology.home.Device;
@@ -39,24 +38,21 @@ public final class GenericAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
   private static final Logger LOG = LoggerFactory.getLogger(GenericAgent.class);
   static final Duration ANSWER_WITHIN = Duration.ofSeconds(30);
-  private static final Duration TRY_AGAIN = Duration.ofMillis(500);
-  private static final int MOST_ATTEMPTS = 10;
-  private static final int PATIENT_ATTEMPTS = 6;
 
   private final LinkedHashSet<AID> listeners = new LinkedHashSet<>();
   private final FormerCalls formerCalls = new FormerCalls();
+  private final DirectoryEntry entry = new DirectoryEntry();
 
   /** How it was started, in words: this is what travels. */
   private String configuration = "";
 
-  private boolean registered;
   private Movement movement;
 
   private transient Optional<Surroundings> here = Optional.empty();
   private transient Map<String, Voice> voices = Map.of();
   private transient PriceResponder prices;
   private transient Settling settling;
-  private transient Once objections = new Once();
+  private transient Doorkeeper door;
 
   /** Made by JADE, which has its arguments. */
   public GenericAgent() {
@@ -78,7 +74,6 @@ public final class GenericAgent extends MaestroAgent {
     in.defaultReadObject();
     here = Optional.empty();
     voices = Map.of();
-    objections = new Once();
   }
 
   @Override
@@ -112,9 +107,11 @@ public final class GenericAgent extends MaestroAgent {
       all.put(charge.member(), new Voice(this, charge, surroundings, formerCalls));
     }
     voices = all;
+    door = new Doorkeeper(this, all);
     Optional<String> mark = all.size() > 1 ? Optional.of(getLocalName()) : Optional.empty();
     prices =
-        new PriceResponder(this, words -> voice(words).map(Voice::view), this::objection, mark);
+        new PriceResponder(
+            this, words -> door.voice(words).map(Voice::view), door::objection, mark);
     settling =
         new Settling(
             clock(),
@@ -155,17 +152,6 @@ public final class GenericAgent extends MaestroAgent {
     send(message(ACLMessage.INFORM, getAID(SupervisorAgent.NAME), words));
   }
 
-  /** The member of which a message speaks, or the only one. */
-  private Optional<Voice> voice(Words words) {
-    Optional<String> named = words.string("member");
-    if (named.isPresent()) {
-      return named.map(voices::get);
-    }
-    return voices.size() == 1
-        ? voices.values().stream().findFirst()
-        : Optional.ofNullable(voices.get(getLocalName()));
-  }
-
   void announce(Content news) {
     send(message(ACLMessage.INFORM, getAID(CoordinatorAgent.NAME), news));
     listeners.forEach(listener -> send(message(ACLMessage.INFORM, listener, news)));
@@ -190,10 +176,10 @@ public final class GenericAgent extends MaestroAgent {
 
   /** Makes the agent's entry in the yellow pages what it has to be now. */
   void registerServices() {
-    registerServices(1);
+    entry.renew(this, this::offering);
   }
 
-  private void registerServices(int attempt) {
+  private Map<String, Device> offering() {
     Map<String, Device> offering = new LinkedHashMap<>();
     voices.forEach(
         (member, voice) ->
@@ -202,32 +188,7 @@ public final class GenericAgent extends MaestroAgent {
                 .device()
                 .filter(device -> voice.view().isReady())
                 .ifPresent(device -> offering.put(member, device)));
-    boolean before = registered;
-    Optional<ACLMessage> request = YellowPages.request(this, offering, before);
-    registered = !offering.isEmpty();
-    if (clock().isStepped()) {
-      request.ifPresent(this::send);
-    } else {
-      request.ifPresent(
-          message ->
-              ask(message, ANSWER_WITHIN, receipt -> registeredOrNot(receipt, before, attempt)));
-    }
-  }
-
-  /**
-   * An entry of an agent of this name that has just died may be there still, and goes in a moment;
-   * or it has been removed meanwhile. If it does not go it is taken over.
-   */
-  private void registeredOrNot(ACLMessage receipt, boolean before, int attempt) {
-    boolean failed =
-        receipt.getPerformative() == ACLMessage.FAILURE
-            || receipt.getPerformative() == ACLMessage.REFUSE;
-    if (failed && attempt < MOST_ATTEMPTS) {
-      registered = !before && attempt > PATIENT_ATTEMPTS;
-      clock()
-          .schedule(
-              patience(TRY_AGAIN), getLocalName(), () -> tell(() -> registerServices(attempt + 1)));
-    }
+    return offering;
   }
 
   @Override
@@ -262,14 +223,15 @@ public final class GenericAgent extends MaestroAgent {
       Words words = Words.of(content);
       switch (content.operator()) {
         case "perform" ->
-            settling.once(() -> when(message, ACLMessage.REQUEST, () -> perform(message, words)));
+            settling.once(
+                () -> door.when(message, ACLMessage.REQUEST, () -> perform(message, words)));
         case "cost" ->
-            when(
+            door.when(
                 message,
                 ACLMessage.REQUEST,
-                () -> allowed(message, words, voice -> voice.performances().cost(message, words)));
+                () -> door.allowed(message, words, voice -> voice.prices().cost(message, words)));
         case "cancel" -> cancel(message, words);
-        case "subscribe" -> when(message, ACLMessage.SUBSCRIBE, () -> subscribe(message));
+        case "subscribe" -> door.when(message, ACLMessage.SUBSCRIBE, () -> subscribe(message));
         case "query-ref" ->
             voices.values().stream()
                 .flatMap(voice -> voice.goals().stream())
@@ -287,42 +249,10 @@ public final class GenericAgent extends MaestroAgent {
     }
   }
 
-  private void asked(ACLMessage message, Words words, Consumer<Voice> deed) {
-    voice(words)
-        .ifPresentOrElse(
-            deed,
-            () ->
-                refuse(
-                    message,
-                    ACLMessage.REFUSE,
-                    "%s stands for %s; say which one is meant, such as (:member %s)."
-                        .formatted(
-                            getLocalName(),
-                            String.join(", ", voices.keySet()),
-                            voices.keySet().stream().findFirst().orElse(""))));
-  }
-
-  /** Only who may ask for the feature is answered (A28). */
-  private void allowed(ACLMessage message, Words words, Consumer<Voice> deed) {
-    objection(message, words, words.string("feature").orElse(""))
-        .ifPresentOrElse(
-            reason -> refuse(message, ACLMessage.REFUSE, reason),
-            () -> asked(message, words, deed));
-  }
-
-  private Optional<String> objection(ACLMessage message, Words words, String feature) {
-    Optional<String> objection =
-        voice(words).flatMap(voice -> voice.objection(message, words, feature));
-    objection
-        .filter(objections::isNew)
-        .ifPresent(reason -> LOG.warn("{} refuses: {}", getLocalName(), reason));
-    return objection;
-  }
-
   private void perform(ACLMessage message, Words words) {
     Optional<String> action = words.string("action");
     if (action.isEmpty()) {
-      allowed(message, words, voice -> voice.performances().perform(message, words));
+      door.allowed(message, words, voice -> voice.performances().perform(message, words));
     } else if (!message.getSender().equals(getAID(SupervisorAgent.NAME))) {
       refuse(
           message,
@@ -391,7 +321,7 @@ public final class GenericAgent extends MaestroAgent {
     if (own.isPresent() && words.string("goal").isPresent()) {
       GoalWords.cancel(this, message, words, own.get());
     } else {
-      when(
+      door.when(
           message,
           ACLMessage.CANCEL,
           () -> voices.values().forEach(voice -> voice.performances().cancel(words)));
@@ -431,20 +361,5 @@ public final class GenericAgent extends MaestroAgent {
   protected void takeDown() {
     voices.values().forEach(Voice::end);
     super.takeDown();
-  }
-
-  /** A device must not move because of a message that does not order it to. */
-  private void when(ACLMessage message, int performative, Runnable deed) {
-    if (message.getPerformative() == performative) {
-      deed.run();
-    } else {
-      refuse(
-          message,
-          ACLMessage.NOT_UNDERSTOOD,
-          "This is understood in a %s only, and this message is a %s."
-              .formatted(
-                  ACLMessage.getPerformative(performative).toLowerCase(),
-                  BidReader.performative(message)));
-    }
   }
 }

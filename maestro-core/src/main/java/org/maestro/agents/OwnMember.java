@@ -22,12 +22,14 @@ final class OwnMember implements Market, Crew {
   private final String member;
   private final MemberView view;
   private final Performances performances;
+  private final PriceQuestions prices;
   private int calls;
 
-  OwnMember(String member, MemberView view, Performances performances) {
+  OwnMember(String member, MemberView view, Performances performances, PriceQuestions prices) {
     this.member = member;
     this.view = view;
     this.performances = performances;
+    this.prices = prices;
   }
 
   @Override
@@ -54,7 +56,7 @@ final class OwnMember implements Market, Crew {
       String feature,
       List<Map<String, Argument>> sets,
       Consumer<List<Quote>> answer) {
-    performances.quote(feature, sets, answer);
+    prices.quote(feature, sets, answer);
   }
 
   @Override

@@ -13,7 +13,6 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.maestro.coordination.Argument;
 import org.maestro.coordination.Crew;
-import org.maestro.coordination.Market;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.members.CallReporter;
 import org.maestro.members.JsonTerms;
@@ -22,15 +21,14 @@ import org.maestro.members.MemberView;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.Call;
-import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.Offer;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.sl.Content;
 import org.maestro.sl.Term;
 
 /**
- * What a generic agent's member is asked to do: calls over the bus and questions for prices, turned
- * into messages to who asked. Agent thread only.
+ * What a generic agent's member is asked to do: calls over the bus, turned into messages to who
+ * asked. Agent thread only.
  */
 final class Performances {
   private static final int MOST_RECENT = 256;
@@ -250,74 +248,6 @@ final class Performances {
 
   private static String conversation(ACLMessage message) {
     return Optional.ofNullable(message.getConversationId()).orElse("none");
-  }
-
-  void cost(ACLMessage message, Words words) {
-    String feature = words.string("feature").orElse("");
-    List<Map<String, Object>> sets = new ArrayList<>();
-    for (Content.Argument.Named named : words.all()) {
-      if (named.name().equals("set")) {
-        Map<String, Object> set = new TreeMap<>();
-        Orders.arguments(Words.of(named))
-            .forEach((key, argument) -> set.put(key, JsonTerms.json(argument)));
-        sets.add(set);
-      }
-    }
-    link.cost(
-        member,
-        feature,
-        sets,
-        answers ->
-            agent.tell(
-                () ->
-                    agent.reply(
-                        message,
-                        ACLMessage.INFORM,
-                        answers.stream().map(Performances::price).toArray(Content[]::new))));
-  }
-
-  /** Exact prices, for the agent's own plans. */
-  void quote(
-      String feature, List<Map<String, Argument>> sets, Consumer<List<Market.Quote>> answer) {
-    List<Map<String, Object>> parameters = new ArrayList<>();
-    for (Map<String, Argument> set : sets) {
-      Map<String, Object> json = new TreeMap<>();
-      set.forEach((key, argument) -> json.put(key, JsonTerms.json(argument)));
-      parameters.add(json);
-    }
-    link.cost(
-        member,
-        feature,
-        parameters,
-        answers ->
-            agent.tell(() -> answer.accept(answers.stream().map(Performances::quote).toList())));
-  }
-
-  private static Market.Quote quote(CostAnswer answer) {
-    String reason = answer.reason().orElse("no reason given");
-    if (answer.cost().isPresent()) {
-      return new Market.Quote.Priced(
-          answer.cost().get(), answer.seconds().orElse(answer.cost().get()));
-    }
-    return answer.answered()
-        ? new Market.Quote.Declined(reason)
-        : new Market.Quote.Unanswered(reason);
-  }
-
-  private static Content price(CostAnswer answer) {
-    if (answer.cost().isPresent()) {
-      return Words.content(
-          "cost",
-          Words.named(
-              "price",
-              Words.number(answer.cost().get()),
-              Words.number(answer.seconds().orElse(answer.cost().get()))));
-    }
-    return Words.content(
-        "cost",
-        Words.named(
-            answer.answered() ? "reason" : "unanswered",
-            Words.text(answer.reason().orElse("no reason given"))));
   }
 
   void cancel(Words words) {

@@ -28,6 +28,7 @@ final class Voice implements MemberNews.Listener {
   private final MemberView view = new MemberView();
   private final MemberNews news;
   private final Performances performances;
+  private final PriceQuestions prices;
   private final Optional<OwnGoals> goals;
   private Optional<String> configured;
   private Rights rights = Rights.UNKNOWN;
@@ -42,7 +43,8 @@ final class Voice implements MemberNews.Listener {
     this.news = new MemberNews(member, view, this::read, this);
     this.performances =
         new Performances(agent, member, here.link(), view, news, formerCalls, this::say);
-    OwnMember own = new OwnMember(member, view, performances);
+    this.prices = new PriceQuestions(agent, member, here.link());
+    OwnMember own = new OwnMember(member, view, performances, prices);
     this.goals =
         here.mind()
             .map(
@@ -94,6 +96,10 @@ final class Voice implements MemberNews.Listener {
 
   Performances performances() {
     return performances;
+  }
+
+  PriceQuestions prices() {
+    return prices;
   }
 
   Optional<OwnGoals> goals() {

@@ -13,13 +13,11 @@ import java.util.stream.Collectors;
 import org.maestro.knowledge.Belief;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.knowledge.Source;
-import org.maestro.ontology.vocabulary.Price;
 import org.maestro.planning.Objective;
 import org.maestro.planning.Plan;
 import org.maestro.planning.PlanningResult;
 import org.maestro.planning.Step;
 import org.maestro.rats.time.Clock;
-import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
@@ -34,7 +32,7 @@ final class GoalStory {
   private final Story story;
   private final Clock clock;
   private final KnowledgeBase knowledge;
-  private String lastBids = "";
+  private final BidSentences bids = new BidSentences();
 
   GoalStory(String goalId, Story story, Clock clock, KnowledgeBase knowledge) {
     this.goalId = goalId;
@@ -164,45 +162,8 @@ final class GoalStory {
                 step.member(), step.number(), sentence(step), reason.replaceAll("\\.$", "")));
   }
 
-  void bids(List<Bid> bids, int notCalled, int questions, List<String> unpriced) {
-    List<String> offers =
-        bids.stream()
-            .filter(bid -> bid.refusal().isEmpty())
-            .map(bid -> bid.member() + " " + prices(bid.prices()))
-            .toList();
-    List<String> refusals =
-        bids.stream()
-            .filter(bid -> bid.refusal().isPresent())
-            .map(bid -> bid.member() + " (" + bid.refusal().get() + ")")
-            .toList();
-    String told =
-        (offers.isEmpty() ? "Nobody bids" : "Bids: " + String.join("; ", offers))
-            + (refusals.isEmpty() ? "" : ". Refused: " + String.join("; ", refusals))
-            + (notCalled == 0 ? "" : ". " + notCalled + " others describe higher prices");
-    String prices =
-        (questions == 0 ? "" : " Exact prices asked: " + questions + ".")
-            + (unpriced.isEmpty() ? "" : " Not priced: " + String.join("; ", unpriced) + ".");
-    tell(
-        StoryEntry.Kind.BIDS,
-        told.equals(lastBids) ? "The bids are the same as before." + prices : told + "." + prices);
-    lastBids = told;
-  }
-
-  private static String prices(Map<String, Price> prices) {
-    return prices.entrySet().stream()
-        .map(e -> e.getKey() + " " + price(e.getValue()))
-        .collect(Collectors.joining(", "));
-  }
-
-  private static String price(Price price) {
-    if (price instanceof Price.Stated stated) {
-      return amount(stated.cost());
-    }
-    return "at least " + amount(((Price.Asked) price).atLeast());
-  }
-
-  private static String amount(Expression cost) {
-    return cost instanceof Expression.OfTerm ? SlPrinter.print(cost) : "by formula";
+  void bids(List<Bid> called, int notCalled, int questions, List<String> unpriced) {
+    tell(StoryEntry.Kind.BIDS, bids.of(called, notCalled, questions, unpriced));
   }
 
   void plan(int number, Plan plan, boolean confirming) {

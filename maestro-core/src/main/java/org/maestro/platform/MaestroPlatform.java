@@ -143,7 +143,8 @@ public final class MaestroPlatform implements AutoCloseable {
             settings.premises().host() + ":" + settings.port(),
             settings.dataDirectory().orElseGet(files::path),
             deployer::isElsewhere);
-    this.arrivals = new Arrivals(
+    this.arrivals =
+        new Arrivals(
             knowledge,
             describedBy,
             clock,
