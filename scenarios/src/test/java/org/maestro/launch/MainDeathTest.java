@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import jade.lang.acl.ACLMessage;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.BindException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -18,6 +19,7 @@ import java.util.concurrent.ThreadLocalRandom;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.RepeatedTest;
@@ -130,12 +132,25 @@ class MainDeathTest {
     }
   }
 
-  private static String told(Map<String, JavaProcess> processes) {
+  private String told(Map<String, JavaProcess> processes) {
     StringBuilder told = new StringBuilder();
     processes.forEach(
         (name, process) ->
             told.append("%s said:%n%s%n%s%n".formatted(name, process.output(), process.errors())));
-    return told.toString();
+    return told + logs();
+  }
+
+  /** All processes of a test write to one log, which says why what failed did. */
+  private String logs() {
+    try (Stream<Path> files = Files.walk(directory)) {
+      StringBuilder logs = new StringBuilder();
+      for (Path log : files.filter(file -> file.toString().endsWith(".log")).toList()) {
+        logs.append("%s:%n%s%n".formatted(log, Files.readString(log)));
+      }
+      return logs.toString();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   /** How often it has become the home of the agents. */
