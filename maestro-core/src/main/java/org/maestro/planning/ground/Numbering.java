@@ -270,10 +270,15 @@ final class Numbering {
       amounts.add(bound.least() == null ? BigDecimal.ZERO : bound.least());
       amounts.add(bound.most() == null ? BigDecimal.ZERO : bound.most());
     }
-    drafts.forEach(draft -> amounts.addAll(draft.changes().values()));
+    for (Draft draft : drafts) {
+      patience.check();
+      amounts.addAll(draft.changes().values());
+    }
     BigDecimal grain = Grounder.unit(amounts);
+    patience.refuseIfOver();
     BigDecimal unit = Grounder.unit(drafts.stream().map(Draft::cost).toList()).max(coarsestUnit);
     List<Bound> scaledBounds = bounds.keySet().stream().map(bound -> scaled(bound, grain)).toList();
+    patience.refuseIfOver();
     List<GroundOperator> operators = new ArrayList<>(drafts.size());
     for (Draft draft : drafts) {
       patience.check();

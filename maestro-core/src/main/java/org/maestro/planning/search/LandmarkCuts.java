@@ -26,7 +26,10 @@ final class LandmarkCuts {
   private final long[] value;
   private long[] rest;
   private int[] open;
+
+  /** Of each operator that is reached the dearest fact that it needs; of the others none. */
   private int[] supporter;
+
   private long[] supporterValue;
   private int count;
   private final boolean[] inGoalZone;
@@ -61,6 +64,7 @@ final class LandmarkCuts {
     patience.refuseIfOver();
     int facts = goal + 1;
     consumers = SearchTask.inverse(needed, facts);
+    patience.refuseIfOver();
     achievers = SearchTask.inverse(added, facts);
     patience.refuseIfOver();
     value = new long[facts];
@@ -87,7 +91,7 @@ final class LandmarkCuts {
     initialCount = 0;
     task.forEachFact(state, fact -> initial[initialCount++] = fact);
     count = operators;
-    return estimate();
+    return estimate(INFINITE);
   }
 
   /** Starts an estimate from facts that are given one by one. */
@@ -114,8 +118,12 @@ final class LandmarkCuts {
     rest[count++] = price;
   }
 
-  /** The estimate from what was given since {@link #begin}. */
-  long estimate() {
+  /**
+   * The estimate from what was given since {@link #begin}.
+   *
+   * @param enough to know that it is no less
+   */
+  long estimate(long enough) {
     System.arraycopy(costs, 0, rest, 0, costs.length);
     rest[costs.length] = 0;
     initial[initialCount++] = truth;
@@ -125,11 +133,12 @@ final class LandmarkCuts {
       if (value[goal] >= INFINITE) {
         return INFINITE;
       }
-      if (value[goal] == 0) {
+      if (value[goal] == 0 || total >= enough) {
         return total;
       }
       markGoalZone();
       total += pay();
+      patience.refuseIfOver();
     }
   }
 
@@ -315,7 +324,7 @@ final class LandmarkCuts {
 
   private int enter(int o, int fact, int before) {
     int size = before;
-    if (open[o] == 0 && supporter[o] == fact && !entersGoalZone(o)) {
+    if (supporter[o] == fact && !entersGoalZone(o)) {
       for (int next : added[o]) {
         if (!inFrontZone[next]) {
           inFrontZone[next] = true;
@@ -335,7 +344,7 @@ final class LandmarkCuts {
       }
       patience.check();
       for (int o : consumers[fact]) {
-        if (open[o] == 0 && supporter[o] == fact && supporterValue[o] > now) {
+        if (supporter[o] == fact && supporterValue[o] > now) {
           long before = supporterValue[o];
           chooseSupporter(o);
           if (supporterValue[o] < before) {

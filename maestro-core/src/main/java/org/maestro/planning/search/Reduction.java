@@ -38,8 +38,12 @@ final class Reduction {
     BitSet constant = new BitSet(task.facts());
     Arrays.stream(task.initial()).forEach(constant::set);
     for (GroundOperator operator : task.operators()) {
-      Arrays.stream(operator.deleted()).forEach(constant::clear);
+      patience.check();
+      for (int fact : operator.deleted()) {
+        constant.clear(fact);
+      }
     }
+    patience.refuseIfOver();
     if (constant.isEmpty()) {
       return task;
     }
@@ -88,10 +92,11 @@ final class Reduction {
     patience.refuseIfOver();
     List<GroundOperator> operators = task.operators();
     int[][] needed = operators.stream().map(GroundOperator::needed).toArray(int[][]::new);
+    patience.refuseIfOver();
     int[][] consumers = SearchTask.inverse(needed, task.facts());
+    patience.refuseIfOver();
     int[] open = Arrays.stream(needed).mapToInt(list -> list.length).toArray();
     BitSet reached = new BitSet(task.facts());
-    patience.refuseIfOver();
     Deque<Integer> queue = new ArrayDeque<>();
     for (int fact : task.initial()) {
       reached.set(fact);
@@ -99,6 +104,7 @@ final class Reduction {
     }
     BitSet applied = new BitSet(operators.size());
     for (int o = 0; o < open.length; o++) {
+      patience.check();
       if (open[o] == 0) {
         apply(operators.get(o), o, applied, reached, queue);
       }
@@ -135,9 +141,9 @@ final class Reduction {
   private static GroundTask withoutIrrelevant(GroundTask task, Patience patience) {
     patience.refuseIfOver();
     List<GroundOperator> operators = task.operators();
-    int[][] achievers =
-        SearchTask.inverse(
-            operators.stream().map(GroundOperator::added).toArray(int[][]::new), task.facts());
+    int[][] added = operators.stream().map(GroundOperator::added).toArray(int[][]::new);
+    patience.refuseIfOver();
+    int[][] achievers = SearchTask.inverse(added, task.facts());
     BitSet relevant = new BitSet(operators.size());
     patience.refuseIfOver();
     BitSet wanted = new BitSet(task.facts());
@@ -158,6 +164,7 @@ final class Reduction {
       }
       sumsDone = wantedSums.cardinality();
       for (int o = 0; o < operators.size() && sumsDone > 0; o++) {
+        patience.check();
         GroundOperator operator = operators.get(o);
         if (!relevant.get(o) && Arrays.stream(operator.changedSums()).anyMatch(wantedSums::get)) {
           relevant.set(o);

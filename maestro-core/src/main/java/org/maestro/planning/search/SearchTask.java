@@ -46,8 +46,12 @@ final class SearchTask {
     BitSet used = new BitSet(origin.facts());
     Arrays.stream(origin.goal()).forEach(used::set);
     for (GroundOperator operator : operators) {
-      Arrays.stream(operator.needed()).forEach(used::set);
+      patience.check();
+      for (int fact : operator.needed()) {
+        used.set(fact);
+      }
     }
+    patience.refuseIfOver();
     numberOf = new int[origin.facts()];
     Arrays.fill(numberOf, -1);
     int count = 0;
@@ -82,7 +86,9 @@ final class SearchTask {
       set(initial, fact);
     }
     System.arraycopy(origin.sums(), 0, initial, words, origin.sums().length);
+    patience.refuseIfOver();
     consumers = inverse(relaxedNeeded, relaxedFacts);
+    patience.refuseIfOver();
     List<Integer> free = new ArrayList<>();
     for (int o = 0; o < size; o++) {
       if (relaxedNeeded[o].length == 0) {

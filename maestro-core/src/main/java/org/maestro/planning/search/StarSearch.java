@@ -160,7 +160,8 @@ final class StarSearch {
     for (int leaf = 0; leaf < leaves.length; leaf++) {
       addSources(leaves[leaf], prices(key, leaf), opens.get(centre)[leaf]);
     }
-    estimate[node] = cuts.estimate();
+    // What costs as much as the best plan is dropped: by how much it costs more does not matter.
+    estimate[node] = cuts.estimate(below - cost[node]);
     if (estimate[node] >= LandmarkCuts.INFINITE) {
       closed[node] = true;
       return;
