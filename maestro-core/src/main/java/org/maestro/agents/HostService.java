@@ -41,6 +41,12 @@ public final class HostService extends BaseService {
   }
 
   @Override
+  public void shutdown() {
+    super.shutdown();
+    host.end();
+  }
+
+  @Override
   public ServiceHelper getHelper(Agent agent) {
     return new Access() {
       @Override

@@ -52,8 +52,7 @@ final class ContainerProfile {
     properties.setProperty("jade_imtp_leap_JICP_JICPServer_acceptlocalhostonly", "true");
     properties.setProperty("jade_core_messaging_MessageManager_poolsize", "1");
     properties.setProperty("jade_domain_df_autocleanup", "true");
-    properties.setProperty("jade_core_FullResourceManager_disablethreadgroupinterrupt", "true");
-    AgentThreads.chosen().of(properties);
+    AgentThreads.chosen().choose(properties);
     return properties;
   }
 }

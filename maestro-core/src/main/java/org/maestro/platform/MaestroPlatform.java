@@ -234,8 +234,7 @@ public final class MaestroPlatform implements AutoCloseable {
   }
 
   private void boot() {
-    PlatformEvents.watch(
-        host.manager().orElseThrow(), directory, time.clock()::instant, departures);
+    PlatformEvents.watch(host, directory, time.clock()::instant, departures);
     memory.stories().ifPresent(stories::addListener);
     accept(KnowledgeAgent.NAME, new KnowledgeAgent(time, knowledge, describedBy));
     accept(CoordinatorAgent.NAME, central.now());

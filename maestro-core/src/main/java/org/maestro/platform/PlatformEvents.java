@@ -8,6 +8,7 @@ import jade.core.event.MTPEvent;
 import jade.core.event.PlatformEvent;
 import java.time.Instant;
 import java.util.function.Supplier;
+import org.maestro.agents.Host;
 import org.maestro.deployment.Directory;
 
 /** Keeps the directory as the platform's own manager of agents has it, and tells who ended. */
@@ -33,10 +34,10 @@ final class PlatformEvents implements AgentManager.Listener {
   }
 
   /** Begins with what is there already. */
-  static void watch(
-      AgentManager manager, Directory directory, Supplier<Instant> now, Listener listener) {
+  static void watch(Host main, Directory directory, Supplier<Instant> now, Listener listener) {
     PlatformEvents events = new PlatformEvents(directory, now, listener);
-    manager.addListener(events);
+    main.watch(events);
+    AgentManager manager = main.manager().orElseThrow();
     for (ContainerID container : manager.containerIDs()) {
       events.joined(container);
       try {

@@ -2,7 +2,9 @@ package org.maestro.junit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.lang.ref.WeakReference;
 import java.time.Duration;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
@@ -14,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.assembly.LocalSite;
 import org.maestro.rats.broker.EmbeddedBroker;
+import org.maestro.sim.World;
 
 /** What a stage costs and leaves, measured without others beside it. */
 @Isolated("counts the threads of the process")
@@ -21,6 +24,9 @@ class StageLifeTest {
 
   private static final Set<String> AGENTS =
       Set.of("CCA", "knowledge", "supervisor", "desk", "rose", "cam-a", "lamp-a1", "lux-a");
+
+  /** Of each main container. */
+  private static final Set<String> OF_JADE = Set.of("ams", "df");
 
   @MaestroTest(home = "bob", scene = "bob-dark")
   private static final class Dark {}
@@ -50,19 +56,36 @@ class StageLifeTest {
 
   @Test
   void nothingIsLeftBehind() {
+    Set<Thread> before = threadsOfJade();
     try (EmbeddedBroker broker = EmbeddedBroker.start()) {
-      Stage stepped = stepped();
-      Stage paced = paced(broker);
-      assertThat(ourThreads()).contains("CCA", "rose").anyMatch(name -> name.contains("paceddark"));
-
-      stepped.close();
-      paced.close();
+      List<WeakReference<World>> worlds = closedWorlds(broker);
 
       // JADE lets no container end that is younger than three seconds.
       Awaitility.await()
           .atMost(Duration.ofSeconds(20))
-          .untilAsserted(() -> assertThat(ourThreads()).isEmpty());
+          .untilAsserted(
+              () -> {
+                assertThat(ourThreads()).isEmpty();
+                assertThat(threadsOfJade()).isSubsetOf(before);
+                System.gc();
+                assertThat(worlds).as("memory").allMatch(world -> world.get() == null);
+              });
     }
+  }
+
+  /** A method of its own, as a frame holds what stands in it. */
+  private static List<WeakReference<World>> closedWorlds(EmbeddedBroker broker) {
+    try (Stage stepped = stepped();
+        Stage paced = paced(broker)) {
+      assertThat(ourThreads()).contains("CCA", "rose").anyMatch(name -> name.contains("paceddark"));
+      return List.of(new WeakReference<>(stepped.world()), new WeakReference<>(paced.world()));
+    }
+  }
+
+  private static Set<Thread> threadsOfJade() {
+    return Thread.getAllStackTraces().keySet().stream()
+        .filter(thread -> OF_JADE.contains(thread.getName()))
+        .collect(Collectors.toSet());
   }
 
   /** Those of agents, clocks, closing containers, and of connections to the bus. */

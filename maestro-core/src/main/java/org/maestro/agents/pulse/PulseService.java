@@ -95,6 +95,7 @@ public final class PulseService extends BaseService {
   public void shutdown() {
     own.end();
     watch.ifPresent(ContainerWatch::end);
+    watch = Optional.empty();
     super.shutdown();
   }
 

@@ -52,6 +52,13 @@ public final class SteppedMailService extends BaseService {
     };
   }
 
+  /** The container has no agents any more; JADE keeps this service. */
+  @Override
+  public void shutdown() {
+    super.shutdown();
+    mailBySender.clear();
+  }
+
   private final class Outgoing extends Filter {
     @Override
     protected boolean accept(VerticalCommand command) {

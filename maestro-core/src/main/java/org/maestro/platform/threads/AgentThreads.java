@@ -1,5 +1,6 @@
 package org.maestro.platform.threads;
 
+import jade.core.Profile;
 import jade.util.leap.Properties;
 import java.util.Locale;
 
@@ -15,7 +16,10 @@ public enum AgentThreads {
   public static final String PROPERTY = "maestro.threads";
 
   /** JADE's profile key for who makes the threads of a container, a class name. */
-  static final String RESOURCE = "resource";
+  private static final String RESOURCE = "resource";
+
+  /** Ours, for which of them are chosen. */
+  private static final String CHOSEN = "maestro-threads";
 
   /**
    * As the property says, else as light as this Java has them.
@@ -47,10 +51,14 @@ public enum AgentThreads {
         "There are no threads called %s; -D%s is platform or virtual.".formatted(name, PROPERTY));
   }
 
-  /** Has a container take them; JADE's own maker of threads stays where they are the system's. */
-  public void of(Properties profile) {
-    if (this == VIRTUAL) {
-      profile.setProperty(RESOURCE, ThreadsForMany.class.getName());
-    }
+  /** Has a container take them. */
+  public void choose(Properties profile) {
+    profile.setProperty(RESOURCE, ContainerThreads.class.getName());
+    profile.setProperty(CHOSEN, name());
+  }
+
+  /** Those that a container was to take. */
+  static AgentThreads of(Profile profile) {
+    return valueOf(profile.getParameter(CHOSEN, PLATFORM.name()));
   }
 }
