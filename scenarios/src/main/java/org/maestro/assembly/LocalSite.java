@@ -106,6 +106,7 @@ public final class LocalSite implements AutoCloseable {
             : Optional.of(SiteBus.ownBroker(settings.security()));
     URI uri = settings.broker().orElseGet(() -> own.orElseThrow().uri());
     SiteBus shared = new SiteBus(uri, settings.name(), settings.security());
+    settings.broker().ifPresent(external -> shared.requireLetIn(CONTROLLER));
     PacedClock clock = new PacedClock(speed);
     LocalSite site =
         new LocalSite(

@@ -1,12 +1,14 @@
 package org.maestro.assembly;
 
 import java.net.URI;
+import java.time.Duration;
 import java.util.Optional;
 import java.util.function.Function;
 import org.maestro.rats.broker.EmbeddedBroker;
 import org.maestro.rats.link.SiteKind;
 import org.maestro.rats.member.CallPolicy;
 import org.maestro.rats.security.SiteSecurity;
+import org.maestro.rats.transport.BrokerDoor;
 import org.maestro.rats.transport.PahoTransport;
 import org.maestro.rats.transport.Transport;
 
@@ -16,6 +18,12 @@ import org.maestro.rats.transport.Transport;
  * sites can share a broker.
  */
 public final class SiteBus {
+  private static final Duration ANSWER_WITHIN = Duration.ofSeconds(10);
+  private static final String OF_SITE =
+      "it has to run with the files that ./maestro secure wrote for it";
+  private static final String OPEN =
+      "without --security DIR only a broker that lets everybody in will do";
+
   private final URI broker;
   private final String site;
   private final Optional<SiteSecurity> security;
@@ -45,6 +53,25 @@ public final class SiteBus {
     return security
         .map(files -> EmbeddedBroker.startSecured(files.artemis(), 0))
         .orElseGet(EmbeddedBroker::start);
+  }
+
+  /**
+   * Makes sure that the broker lets a user of this site in, before anything begins.
+   *
+   * @param id of the member or controller that is to connect anyway
+   * @throws SiteException when it does not, with its reason
+   */
+  public void requireLetIn(String id) {
+    BrokerDoor door = new BrokerDoor(broker, ANSWER_WITHIN);
+    security
+        .map(files -> door.objection(files.password(id)))
+        .orElseGet(door::objection)
+        .ifPresent(
+            reason -> {
+              throw new SiteException(
+                  "The broker %s does not let %s in: %s; %s."
+                      .formatted(broker, id, reason, security.isPresent() ? OF_SITE : OPEN));
+            });
   }
 
   private static void requireOf(String site, SiteSecurity files) {

@@ -58,6 +58,7 @@ final class DevicesCommand implements Callable<Integer> {
     }
     URI uri = Endpoint.broker(broker);
     SiteBus bus = new SiteBus(uri, site, security.files());
+    bus.requireLetIn((wanted.isEmpty() ? loaded.devices().keySet() : wanted).iterator().next());
     SimulatedHome.Setup setup =
         new SimulatedHome.Setup(
                 loaded,

@@ -68,6 +68,7 @@ final class ZigbeeCommand implements Callable<Integer> {
     HomeLamps role = role();
     URI zigbee = Endpoint.broker(gateway);
     SiteBus bus = new SiteBus(Endpoint.broker(broker), site, security.files());
+    role.ids().stream().findFirst().ifPresent(bus::requireLetIn);
     try (PacedClock clock = new PacedClock(1);
         ZigbeeBridge bridge =
             ZigbeeBridge.start(

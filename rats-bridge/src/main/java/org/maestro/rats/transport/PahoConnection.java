@@ -3,6 +3,10 @@ package org.maestro.rats.transport;
 import static java.nio.charset.StandardCharsets.UTF_8;
 
 import java.net.URI;
+import java.security.GeneralSecurityException;
+import java.security.cert.CertificateException;
+import java.security.cert.CertificateExpiredException;
+import java.security.cert.CertificateNotYetValidException;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
@@ -206,7 +210,18 @@ final class PahoConnection implements MqttCallback {
     while (root.getCause() != null && root.getCause() != root) {
       root = root.getCause();
     }
-    return root.getMessage() == null ? root.getClass().getSimpleName() : root.getMessage();
+    String message =
+        root.getMessage() == null ? root.getClass().getSimpleName() : root.getMessage();
+    if (root instanceof CertificateExpiredException
+        || root instanceof CertificateNotYetValidException) {
+      return "its certificate is out of date (" + message + ")";
+    }
+    if (root instanceof CertificateException) {
+      return "its certificate is of another name (" + message + ")";
+    }
+    return root instanceof GeneralSecurityException
+        ? "its certificate is not of the site's CA (" + message + ")"
+        : message;
   }
 
   @Override

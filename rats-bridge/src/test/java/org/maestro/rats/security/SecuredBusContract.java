@@ -32,6 +32,7 @@ import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Result;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.protocol.WireFormat;
+import org.maestro.rats.transport.BrokerDoor;
 import org.maestro.rats.transport.Credentials;
 import org.maestro.rats.transport.PahoTransport;
 import org.maestro.rats.transport.Publication;
@@ -60,6 +61,27 @@ abstract class SecuredBusContract {
     Path files = SecuredSite.files(directory);
     try (SecuredSite site = new SecuredSite(files, byCertificate(files))) {
       worksFor(site, site.security::certificate);
+    }
+  }
+
+  @Test
+  void whoIsNotLetInIsToldWhy() {
+    Path files = SecuredSite.files(directory);
+    SiteSecurity other = SiteSecurity.open(SecuredSite.files(directory.resolve("other")));
+    try (SecuredSite site = new SecuredSite(files, byPassword(files))) {
+      BrokerDoor door = new BrokerDoor(site.uri(), Duration.ofSeconds(20));
+      Credentials right = site.security.password("cca");
+      Credentials guessed = new Credentials("cca", Optional.of("guessed"), right.tls());
+
+      assertThat(door.objection(right)).isEmpty();
+      assertThat(door.objection(guessed))
+          .get()
+          .asString()
+          .containsAnyOf("Not authorized", "Bad User Name or Password");
+      assertThat(door.objection(other.password("cca")))
+          .get()
+          .asString()
+          .startsWith("its certificate is not of the site's CA");
     }
   }
 
