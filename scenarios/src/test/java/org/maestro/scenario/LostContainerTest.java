@@ -49,6 +49,10 @@ import org.maestro.sl.SlParser;
 @Isolated("its time is wall time, which others beside it would take")
 class LostContainerTest {
   private static final double SPEED = 10;
+
+  /** Slow enough for the goal to outlast the process's awakening. */
+  private static final double SPEED_TO_THAW_IN = 2;
+
   private static final String ROBOT = "rose";
   private static final Set<String> DEEDS = Set.of("pickUp", "placeAt");
 
@@ -78,6 +82,37 @@ class LostContainerTest {
   void bobGetsHisCupThoughTheProcessOfTheRobotsAgentFreezesAndItJoinsAgainWhenItThaws()
       throws Exception {
     bobsCup(Disturbance.FREEZE);
+  }
+
+  /**
+   * The process comes to life again while the robot's other agent is at work: what the one there
+   * had is none of its business any more.
+   */
+  @Test
+  @Tag("full")
+  void bobGetsHisCupThoughTheFrozenProcessThawsMeanwhile() throws Exception {
+    name = "thawed-" + Long.toString(System.nanoTime(), Character.MAX_RADIX);
+    try (EmbeddedBroker broker = EmbeddedBroker.start();
+        LocalSite site = LocalSite.paced(settings(broker), SPEED_TO_THAW_IN);
+        BusWitness witness = BusWitness.listen(new PahoTransport(broker.uri(), "witness"), name);
+        JavaProcess robots = take(site)) {
+      until(() -> robots.output().contains("The container robots runs here") || !robots.isAlive());
+      until(() -> site.platform().presentMembers().contains(ROBOT));
+      Pursued pursued = pursue(site);
+      until(pursued.atWork()::isDone);
+      robots.freeze();
+      until(() -> isLost(site));
+      until(() -> site.platform().presentMembers().contains(ROBOT));
+      robots.thaw();
+      until(pursued.ended()::isDone);
+      String story = told(pursued.story());
+      assertThat(pursued.ended().join().reached()).as(story).isTrue();
+      assertThat(story).doesNotContain("has lost its agent");
+      until(() -> robots.output().contains("it joins again"));
+      until(() -> site.platform().presentMembers().contains(ROBOT));
+      assertThat(witness.executedTwice()).isEmpty();
+      assertThat(witness.doneTwice(DEEDS)).isEmpty();
+    }
   }
 
   /**

@@ -73,6 +73,11 @@ final class OwnPulse {
     return givenUp.get() || process.isOverdue();
   }
 
+  /** Whether others act in the place of this container's agents, under their names. */
+  boolean isGivenUp() {
+    return givenUp.get();
+  }
+
   void giveUp(String why) {
     process.leave(this);
     if (!ended && givenUp.compareAndSet(false, true)) {

@@ -47,6 +47,7 @@ public final class PulseService extends BaseService {
 
   private final PulseSlice slice = new Local();
   private final Filter nodes = new Nodes();
+  private final Filter silence = new Silence();
   private volatile OwnPulse own;
   private volatile Optional<ContainerWatch> watch = Optional.empty();
   private volatile AgentContainer container;
@@ -83,7 +84,7 @@ public final class PulseService extends BaseService {
 
   @Override
   public Filter getCommandFilter(boolean direction) {
-    return direction == Filter.INCOMING ? nodes : null;
+    return direction == Filter.INCOMING ? nodes : silence;
   }
 
   @Override
@@ -97,6 +98,17 @@ public final class PulseService extends BaseService {
     watch.ifPresent(ContainerWatch::end);
     watch = Optional.empty();
     super.shutdown();
+  }
+
+  /**
+   * A container that has been given up tells nobody of its agents' ends: others have their names
+   * now, and JADE would take those out.
+   */
+  private final class Silence extends Filter {
+    @Override
+    public boolean accept(VerticalCommand command) {
+      return !command.getName().equals(AgentManagementSlice.INFORM_KILLED) || !own.isGivenUp();
+    }
   }
 
   /** From this container to the main one. */
