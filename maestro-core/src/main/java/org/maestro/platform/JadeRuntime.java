@@ -188,6 +188,19 @@ final class JadeRuntime {
   }
 
   /**
+   * Shows JADE's own windows: its remote management agent begins in the main container.
+   *
+   * @throws PlatformStartException when it cannot begin
+   */
+  static void showGui(AgentContainer main) {
+    try {
+      main.createNewAgent("rma", "jade.tools.rma.rma", new Object[0]).start();
+    } catch (StaleProxyException e) {
+      throw new PlatformStartException("The JADE GUI could not start.", e);
+    }
+  }
+
+  /**
    * Starts the agent and waits until it has set itself up, so that agents start one after the
    * other.
    */

@@ -3,7 +3,6 @@ package org.maestro.platform;
 import jade.lang.acl.ACLMessage;
 import jade.wrapper.AgentContainer;
 import jade.wrapper.ControllerException;
-import jade.wrapper.StaleProxyException;
 import java.awt.GraphicsEnvironment;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -254,11 +253,7 @@ public final class MaestroPlatform implements AutoCloseable {
         });
     starter.begin(past.ofCentre().recovery().equals(Recovery.NOTHING) ? Duration.ZERO : RETURN);
     if (settings.gui()) {
-      try {
-        main.createNewAgent("rma", "jade.tools.rma.rma", new Object[0]).start();
-      } catch (StaleProxyException e) {
-        throw new PlatformStartException("The JADE GUI could not start.", e);
-      }
+      JadeRuntime.showGui(main);
     }
   }
 
