@@ -3,7 +3,7 @@ package org.maestro.device;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
+import java.util.function.Function;
 import org.maestro.hal.Completion;
 import org.maestro.hal.GripperArm;
 import org.maestro.hal.Position;
@@ -39,25 +39,22 @@ abstract class ArmTask extends DeviceProcedure {
     return arm;
   }
 
-  final Reach reach() {
-    return reach;
-  }
-
   /**
    * @param plan where to go, asked again when something came in the way
    * @param chosen told the spot that will be reached
    */
   final ActionSequence.Action approach(
-      Supplier<Optional<Reach.Approach>> plan, Consumer<Point2> chosen, String doing) {
+      Function<Reach, Optional<Reach.Approach>> plan, Consumer<Point2> chosen, String doing) {
     return new ActionSequence.Action(
         "approach",
         completion ->
             robot.drive(
                 () -> {
-                  Optional<Reach.Approach> approach = plan.get();
+                  Optional<Reach.Approach> approach = plan.apply(reach);
                   approach.ifPresent(found -> chosen.accept(found.spot()));
                   return approach.map(Reach.Approach::route);
                 },
+                inTheWay(plan)::clause,
                 completion),
         reason -> unreachable(doing + ": " + reason + "."));
   }
@@ -67,13 +64,20 @@ abstract class ArmTask extends DeviceProcedure {
   }
 
   /** The price of a task of the arm, with what of the way counts for it. */
-  final CostAnswer price(Optional<Reach.Approach> approach, double armSeconds, String doing) {
+  final CostAnswer price(
+      Function<Reach, Optional<Reach.Approach>> plan, double armSeconds, String doing) {
+    Optional<Reach.Approach> approach = plan.apply(reach);
     if (approach.isEmpty()) {
-      return impossible("There is no free way for " + doing);
+      return impossible(inTheWay(plan).sentence("for " + doing));
     }
     double metres = Math.min(approach.get().route().length(), Prices.LONGEST_APPROACH_METRES);
     double driving = metres / robot.base().speed();
     return price(driving + armSeconds, driving * robot.base().power() + armSeconds * arm.power());
+  }
+
+  private InTheWay inTheWay(Function<Reach, Optional<Reach.Approach>> plan) {
+    return new InTheWay(
+        robot, amid -> plan.apply(new Reach(amid, arm.reach())).map(Reach.Approach::route));
   }
 
   final CostAnswer price(double armSeconds) {

@@ -44,6 +44,7 @@ final class MoveTask extends DeviceProcedure {
             onward
                 .flatMap(place -> robot.routeInto(area, place))
                 .or(() -> robot.routeToNearest(goals)),
+        () -> new InTheWay(robot, amid -> amid.routeToNearest(goals)).clause(),
         new Completion() {
           @Override
           public void done() {
@@ -81,9 +82,14 @@ final class MoveTask extends DeviceProcedure {
 
   @Override
   CostAnswer cost(CallParameters parameters) {
-    Optional<Route> route = robot.routeToNearest(robot.standsIn(area(parameters)));
-    return route
+    List<Point2> goals = robot.standsIn(area(parameters));
+    return robot
+        .routeToNearest(goals)
         .map(way -> price(Math.max(LEAST_SECONDS, robot.seconds(way)), robot.joules(way)))
-        .orElseGet(() -> impossible("There is no free way to " + parameters.pointer("to").name()));
+        .orElseGet(
+            () ->
+                impossible(
+                    new InTheWay(robot, amid -> amid.routeToNearest(goals))
+                        .sentence("to " + parameters.pointer("to").name())));
   }
 }

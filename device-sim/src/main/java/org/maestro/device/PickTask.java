@@ -38,7 +38,7 @@ final class PickTask extends ArmTask {
             execution,
             List.of(
                 approach(
-                    () -> reach().to(place.floor()),
+                    reach -> reach.to(place.floor()),
                     spot -> {},
                     "Cannot drive to " + object.name()),
                 new ActionSequence.Action("open hand", arm()::open),
@@ -66,7 +66,7 @@ final class PickTask extends ArmTask {
     return context()
         .deposits()
         .position(object)
-        .map(place -> price(reach().to(place.floor()), arm().pickSeconds(), object.name()))
+        .map(place -> price(reach -> reach.to(place.floor()), arm().pickSeconds(), object.name()))
         .orElseGet(() -> price(arm().pickSeconds()));
   }
 }

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.Supplier;
+import java.util.function.Function;
 import org.maestro.hal.Area;
 import org.maestro.hal.Completion;
 import org.maestro.hal.Position;
@@ -41,7 +41,7 @@ final class PlaceTask extends ArmTask {
             execution,
             List.of(
                 approach(
-                    () -> ways(target).orElseThrow().get(),
+                    reach -> ways(target).orElseThrow().apply(reach),
                     point -> spot.set(Position.onFloor(point)),
                     "Cannot place at " + target.name()),
                 new ActionSequence.Action(
@@ -91,23 +91,23 @@ final class PlaceTask extends ArmTask {
    * Empty when the target can be nowhere; what is found by asking is empty when there is no free
    * spot or way.
    */
-  private Optional<Supplier<Optional<Reach.Approach>>> ways(Pointer target) {
+  private Optional<Function<Reach, Optional<Reach.Approach>>> ways(Pointer target) {
     Optional<Area> area =
         target
             .outline()
             .map(outline -> new Area(target.name(), outline, outline.centroid()))
             .or(() -> robot().area(target.name()));
     if (area.isPresent()) {
-      return Optional.of(() -> reach().within(area.get()));
+      return Optional.of(reach -> reach.within(area.get()));
     }
-    return context().deposits().position(target).map(place -> () -> reach().beside(place.floor()));
+    return context().deposits().position(target).map(place -> reach -> reach.beside(place.floor()));
   }
 
   @Override
   CostAnswer cost(CallParameters parameters) {
     Pointer target = parameters.pointer("target");
     return ways(target)
-        .map(approach -> price(approach.get(), arm().placeSeconds(), target.name()))
+        .map(approach -> price(approach, arm().placeSeconds(), target.name()))
         .orElseGet(() -> price(arm().placeSeconds()));
   }
 }

@@ -1,7 +1,6 @@
 package org.maestro.device;
 
 import java.util.List;
-import java.util.Optional;
 import org.maestro.hal.Battery;
 import org.maestro.hal.Completion;
 import org.maestro.ontology.home.Point2;
@@ -34,6 +33,7 @@ final class RechargeTask extends DeviceProcedure {
         });
     robot.drive(
         () -> robot.routeToNearest(List.of(place)),
+        () -> inTheWay(place).clause(),
         new Completion() {
           @Override
           public void done() {
@@ -65,9 +65,14 @@ final class RechargeTask extends DeviceProcedure {
   @Override
   CostAnswer cost(CallParameters parameters) {
     Pointer station = parameters.pointer("station");
-    Optional<Route> route = robot.routeToNearest(List.of(place(station)));
-    return route
+    Point2 place = place(station);
+    return robot
+        .routeToNearest(List.of(place))
         .map(way -> price(robot.seconds(way) + battery.secondsToFull(), robot.joules(way)))
-        .orElseGet(() -> impossible("There is no free way to " + station.name()));
+        .orElseGet(() -> impossible(inTheWay(place).sentence("to " + station.name())));
+  }
+
+  private InTheWay inTheWay(Point2 place) {
+    return new InTheWay(robot, amid -> amid.routeToNearest(List.of(place)));
   }
 }

@@ -8,6 +8,7 @@ import org.maestro.hal.Area;
 import org.maestro.hal.Completion;
 import org.maestro.hal.MobileBase;
 import org.maestro.hal.Surroundings;
+import org.maestro.hal.Surroundings.Obstacle;
 import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Segment;
 
@@ -34,8 +35,12 @@ final class Robot {
   private WalledFloor walls;
 
   Robot(FeatureContext context) {
-    this.base = context.driver(MobileBase.class);
-    this.surroundings = context.driver(Surroundings.class);
+    this(context.driver(MobileBase.class), context.driver(Surroundings.class));
+  }
+
+  private Robot(MobileBase base, Surroundings surroundings) {
+    this.base = base;
+    this.surroundings = surroundings;
     this.walls = new WalledFloor(List.of(), base.radius());
   }
 
@@ -50,6 +55,11 @@ final class Robot {
   Optional<Route> routeToNearest(List<Point2> goals) {
     walls = walls.with(surroundings.walls());
     return new RoutePlanner(walls, surroundings.obstacles()).shortest(base.position(), goals);
+  }
+
+  /** The same robot, if nothing stood on the floor but this. */
+  Robot amid(List<Obstacle> obstacles) {
+    return new Robot(base, new Amid(surroundings, obstacles));
   }
 
   double seconds(Route route) {
@@ -144,15 +154,18 @@ final class Robot {
 
   /**
    * Drives along what is planned; when something came in the way, along what is then planned anew.
+   *
+   * @param noWay what is said when there is none
    */
-  void drive(Supplier<Optional<Route>> plan, Completion completion) {
-    drive(plan, completion, ATTEMPTS);
+  void drive(Supplier<Optional<Route>> plan, Supplier<String> noWay, Completion completion) {
+    drive(plan, noWay, completion, ATTEMPTS);
   }
 
-  private void drive(Supplier<Optional<Route>> plan, Completion completion, int attempts) {
+  private void drive(
+      Supplier<Optional<Route>> plan, Supplier<String> noWay, Completion completion, int attempts) {
     Optional<Route> route = plan.get();
     if (route.isEmpty()) {
-      completion.failed("there is no free way");
+      completion.failed(noWay.get());
       return;
     }
     base.drive(
@@ -166,11 +179,23 @@ final class Robot {
           @Override
           public void failed(String reason) {
             if (attempts > 1) {
-              drive(plan, completion, attempts - 1);
+              drive(plan, noWay, completion, attempts - 1);
             } else {
               completion.failed(reason);
             }
           }
         });
+  }
+
+  private record Amid(Surroundings all, List<Obstacle> obstacles) implements Surroundings {
+    @Override
+    public List<Segment> walls() {
+      return all.walls();
+    }
+
+    @Override
+    public List<Area> areas() {
+      return all.areas();
+    }
   }
 }

@@ -17,6 +17,10 @@ public interface Surroundings {
 
   List<Area> areas();
 
-  /** Something round that stands on the floor; metres. */
-  record Obstacle(Point2 middle, double radius) {}
+  /**
+   * Something round that stands on the floor; metres.
+   *
+   * @param name of the thing, person or device
+   */
+  record Obstacle(String name, Point2 middle, double radius) {}
 }

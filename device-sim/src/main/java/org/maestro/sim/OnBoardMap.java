@@ -6,8 +6,8 @@ import org.maestro.hal.Surroundings;
 import org.maestro.ontology.home.Segment;
 
 /**
- * A robot's map with laser scanner: it sees all that stands on the floor, exactly and everywhere
- * (assumed).
+ * A robot's map with laser scanner: it sees all that stands on the floor, exactly and everywhere,
+ * and knows what it is (assumed).
  */
 final class OnBoardMap implements Surroundings {
 

@@ -91,7 +91,7 @@ final class Whereabouts {
       for (Body body : bodies.values()) {
         if (body.isObstacle() && !body.name().equals(robot)) {
           Point2 place = position(body.name()).orElseThrow().floor();
-          obstacles.add(new Obstacle(place, body.radius()));
+          obstacles.add(new Obstacle(body.name(), place, body.radius()));
         }
       }
       return obstacles;

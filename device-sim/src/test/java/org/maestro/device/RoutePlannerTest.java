@@ -66,7 +66,7 @@ class RoutePlannerTest {
             new Segment(point(3, 3), point(0, 3)),
             new Segment(point(0, 3), point(0, 0)));
     RoutePlanner planner =
-        new RoutePlanner(room, List.of(new Obstacle(point(1.5, 1.5), 0.2)), RADIUS);
+        new RoutePlanner(room, List.of(new Obstacle("body", point(1.5, 1.5), 0.2)), RADIUS);
     assertThat(planner.shortest(point(0.5, 0.5), List.of(point(5, 5)))).isEmpty();
     assertThat(planner.shortest(point(0.5, 0.5), List.of(point(1.6, 1.5)))).isEmpty();
     assertThat(planner.shortest(point(0.5, 0.5), List.of(point(2.5, 2.5)))).isPresent();
@@ -89,7 +89,7 @@ class RoutePlannerTest {
       @ForAll @DoubleRange(min = 0, max = 4) double x,
       @ForAll @DoubleRange(min = 0, max = 4) double y,
       @ForAll @DoubleRange(min = 0, max = 0.5) double thickness) {
-    Obstacle obstacle = new Obstacle(point(x, y), thickness);
+    Obstacle obstacle = new Obstacle("body", point(x, y), thickness);
     RoutePlanner planner = new RoutePlanner(List.of(WALL), List.of(obstacle), RADIUS);
     Point2 start = point(-1, -0.5);
     planner

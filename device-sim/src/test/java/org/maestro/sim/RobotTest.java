@@ -118,6 +118,41 @@ class RobotTest {
   }
 
   @Test
+  void namesWhatStandsInTheOnlyWay() {
+    homes.world().moveByHand("Bob", new Position(3, 2.35, 0));
+    homes.world().moveByHand("Cup", new Position(3.6, 2.35, 0));
+    assertThat(moveToA().error().orElseThrow().message())
+        .isEqualTo("Cannot drive to zone-a: there is no free way: Bob stands in it.");
+    List<String> reasons = new ArrayList<>();
+    homes.link.cost(
+        "rose",
+        "move",
+        List.of(Map.of("to", Homes.ref("zone-a"))),
+        answers -> answers.forEach(answer -> reasons.add(answer.reason().orElseThrow())));
+    homes.clock.run(Duration.ofSeconds(1));
+    assertThat(reasons).containsExactly("There is no free way to zone-a: Bob stands in it");
+    homes.world().moveByHand("Cup", new Position(2.5, 2.35, 0));
+    assertThat(call("pick", Map.of("object", homes.at("Cup"))).error().orElseThrow().message())
+        .isEqualTo("Cannot drive to Cup: there is no free way: Bob stands in it.");
+  }
+
+  @Test
+  void namesBothOfWhichEitherWouldLeaveNoWay() {
+    homes.world().moveByHand("Bob", new Position(3, 1.9, 0));
+    homes.world().moveByHand("Cup", new Position(3, 2.6, 0));
+    assertThat(moveToA().error().orElseThrow().message())
+        .isEqualTo("Cannot drive to zone-a: there is no free way: Bob and Cup stand in it.");
+  }
+
+  @Test
+  void namesNobodyWhereADoorBarsTheWay() {
+    homes.world().setDoor("door-ab", false);
+    homes.world().moveByHand("Bob", new Position(3.5, 2.35, 0));
+    assertThat(moveToA().error().orElseThrow().message())
+        .isEqualTo("Cannot drive to zone-a: there is no free way.");
+  }
+
+  @Test
   void standsStillBeforeADoorThatCloses() {
     homes
         .world()
