@@ -61,7 +61,7 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
     err.flush();
   }
 
-  private static String sentence(Exception failure) {
+  static String sentence(Exception failure) {
     String message = failure.getMessage();
     if (message == null || message.isBlank()) {
       return failure.getClass().getSimpleName() + "; --debug shows where.";
@@ -69,7 +69,7 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
     return message.strip().replaceAll("\\s*\\R\\s*", " ");
   }
 
-  private static int exitCode(Exception failure) {
+  static int exitCode(Exception failure) {
     if (failure instanceof CommandException own) {
       return own.exitCode();
     }

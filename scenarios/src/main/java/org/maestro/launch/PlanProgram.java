@@ -13,15 +13,31 @@ public final class PlanProgram {
 
   /** The entry point; the arguments are those after {@code plan}. */
   public static void main(String[] arguments) {
-    Failures failures = new Failures();
-    CommandLine commandLine =
-        new CommandLine(new PlanCommand())
-            .setOut(new PrintWriter(System.out, false, StandardCharsets.UTF_8))
-            .setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8))
-            .setExecutionExceptionHandler(failures)
-            .setParameterExceptionHandler(failures);
-    int exitCode = commandLine.execute(arguments);
-    commandLine.getOut().flush();
+    PrintWriter out = new PrintWriter(System.out, false, StandardCharsets.UTF_8);
+    PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
+    int exitCode =
+        PddlSolving.Asked.plain(arguments)
+            .map(asked -> solve(new PddlSolving(asked, out, err), err))
+            .orElseGet(() -> command(out, err).execute(arguments));
+    out.flush();
     System.exit(exitCode);
+  }
+
+  private static int solve(PddlSolving solving, PrintWriter err) {
+    try {
+      return solving.solve();
+    } catch (RuntimeException e) {
+      err.println("maestro: " + Failures.sentence(e));
+      return Failures.exitCode(e);
+    }
+  }
+
+  private static CommandLine command(PrintWriter out, PrintWriter err) {
+    Failures failures = new Failures();
+    return new CommandLine(new PlanCommand())
+        .setOut(out)
+        .setErr(err)
+        .setExecutionExceptionHandler(failures)
+        .setParameterExceptionHandler(failures);
   }
 }

@@ -134,6 +134,25 @@ class PlanCommandTest {
     assertThat(ended.errors()).doesNotContain("\tat ");
   }
 
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "d.pddl p.pddl | true",
+        "--first d.pddl --deadline 5 p.pddl | true",
+        "d.pddl p.pddl --deadline=5 | false",
+        "d.pddl p.pddl --deadline -5 | false",
+        "d.pddl p.pddl --deadline soon | false",
+        "d.pddl p.pddl --deadline | false",
+        "d.pddl | false",
+        "d.pddl p.pddl q.pddl | false",
+        "bob (in | false",
+        "--help | false"
+      })
+  void whatMostWriteNeedsNoLibraryToBeRead(String arguments, boolean plain) {
+    assertThat(PddlSolving.Asked.plain(arguments.split(" ")).isPresent()).isEqualTo(plain);
+  }
+
   private Said solve(String domain, String problem) throws IOException {
     Path d = Files.writeString(directory.resolve("d.pddl"), domain);
     Path p = Files.writeString(directory.resolve("p.pddl"), problem);
