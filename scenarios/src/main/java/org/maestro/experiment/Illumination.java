@@ -219,7 +219,8 @@ final class Illumination implements Experiment {
     page.heading("Paper and measurement").comparison(rows(dark, recovery));
     page.heading("Figures");
     figures.forEach(page::figure);
-    page.heading("What the illumination agent planned, run 1").list(recovery.get(0).plans());
+    page.heading("What the illumination agent found and planned, run 1")
+        .list(recovery.get(0).plans());
     page.heading("What was assumed")
         .list(
             List.of(

@@ -2,9 +2,12 @@ package org.maestro.experiment;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.DoubleUnaryOperator;
@@ -40,6 +43,10 @@ record LightRun(
 
   /** Of a fifth of a second, at 30 frames a second. */
   private static final int FRAMES = 6;
+
+  private static final Set<StoryEntry.Kind> TOLD =
+      EnumSet.of(
+          StoryEntry.Kind.HELD, StoryEntry.Kind.LOST, StoryEntry.Kind.PLAN, StoryEntry.Kind.DONE);
 
   private static final double BEFORE = 80;
   private static final double PERIOD_SECONDS = 20;
@@ -174,10 +181,14 @@ record LightRun(
   }
 
   /** The plan by which the agent raised the light, as it told it. */
+  /** What it found and planned, and when: it counts its plans anew after each loss. */
   List<String> plans() {
     return story.stream()
-        .filter(entry -> entry.kind() == StoryEntry.Kind.PLAN)
-        .map(StoryEntry::text)
+        .filter(entry -> TOLD.contains(entry.kind()))
+        .map(
+            entry ->
+                String.format(
+                    Locale.ROOT, "%.1f s: %s", entry.at().toMillis() / 1000.0, entry.text()))
         .toList();
   }
 }

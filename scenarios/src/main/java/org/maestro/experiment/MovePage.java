@@ -21,9 +21,6 @@ final class MovePage {
     page.heading("Figures");
     figures.forEach(page::figure);
     page.heading("Runs that failed").table(List.of("run", "goal", "why"), failures(runs));
-    if (runs.stream().allMatch(MoveRun::success)) {
-      page.text("None.");
-    }
     page.heading("What was assumed").list(assumptions());
     page.heading("What differs from the paper, and why").list(differences());
     return page.settings(request.settings());

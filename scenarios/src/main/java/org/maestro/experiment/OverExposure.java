@@ -139,7 +139,8 @@ final class OverExposure implements Experiment {
                     figures.add(
                         new Figure(
                             series.condition().key() + "-" + picture.name(),
-                            "%s (%s)".formatted(picture.caption(), series.condition().label()),
+                            "Condition \"%s\": %s"
+                                .formatted(series.condition().label(), picture.caption()),
                             picture.png())));
       }
     }

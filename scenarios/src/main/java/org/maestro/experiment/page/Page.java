@@ -56,7 +56,11 @@ public final class Page {
             .toList());
   }
 
+  /** Of no rows, it says so instead. */
   public Page table(List<String> columns, List<List<String>> rows) {
+    if (rows.isEmpty()) {
+      return text("None.");
+    }
     body.append("<table>\n<tr>");
     columns.forEach(cell -> body.append("<th>").append(escaped(cell)).append("</th>"));
     body.append("</tr>\n");
