@@ -4,6 +4,9 @@ import jade.core.AID;
 import jade.core.Agent;
 import jade.core.AgentContainer;
 import jade.core.AgentManager;
+import jade.core.ContainerID;
+import jade.core.MainContainer;
+import jade.core.NotFoundException;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -79,6 +82,23 @@ public final class Host {
         .map(AgentContainer::getMain)
         .filter(AgentManager.class::isInstance)
         .map(AgentManager.class::cast);
+  }
+
+  /**
+   * Whether a container of the platform has that name, or JADE has not yet let go of the name of
+   * one that ended. Only the main container knows.
+   */
+  public boolean keeps(String name) {
+    return container.map(AgentContainer::getMain).filter(main -> keeps(main, name)).isPresent();
+  }
+
+  private static boolean keeps(MainContainer main, String name) {
+    try {
+      main.getContainerNode(new ContainerID(name, null));
+      return true;
+    } catch (NotFoundException e) {
+      return false;
+    }
   }
 
   /**

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentSkipListSet;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import org.maestro.agents.GenericAgent;
 import org.maestro.agents.Host;
@@ -96,12 +97,29 @@ final class AgentsByName {
     return ending.remove(agent);
   }
 
+  /**
+   * JADE lets go of the name of a container that has ended in a thread of its own, and gives
+   * whoever comes earlier another one.
+   *
+   * @return whether it has
+   */
+  boolean awaitEnd(String container) {
+    return await(() -> !main.keeps(container));
+  }
+
   /** JADE ends agents beside who asks for it, and gives their names away only then. */
   void awaitEnds(List<AgentStart> starts) {
+    await(() -> starts.stream().noneMatch(start -> lives.test(start.agent())));
+  }
+
+  private static boolean await(BooleanSupplier condition) {
     long end = System.nanoTime() + ENDS_WITHIN.toNanos();
-    while (starts.stream().anyMatch(start -> lives.test(start.agent()))
-        && System.nanoTime() < end) {
+    while (!condition.getAsBoolean()) {
+      if (System.nanoTime() > end) {
+        return false;
+      }
       LockSupport.parkNanos(BETWEEN_LOOKS.toNanos());
     }
+    return true;
   }
 }

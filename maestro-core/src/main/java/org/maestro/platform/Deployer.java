@@ -177,8 +177,21 @@ final class Deployer {
     Optional<AgentContainer> ended = release(joining.name(), leaving);
     ended.ifPresent(ContainerEnds::endNow);
     awaitEnds(joining.name());
+    if (!jade.awaitEnd(joining.name())) {
+      ended
+          .filter(AgentContainer::isJoined)
+          .ifPresent(container -> keep(joining.name(), container));
+      throw new DeploymentException(
+          "The platform still has a container %s, which does not end; the platform's log says why. Join again in a moment, or choose another --name."
+              .formatted(joining.name()));
+    }
     // Not before: an agent that still lived would report what it has under way as failed.
     heirs.letGo(HeirLinks.controller(joining.name()));
+  }
+
+  /** Whoever joins next tries to end it once more. */
+  private synchronized void keep(String name, AgentContainer container) {
+    own.put(name, container);
   }
 
   private void awaitEnds(String container) {

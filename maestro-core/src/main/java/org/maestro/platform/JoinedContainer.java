@@ -51,6 +51,9 @@ public final class JoinedContainer implements AutoCloseable {
   private final AgentTime time;
   private final List<AgentContainer> forAgents = new ArrayList<>();
 
+  /** Whether they are being ended; guarded by this. */
+  private boolean left;
+
   private JoinedContainer(
       BiFunction<String, Host, AgentContainer> newContainer,
       AgentContainer container,
@@ -135,7 +138,7 @@ public final class JoinedContainer implements AutoCloseable {
     } catch (PlatformStartException e) {
       // JADE goes on in this process as long as one of its containers does: who tries again would
       // not begin afresh.
-      ContainerEnds.abandon(container);
+      ContainerEnds.abandon(List.of(container));
       throw e;
     }
     return new JoinedContainer(newContainer, container, desk, time);
@@ -321,20 +324,25 @@ public final class JoinedContainer implements AutoCloseable {
     desk.whenContainerIsGivenUp(listener);
   }
 
-  /** Ends what is of no use any more, beside the caller, and waits for nobody. */
+  /** Ends what is of no use any more; does not wait for long. */
   public void abandon() {
-    synchronized (this) {
-      forAgents.forEach(ContainerEnds::abandon);
-    }
-    ContainerEnds.abandon(container);
+    ContainerEnds.abandon(left());
   }
 
   @Override
   public void close() {
-    synchronized (this) {
-      forAgents.forEach(ContainerEnds::end);
+    left().forEach(ContainerEnds::end);
+  }
+
+  /** Those that are to be ended: JADE counts a container that is ended twice at once as two. */
+  private synchronized List<AgentContainer> left() {
+    if (left) {
+      return List.of();
     }
-    ContainerEnds.end(container);
+    left = true;
+    List<AgentContainer> ending = new ArrayList<>(forAgents);
+    ending.add(container);
+    return ending;
   }
 
   private static Path temporaryDirectory() {

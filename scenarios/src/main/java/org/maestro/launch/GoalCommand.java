@@ -46,6 +46,15 @@ final class GoalCommand implements Callable<Integer> {
   private static final Duration ANSWER_WITHIN = Duration.ofSeconds(10);
   private static final Duration BETWEEN_LOOKS = Duration.ofMillis(250);
 
+  /** Nearly always it is there by then. */
+  private static final Duration SOON = Duration.ofSeconds(5);
+
+  /**
+   * JADE keeps what a process knows of a platform for a second after its last container: who joins
+   * before goes on with that.
+   */
+  private static final Duration FORGOTTEN = Duration.ofMillis(1_500);
+
   @Spec private CommandSpec spec;
   @Mixin private PlatformOptions platform;
 
@@ -76,6 +85,7 @@ final class GoalCommand implements Callable<Integer> {
   private volatile boolean agreed;
   private boolean resumes;
   private long goneSince;
+  private int attempts;
 
   @Option(
       names = "--other",
@@ -105,7 +115,7 @@ final class GoalCommand implements Callable<Integer> {
         if (!resumes || isGoneFor(SETTLED)) {
           throw e;
         }
-        LockSupport.parkNanos(BETWEEN_LOOKS.toNanos());
+        LockSupport.parkNanos((isGoneFor(SOON) ? FORGOTTEN : BETWEEN_LOOKS).toNanos());
       }
     }
   }
@@ -144,7 +154,7 @@ final class GoalCommand implements Callable<Integer> {
   private int ask(Endpoint endpoint) {
     CompletableFuture<ACLMessage> ended = new CompletableFuture<>();
     agreed = false;
-    JoinedContainer container = platform.join();
+    JoinedContainer container = platform.join(++attempts);
     try {
       container.whenGivenUp(() -> ended.completeExceptionally(new PlatformGoneException()));
       request(

@@ -85,12 +85,22 @@ final class PlatformOptions {
 
   /** Joins it for one question. */
   JoinedContainer join() {
+    return join(1);
+  }
+
+  /**
+   * Joins it, perhaps not for the first time.
+   *
+   * @param attempt from 1, each another: a container must not have the name of one that is still
+   *     ending
+   */
+  JoinedContainer join(int attempt) {
     Endpoint at = endpoint();
     return JoinedContainer.join(
         Optional.empty(),
         at.host(),
         at.port(),
-        "cli-" + ProcessHandle.current().pid(),
+        "cli-" + ProcessHandle.current().pid() + (attempt == 1 ? "" : "-" + attempt),
         new PacedClock(1),
         files().map(directory -> Guard.open(SiteSecurity.open(directory), user)));
   }
