@@ -17,6 +17,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BiFunction;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import org.maestro.agents.AgentTime;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.GenericAgent;
@@ -194,7 +195,8 @@ public final class JoinedContainer implements AutoCloseable {
    */
   public List<String> host(
       ContainerStart start, RatsLink link, BiFunction<String, String, Device> describedBy) {
-    AgentContainer home = named(start.name(), new Host(new Surroundings(time, link, describedBy)));
+    AgentContainer home =
+        named(start.name(), () -> new Host(new Surroundings(time, link, describedBy)));
     synchronized (this) {
       forAgents.add(home);
     }
@@ -251,7 +253,7 @@ public final class JoinedContainer implements AutoCloseable {
     AgentContainer home;
     synchronized (this) {
       if (forAgents.isEmpty()) {
-        forAgents.add(named(name, new Host()));
+        forAgents.add(named(name, Host::new));
       }
       home = forAgents.get(0);
     }
@@ -297,13 +299,15 @@ public final class JoinedContainer implements AutoCloseable {
   /**
    * JADE lets go of the name of a container that ended a moment late, and gives one that comes too
    * early another name. That one is ended, and the next one may have the name.
+   *
+   * @param host makes one for each of them, as it ends with its container
    */
-  private AgentContainer named(String wanted, Host host) {
-    AgentContainer joined = newContainer.apply(wanted, host);
+  private AgentContainer named(String wanted, Supplier<Host> host) {
+    AgentContainer joined = newContainer.apply(wanted, host.get());
     for (int attempt = 0; attempt < MOST_TRIES && !name(joined).equals(wanted); attempt++) {
       ContainerEnds.end(joined);
       LockSupport.parkNanos(BETWEEN_TRIES.toNanos());
-      joined = newContainer.apply(wanted, host);
+      joined = newContainer.apply(wanted, host.get());
     }
     return joined;
   }

@@ -39,7 +39,9 @@ final class CarriedOut {
           .as(figure.name())
           .satisfies(
               pixels -> assertThat(Arrays.stream(pixels).distinct().count()).isGreaterThan(20));
-      assertThat(html).contains(figure.caption().substring(0, 12));
+      assertThat(html.replace("&quot;", "\""))
+          .as("the caption of " + figure.name())
+          .matches(page -> page.contains(figure.caption().substring(0, 12)));
     }
     assertThat(findings.tables()).containsKey("runs");
   }
