@@ -2,6 +2,7 @@ package org.maestro.coordination;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -12,6 +13,7 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.sl.Effect;
 import org.maestro.sl.Formula;
 
 /**
@@ -22,6 +24,11 @@ import org.maestro.sl.Formula;
 final class Relevance {
   private final Home home;
   private final Set<String> relevant = new TreeSet<>();
+
+  /** By identity, as devices of a kind are many and share what their features say. */
+  private final Map<Effect, Set<String>> changedBy = new IdentityHashMap<>();
+
+  private final Map<Object, Object> included = new IdentityHashMap<>();
 
   private Relevance(Home home) {
     this.home = home;
@@ -45,8 +52,7 @@ final class Relevance {
           List<String> chosen = candidates.get(device.id());
           if (!chosen.contains(feature.name()) && relevance.changesRelevant(feature)) {
             chosen.add(feature.name());
-            relevance.include(Symbols.of(feature.precondition()));
-            relevance.include(Symbols.readBy(feature.effect()));
+            relevance.includeNeeds(feature.precondition(), feature.effect());
             grew = true;
           }
         }
@@ -57,7 +63,17 @@ final class Relevance {
   }
 
   private boolean changesRelevant(FeatureType feature) {
-    return Symbols.changedBy(feature.effect()).stream().anyMatch(relevant::contains);
+    return changedBy.computeIfAbsent(feature.effect(), Symbols::changedBy).stream()
+        .anyMatch(relevant::contains);
+  }
+
+  private void includeNeeds(Formula precondition, Effect effect) {
+    if (included.put(precondition, precondition) == null) {
+      include(Symbols.of(precondition));
+    }
+    if (included.put(effect, effect) == null) {
+      include(Symbols.readBy(effect));
+    }
   }
 
   private void include(Set<String> names) {
