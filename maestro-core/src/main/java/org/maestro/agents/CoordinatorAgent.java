@@ -32,9 +32,6 @@ public final class CoordinatorAgent extends MaestroAgent {
   /** Wall time that members have to show up again after a restart. */
   private static final Duration COMEBACK = Duration.ofSeconds(10);
 
-  /** Wall time that another agent for a member has until it announces itself. */
-  private static final Duration MOVE = Duration.ofSeconds(20);
-
   /** What agents of other platforms may ask for. */
   private static final Set<String> FOR_ALL =
       Set.of("initCNP", "await", "cancel", "explain", "subscribe", "query-ref");
@@ -101,21 +98,7 @@ public final class CoordinatorAgent extends MaestroAgent {
    * The agent ended here and is to begin elsewhere, where it announces itself. Any thread may call.
    */
   public void agentMoves(String name) {
-    tell(() -> deliberation.membersOf(name).forEach(this::agentOfMemberMoves));
-  }
-
-  private void agentOfMemberMoves(String member) {
-    if (deliberation.agentMoves(member, member + " is getting another agent")) {
-      present.remove(member);
-      clock().schedule(patience(MOVE), getLocalName(), () -> tell(() -> hasNotCome(member)));
-    }
-  }
-
-  private void hasNotCome(String member) {
-    if (deliberation.isAwaited(member)) {
-      deliberation.agentStaysAway(
-          member, "it has had no agent for %d s".formatted(MOVE.toSeconds()));
-    }
+    tell(() -> present.removeAll(deliberation.agentMoves(name)));
   }
 
   /**

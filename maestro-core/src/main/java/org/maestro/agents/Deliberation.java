@@ -27,7 +27,11 @@ final class Deliberation {
   /** For so long a plan made again lets first plans go before it. */
   private static final Duration PATIENCE = Duration.ofSeconds(2);
 
+  /** Wall time that another agent for a member has until it announces itself. */
+  private static final Duration MOVE = Duration.ofSeconds(20);
+
   private final MaestroAgent agent;
+  private final Clock clock;
   private final Mind mind;
   private final Contracts contracts = new Contracts();
   private final AclCrew crew;
@@ -45,6 +49,7 @@ final class Deliberation {
       Journal journal,
       Misconduct misconduct) {
     this.agent = agent;
+    this.clock = clock;
     this.mind = mind;
     Clients clients = new Clients(mind.knowledge(), this::requester, misconduct);
     this.crew =
@@ -70,6 +75,7 @@ final class Deliberation {
       Misconduct misconduct,
       Optional<OwnMember> own) {
     this.agent = agent;
+    this.clock = clock;
     this.mind = mind;
     this.crew =
         new AclCrew(
@@ -166,18 +172,27 @@ final class Deliberation {
   }
 
   /**
-   * Its agent is no more, and is to be there again soon, when it takes over what the member was
-   * ordered.
+   * The agent is no more, and is to be there again soon, when it takes over what its members were
+   * ordered; a member for which none has come in time is lost.
    *
-   * @return whether the member had an agent
+   * @return the members that it stood for
    */
-  boolean agentMoves(String member, String reason) {
-    if (agentByMember.remove(member) == null) {
-      return false;
+  Set<String> agentMoves(String agentName) {
+    Set<String> members = membersOf(agentName);
+    for (String member : members) {
+      agentByMember.remove(member);
+      coordinator.memberDoubted(member, member + " is getting another agent");
+      crew.agentMoves(member);
+      clock.schedule(
+          agent.patience(MOVE), agent.getLocalName(), () -> agent.tell(() -> hasNotCome(member)));
     }
-    coordinator.memberDoubted(member, reason);
-    crew.agentMoves(member);
-    return true;
+    return members;
+  }
+
+  private void hasNotCome(String member) {
+    if (isAwaited(member)) {
+      agentStaysAway(member, "it has had no agent for %d s".formatted(MOVE.toSeconds()));
+    }
   }
 
   /** It has no agent, and this is why. */
@@ -190,7 +205,7 @@ final class Deliberation {
   }
 
   /** Whether its agent has not come yet after it moved. */
-  boolean isAwaited(String member) {
+  private boolean isAwaited(String member) {
     return isDoubted(member) && !agentByMember.containsKey(member);
   }
 

@@ -79,6 +79,26 @@ public final class GroupAgent extends MaestroAgent {
     super.takeDown();
   }
 
+  /**
+   * The agent is there, perhaps in the place of another, of which it does not know who listened.
+   * Any thread may call.
+   */
+  public void agentBegins(String name) {
+    if (called.contains(name)) {
+      tell(() -> call(name));
+    }
+  }
+
+  /** The agent ended, and is to begin elsewhere. Any thread may call. */
+  public void agentMoves(String name) {
+    tell(() -> goals.agentMoves(name));
+  }
+
+  /** The agent is no more, killed or with its container. Any thread may call. */
+  public void agentEnded(String name) {
+    tell(() -> present.keySet().removeAll(goals.agentGone(name, "its agent has ended")));
+  }
+
   private void startToPursue() {
     if (!started) {
       started = true;
@@ -97,14 +117,16 @@ public final class GroupAgent extends MaestroAgent {
       }
     }
     called = members;
-    for (String member : members) {
-      send(
-          message(
-              ACLMessage.SUBSCRIBE,
-              getAID(member),
-              Words.content("subscribe", Words.named("member", Words.name(member)))));
-    }
+    members.forEach(this::call);
     rollCall = clock().schedule(BETWEEN_ROLL_CALLS, group.id(), () -> tell(this::callRoll));
+  }
+
+  private void call(String member) {
+    send(
+        message(
+            ACLMessage.SUBSCRIBE,
+            getAID(member),
+            Words.content("subscribe", Words.named("member", Words.name(member)))));
   }
 
   /** Those stated by name, and all for which the condition is known to hold. */
@@ -159,7 +181,7 @@ public final class GroupAgent extends MaestroAgent {
       if (former != null && !former.equals(life)) {
         goals.memberLost(member, "it or its agent was started again");
       }
-      if (!life.equals(former)) {
+      if (!life.equals(former) || !goals.isPresent(member)) {
         goals.memberPresent(member, message.getSender(), words.string("life"));
       }
       if (present.keySet().containsAll(called)) {

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
 import org.maestro.coordination.GoalOutcome;
 import org.maestro.coordination.GoalRequest;
@@ -94,6 +95,21 @@ final class OwnGoals {
 
   void memberLost(String member, String reason) {
     deliberation.memberLost(member, reason);
+  }
+
+  /** Whether the member is counted on. */
+  boolean isPresent(String member) {
+    return deliberation.coordinator().isPresent(member);
+  }
+
+  /** See {@link Deliberation#agentMoves}. */
+  void agentMoves(String agentName) {
+    deliberation.agentMoves(agentName);
+  }
+
+  /** The agent is no more; returns the members that it stood for. */
+  Set<String> agentGone(String agentName, String reason) {
+    return deliberation.agentGone(agentName, reason);
   }
 
   /** News of what is under way for one of them. */

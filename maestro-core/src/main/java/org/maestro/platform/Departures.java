@@ -21,10 +21,11 @@ final class Departures implements PlatformEvents.Listener {
   private final Rescue rescue;
   private final Starter starter;
   private final DeskAgent desk;
-  private final CentralAgent central;
+  private final Principals principals;
   private final BooleanSupplier closing;
 
   /**
+   * @param principals who count on agents
    * @param closing whether the platform itself ends, and nothing is to begin any more
    */
   Departures(
@@ -32,14 +33,19 @@ final class Departures implements PlatformEvents.Listener {
       Rescue rescue,
       Starter starter,
       DeskAgent desk,
-      CentralAgent central,
+      Principals principals,
       BooleanSupplier closing) {
     this.deployer = deployer;
     this.rescue = rescue;
     this.starter = starter;
     this.desk = desk;
-    this.central = central;
+    this.principals = principals;
     this.closing = closing;
+  }
+
+  @Override
+  public void born(String agent) {
+    principals.agentBegins(agent);
   }
 
   @Override
@@ -66,7 +72,7 @@ final class Departures implements PlatformEvents.Listener {
     }
     desk.agentEnded(agent);
     if (agent.equals(CoordinatorAgent.NAME)) {
-      central.ended();
+      principals.centralEnded();
       return;
     }
     if (deployer.wasHandedOver(agent)) {
@@ -78,10 +84,10 @@ final class Departures implements PlatformEvents.Listener {
     }
     Optional<AgentStart> lost = deployer.ended(agent);
     if (lost.isPresent()) {
-      central.now().agentMoves(agent);
+      principals.agentMoves(agent);
       rescue.lost(agent, HeirLinks.controller(lost.get().container()));
     } else {
-      central.now().agentEnded(agent);
+      principals.agentEnded(agent);
     }
   }
 
@@ -94,7 +100,7 @@ final class Departures implements PlatformEvents.Listener {
     Thread replacing =
         new Thread(
             () -> {
-              central.now().agentMoves(agent);
+              principals.agentMoves(agent);
               try {
                 deployer.replace(agent, container -> pulse.end(container, agent));
               } catch (RuntimeException e) {

@@ -69,6 +69,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private final Mind mind;
   private final Past past;
   private final CentralAgent central;
+  private final Principals principals;
   private final DeskAgent desk;
   private final SupervisorAgent supervisor;
   private final Rescue rescue;
@@ -130,6 +131,7 @@ public final class MaestroPlatform implements AutoCloseable {
             before ->
                 new CoordinatorAgent(
                     time, knowledge, planner, stories, settings.decisionTime(), before));
+    this.principals = new Principals(central);
     this.desk = new DeskAgent(time);
     this.rescue =
         new Rescue(
@@ -150,7 +152,7 @@ public final class MaestroPlatform implements AutoCloseable {
             deployer,
             rescue,
             FormerCallers.of(past.recovery(), link.controller()));
-    this.departures = new Departures(deployer, rescue, starter, desk, central, () -> closing);
+    this.departures = new Departures(deployer, rescue, starter, desk, principals, () -> closing);
     this.signs =
         new SignsOfLife(
             clock,
@@ -173,7 +175,7 @@ public final class MaestroPlatform implements AutoCloseable {
                 describedBy,
                 () -> knowledge.home().words(),
                 new PlatformCentre(
-                    arrivals, central, this::reviveCoordinator, rescue, this::orders, signs)));
+                    arrivals, principals, this::reviveCoordinator, rescue, this::orders, signs)));
   }
 
   private SupervisorOrders orders() {
@@ -241,10 +243,9 @@ public final class MaestroPlatform implements AutoCloseable {
     accept(DESK, desk);
     arrivals.ofHome();
     for (var group : knowledge.home().groups().values()) {
-      deployer.placeGroup(
-          group.id(),
-          group.container().orElse(GROUPS),
-          new GroupAgent(time, mind, group, stories, past));
+      GroupAgent agent = new GroupAgent(time, mind, group, stories, past);
+      principals.add(agent);
+      deployer.placeGroup(group.id(), group.container().orElse(GROUPS), agent);
     }
     link.watch(
         member -> {

@@ -9,7 +9,7 @@ import org.maestro.agents.pulse.Pulse;
 /** What the supervision has of the platform around it: those it tells, and who revives whom. */
 final class PlatformCentre implements Supervision.Centre {
   private final Arrivals arrivals;
-  private final CentralAgent central;
+  private final Principals principals;
   private final BooleanSupplier reviving;
   private final Rescue rescue;
   private final Supplier<SupervisorOrders> orders;
@@ -21,13 +21,13 @@ final class PlatformCentre implements Supervision.Centre {
    */
   PlatformCentre(
       Arrivals arrivals,
-      CentralAgent central,
+      Principals principals,
       BooleanSupplier reviving,
       Rescue rescue,
       Supplier<SupervisorOrders> orders,
       SignsOfLife signs) {
     this.arrivals = arrivals;
-    this.central = central;
+    this.principals = principals;
     this.reviving = reviving;
     this.rescue = rescue;
     this.orders = orders;
@@ -41,7 +41,7 @@ final class PlatformCentre implements Supervision.Centre {
 
   @Override
   public void agentMoves(String agent) {
-    central.now().agentMoves(agent);
+    principals.agentMoves(agent);
   }
 
   @Override

@@ -19,6 +19,9 @@ final class PlatformEvents implements AgentManager.Listener {
 
   /** Who wants to know. Told on a thread of JADE that must not be held up. */
   interface Listener {
+    /** An agent is there that was not, also one in the place of another. */
+    void born(String agent);
+
     /** An agent ended, killed or with its container. */
     void died(String agent);
 
@@ -73,7 +76,9 @@ final class PlatformEvents implements AgentManager.Listener {
 
   @Override
   public void bornAgent(PlatformEvent event) {
-    directory.born(event.getAgent().getLocalName(), event.getContainer().getName(), now.get());
+    String agent = event.getAgent().getLocalName();
+    directory.born(agent, event.getContainer().getName(), now.get());
+    listener.born(agent);
   }
 
   @Override

@@ -35,6 +35,8 @@ final class Actor extends MaestroAgent {
       actor.later(Duration.ofSeconds(1), () -> actor.done(order));
     }
 
+    default void subscribed(Actor actor, ACLMessage subscription) {}
+
     default void cancelled(Actor actor, ACLMessage cancel) {}
   }
 
@@ -94,6 +96,7 @@ final class Actor extends MaestroAgent {
     switch (message.getPerformative()) {
       case ACLMessage.CFP -> part.called(this, message);
       case ACLMessage.ACCEPT_PROPOSAL -> part.accepted(this, message);
+      case ACLMessage.SUBSCRIBE -> part.subscribed(this, message);
       case ACLMessage.CANCEL -> part.cancelled(this, message);
       case ACLMessage.REQUEST -> {
         if (message.getContent().startsWith("(cost")) {

@@ -1,6 +1,6 @@
 package org.maestro.agents;
 
-import static org.awaitility.Awaitility.await;
+import static org.assertj.core.api.Assertions.assertThat;
 
 import jade.lang.acl.ACLMessage;
 import jade.wrapper.AgentContainer;
@@ -17,8 +17,12 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BooleanSupplier;
+import org.awaitility.Awaitility;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.knowledge.CollectiveKnowledge;
+import org.maestro.knowledge.Source;
+import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.planning.OptimalPlanner;
@@ -42,6 +46,7 @@ final class Society implements AutoCloseable {
   final AgentTime time = AgentTime.of(clock);
   final List<StoryEntry> story = Collections.synchronizedList(new ArrayList<>());
   final CoordinatorAgent cca;
+  private final CollectiveKnowledge knowledge = new CollectiveKnowledge(HOME, clock);
   final DeskAgent desk = new DeskAgent(time);
   private final AgentContainer container;
   private final Map<String, AgentController> controllers = new LinkedHashMap<>();
@@ -51,12 +56,7 @@ final class Society implements AutoCloseable {
     container = jade.main();
     cca =
         new CoordinatorAgent(
-            time,
-            new CollectiveKnowledge(HOME, clock),
-            new OptimalPlanner(),
-            story::add,
-            Duration.ofMillis(20),
-            Past.none());
+            time, knowledge, new OptimalPlanner(), story::add, Duration.ofMillis(20), Past.none());
     start(container, CoordinatorAgent.NAME, cca);
     start(container, "desk", desk);
     behavioursOfCca = cca.behaviourCount();
@@ -86,6 +86,17 @@ final class Society implements AutoCloseable {
     start(container, name, agent);
   }
 
+  /** An agent with goals of its own, for that group; it has not begun yet. */
+  GroupAgent group(Group group) {
+    Mind mind = new Mind(knowledge, new OptimalPlanner(), Duration.ofMillis(20));
+    return new GroupAgent(time, mind, group, story::add, Past.none());
+  }
+
+  /** Somebody has seen that it is so. */
+  void seen(String fact) {
+    knowledge.state(new Source(Source.Kind.OBSERVED, "usher"), List.of(fact));
+  }
+
   Actor add(String member, Actor.Part part) {
     return add(container, member, part);
   }
@@ -101,7 +112,7 @@ final class Society implements AutoCloseable {
     try {
       if (controllers.containsKey(agent)) {
         controllers.remove(agent).kill();
-        await().pollInterval(Duration.ofMillis(2)).until(() -> !isAlive(agent));
+        Awaitility.await().pollInterval(Duration.ofMillis(2)).until(() -> !isAlive(agent));
       }
     } catch (StaleProxyException e) {
       throw new IllegalStateException(e);
@@ -164,6 +175,11 @@ final class Society implements AutoCloseable {
         && cca.ordersUnderway() == 0
         && !cca.contractsOpen()
         && cca.getCurQueueSize() == 0;
+  }
+
+  /** Lets simulated time pass until it is so. */
+  void await(BooleanSupplier condition, Duration limit) {
+    assertThat(clock.runUntil(condition, limit)).as(told()).isTrue();
   }
 
   /** Lets simulated time pass. */

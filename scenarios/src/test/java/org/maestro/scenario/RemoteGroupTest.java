@@ -8,8 +8,8 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
@@ -23,6 +23,7 @@ import org.maestro.launch.JavaProcess;
 @Isolated("its time is wall time, which others beside it would take")
 class RemoteGroupTest {
   private static final double SPEED = 10;
+  private static final List<String> LAMPS = List.of("lamp-b1", "lamp-b2", "lamp-b3");
 
   @Test
   void aGroupKeepsItsRoomLitWithLampsOfAnotherProcess(@TempDir Path directory) throws Exception {
@@ -36,21 +37,24 @@ class RemoteGroupTest {
         assertThat(ended.exitCode()).isNotZero();
         assertThat(ended.errors()).contains("groups stays where the collective knowledge is");
       }
+      List<String> told = new CopyOnWriteArrayList<>();
+      site.platform().onStory(entry -> told.add(entry.text()));
       try (JavaProcess lights = take(site, directory, "lights")) {
         until(() -> lights.output().contains("The container lights runs here"));
-        until(() -> site.platform().presentMembers().contains("lamp-b1"));
+        until(() -> site.platform().presentMembers().containsAll(LAMPS));
         assertThat(site.platform().topics()).contains("groups").doesNotContain("lights");
         // What is awaited stays so: a moment of darkness may be over before anybody looks.
         site.world().setAmbient("zone-b", 200);
         until(() -> lampLevels(site) == 0);
         site.world().setAmbient("zone-b", 0);
         until(() -> site.world().lux("zone-b") >= 72);
+        assertThat(told).noneMatch(text -> text.contains("was started again"));
       }
     }
   }
 
   private static double lampLevels(LocalSite site) {
-    return Stream.of("lamp-b1", "lamp-b2", "lamp-b3").mapToDouble(site.world()::lampLevel).sum();
+    return LAMPS.stream().mapToDouble(site.world()::lampLevel).sum();
   }
 
   private static JavaProcess take(LocalSite site, Path directory, String topic) throws Exception {

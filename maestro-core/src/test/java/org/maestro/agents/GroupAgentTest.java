@@ -1,0 +1,152 @@
+package org.maestro.agents;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import jade.lang.acl.ACLMessage;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.maestro.ontology.home.Group;
+import org.maestro.ontology.home.Individual;
+import org.maestro.platform.BareJade;
+import org.maestro.sl.SlParser;
+
+/** What an agent that stands for a group does when another agent takes the place of a member's. */
+class GroupAgentTest {
+  private static final String HERE = "first@here";
+  private static final String THERE = "first@there";
+
+  /** Simulated time; less than the pause between two roll calls. */
+  private static final Duration SOON = Duration.ofSeconds(15);
+
+  @TempDir static Path files;
+  private static BareJade jade;
+
+  private final List<String> done = Collections.synchronizedList(new ArrayList<>());
+  private final List<String> refused = Collections.synchronizedList(new ArrayList<>());
+  private Society society;
+  private GroupAgent keeper;
+
+  @BeforeAll
+  static void startJade() {
+    jade = new BareJade("groups", files);
+  }
+
+  @AfterAll
+  static void endJade() {
+    jade.close();
+  }
+
+  @BeforeEach
+  void gather() {
+    society = new Society(jade);
+    Individual itself = new Individual("keeper", "urn:keeper", "the keeper", Set.of(), Map.of());
+    keeper =
+        society.group(
+            new Group(
+                itself,
+                Optional.empty(),
+                Set.of("usher"),
+                Optional.empty(),
+                List.of(SlParser.formula("(keep (greeted Bob))"))));
+  }
+
+  @AfterEach
+  void disperse() {
+    society.close();
+  }
+
+  @Test
+  void anAgentThatIsCalledInAnotherWayIsOrderedInThatWayAtOnce() {
+    society.add("usher", living(HERE, Duration.ofSeconds(1)));
+    society.start("keeper", keeper);
+    society.await(() -> done.contains(HERE), SOON);
+
+    anotherUsher(THERE, () -> keeper.agentMoves("usher"));
+    society.pass(Duration.ofSeconds(2));
+    society.seen("(not (greeted Bob))");
+    society.await(() -> done.contains(THERE), SOON);
+
+    assertThat(refused).isEmpty();
+  }
+
+  @Test
+  void whatTheAgentBeforeWasAtIsOrderedInTheSameWords() {
+    society.add("usher", living(HERE, Duration.ofMinutes(10)));
+    society.start("keeper", keeper);
+    society.pass(Duration.ofSeconds(5));
+
+    anotherUsher(HERE, () -> keeper.agentMoves("usher"));
+    society.await(() -> society.told().contains("It is so"), SOON);
+
+    assertThat(society.told()).doesNotContain("Plan 2");
+  }
+
+  @Test
+  void anAgentThatEndedIsNotCountedOnUntilThereIsAnother() {
+    society.add("usher", living(HERE, Duration.ofSeconds(1)));
+    society.start("keeper", keeper);
+    society.await(() -> done.contains(HERE), SOON);
+
+    society.kill("usher");
+    keeper.agentEnded("usher");
+    society.seen("(not (greeted Bob))");
+    society.pass(Duration.ofSeconds(5));
+    assertThat(society.told()).contains("its agent has ended");
+    society.start("usher", new Actor(society.time, living(THERE, Duration.ofSeconds(1))));
+    keeper.agentBegins("usher");
+    society.await(() -> done.contains(THERE), SOON);
+
+    assertThat(refused).isEmpty();
+  }
+
+  /** As the platform tells of it. */
+  private void anotherUsher(String life, Runnable told) {
+    told.run();
+    society.kill("usher");
+    society.start("usher", new Actor(society.time, living(life, Duration.ofSeconds(1))));
+    keeper.agentBegins("usher");
+  }
+
+  private Actor.Part living(String life, Duration work) {
+    return new Actor.Part() {
+      @Override
+      public void subscribed(Actor actor, ACLMessage subscription) {
+        actor.answer(
+            subscription,
+            ACLMessage.INFORM,
+            "(inform (:member usher) (:phase ready) (:life \"%s\"))".formatted(life));
+      }
+
+      @Override
+      public void ordered(Actor actor, ACLMessage order) {
+        String words = order.getContent();
+        if (!words.contains(":life") || words.contains("(:life \"%s\")".formatted(life))) {
+          actor.answer(order, ACLMessage.AGREE, "(perform)");
+          actor.later(
+              work,
+              () -> {
+                actor.done(order);
+                if (words.contains(":life")) {
+                  done.add(life);
+                }
+              });
+        } else {
+          refused.add(words);
+          actor.answer(order, ACLMessage.REFUSE, "(inform (:reason \"started again\"))");
+        }
+      }
+    };
+  }
+}
