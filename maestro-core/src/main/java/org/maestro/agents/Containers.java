@@ -14,8 +14,12 @@ import org.maestro.sl.Content;
  * RuntimeException with one sentence; what waits for JADE says so.
  */
 public interface Containers {
-  /** Waits for JADE: makes room for the container, whose name a topic's container here may have. */
-  Handover admit(ContainerStart container);
+  /**
+   * Waits for JADE: makes room for the container, whose name a topic's container here may have.
+   *
+   * @param asker the agent that asks for it, and lives as long as the process that is to have it
+   */
+  Handover admit(ContainerStart container, String asker);
 
   /** Waits for JADE: the container is there; returns the agents that begin or are to move there. */
   Welcome welcome(ContainerStart container);

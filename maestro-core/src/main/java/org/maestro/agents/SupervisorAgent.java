@@ -82,7 +82,10 @@ public final class SupervisorAgent extends MaestroAgent {
     String action = words.string("action").orElse("");
     switch (action) {
       case "join" ->
-          beside(message, () -> containers.admit(container(words)), h -> admitted(message, h));
+          beside(
+              message,
+              () -> containers.admit(container(words), message.getSender().getLocalName()),
+              handover -> admitted(message, handover));
       case "joined" ->
           beside(
               message,

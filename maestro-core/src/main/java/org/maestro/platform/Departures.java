@@ -45,6 +45,7 @@ final class Departures implements PlatformEvents.Listener {
 
   @Override
   public void born(String agent) {
+    deployer.handing().begun(agent);
     principals.agentBegins(agent);
   }
 
@@ -71,6 +72,9 @@ final class Departures implements PlatformEvents.Listener {
       return;
     }
     desk.agentEnded(agent);
+    if (deployer.handing().isAsker(agent)) {
+      beside(() -> deployer.givenUp(agent).forEach(this::givenBack));
+    }
     if (agent.equals(CoordinatorAgent.NAME)) {
       principals.centralEnded();
       return;
@@ -91,24 +95,31 @@ final class Departures implements PlatformEvents.Listener {
     }
   }
 
+  private void givenBack(String agent, String controller) {
+    LOG.warn("The process that was to have the agent of {} is no more", agent);
+    rescue.lost(agent, controller);
+  }
+
+  private static void beside(Runnable work) {
+    Thread starter = new Thread(work, "agent-starter");
+    starter.setDaemon(true);
+    starter.start();
+  }
+
   /** An agent hangs in a container that lives: another takes its place. */
   void replaceHung(Pulse pulse, String agent) {
     if (closing.getAsBoolean() || deployer.deployment().find(agent).isEmpty()) {
       return;
     }
     LOG.warn("The agent of {} hangs; another takes its place", agent);
-    Thread replacing =
-        new Thread(
-            () -> {
-              principals.agentMoves(agent);
-              try {
-                deployer.replace(agent, container -> pulse.end(container, agent));
-              } catch (RuntimeException e) {
-                LOG.warn("The agent of {} gets no other: {}", agent, e.getMessage());
-              }
-            },
-            "agent-starter");
-    replacing.setDaemon(true);
-    replacing.start();
+    beside(
+        () -> {
+          principals.agentMoves(agent);
+          try {
+            deployer.replace(agent, container -> pulse.end(container, agent));
+          } catch (RuntimeException e) {
+            LOG.warn("The agent of {} gets no other: {}", agent, e.getMessage());
+          }
+        });
   }
 }

@@ -30,12 +30,10 @@ import org.maestro.deployment.DeploymentException;
  */
 final class Deployer {
   private final Deployment deployment;
-  private final Set<String> provides;
   private final Surroundings here;
-  private final BiFunction<String, Host, AgentContainer> newContainer;
   private final HeirLinks heirs;
   private final AgentsByName jade;
-  private final Map<String, AgentContainer> own = new LinkedHashMap<>();
+  private final OwnContainers own;
   private final Map<String, String> containerByGroup = new TreeMap<>();
 
   /**
@@ -47,8 +45,7 @@ final class Deployer {
   /** Agents whose container, of another process, may be back soon. */
   private final Set<String> awaited = new TreeSet<>();
 
-  /** Agents of a container that another process is about to have. */
-  private final Map<String, List<AgentStart>> handedOver = new TreeMap<>();
+  private final Handing handing = new Handing();
 
   /** Agents that live in other processes. */
   private final Set<String> elsewhere = new ConcurrentSkipListSet<>();
@@ -67,15 +64,20 @@ final class Deployer {
       AgentsByName jade,
       Set<String> provides) {
     this.deployment = new Deployment(provides);
-    this.provides = provides;
     this.here = here;
-    this.newContainer = newContainer;
+    this.own =
+        new OwnContainers(deployment, provides, name -> newContainer.apply(name, new Host(here)));
     this.heirs = heirs;
     this.jade = jade;
   }
 
   Deployment deployment() {
     return deployment;
+  }
+
+  /** Agents that other processes have asked for. */
+  Handing handing() {
+    return handing;
   }
 
   /** Starts the agent unless its members have one, or were dismissed. */
@@ -123,7 +125,7 @@ final class Deployer {
   }
 
   synchronized void placeGroup(String group, String topic, MaestroAgent agent) {
-    JadeRuntime.start(ownContainer(topic), group, agent);
+    JadeRuntime.start(own.of(topic), group, agent);
     containerByGroup.put(group, topic);
   }
 
@@ -135,7 +137,7 @@ final class Deployer {
     } else {
       elsewhere.remove(start.agent());
       JadeRuntime.start(
-          ownContainer(start.container()),
+          own.of(start.container()),
           start.agent(),
           new GenericAgent(surroundings(start.agent()), start));
     }
@@ -144,18 +146,9 @@ final class Deployer {
 
   private Surroundings surroundings(String agent) {
     return Optional.ofNullable(heirOf.get(agent))
+        .filter(controller -> !controller.equals(here.link().controller()))
         .map(controller -> here.with(heirs.of(controller)))
         .orElse(here);
-  }
-
-  private AgentContainer ownContainer(String name) {
-    return own.computeIfAbsent(
-        name,
-        missing -> {
-          AgentContainer container = newContainer.apply(missing, new Host(here));
-          deployment.containerThere(new ContainerStart(missing, Set.of(missing), provides, true));
-          return container;
-        });
   }
 
   /** Whether the agent that ended, as JADE tells once for each, was to begin again elsewhere. */
@@ -171,16 +164,26 @@ final class Deployer {
    * Makes room for a container that joins: one of this process that has its name ends, and its
    * agents begin again there. JADE may take some seconds for that.
    *
+   * @param asker the agent that asks for it; its agents are given back when it is no more
    * @param leaving is told of each agent that ends here
    */
-  void admit(ContainerStart joining, Consumer<String> leaving) {
-    Optional<AgentContainer> ended = release(joining.name(), leaving);
+  void admit(ContainerStart joining, String asker, Consumer<String> leaving) {
+    Optional<AgentContainer> ended = release(joining.name(), asker, leaving);
+    try {
+      makeRoom(joining, ended);
+    } finally {
+      handing.admitted(joining.name());
+    }
+  }
+
+  private void makeRoom(ContainerStart joining, Optional<AgentContainer> ended) {
     ended.ifPresent(ContainerEnds::endNow);
-    awaitEnds(joining.name());
+    jade.awaitEnds(handing.awaiting(joining.name()));
     if (!jade.awaitEnd(joining.name())) {
       ended
           .filter(AgentContainer::isJoined)
-          .ifPresent(container -> keep(joining.name(), container));
+          // Whoever joins next tries to end it once more.
+          .ifPresent(container -> own.keep(joining.name(), container));
       throw new DeploymentException(
           "The platform still has a container %s, which does not end; the platform's log says why. Join again in a moment, or choose another --name."
               .formatted(joining.name()));
@@ -189,20 +192,8 @@ final class Deployer {
     heirs.letGo(HeirLinks.controller(joining.name()));
   }
 
-  /** Whoever joins next tries to end it once more. */
-  private synchronized void keep(String name, AgentContainer container) {
-    own.put(name, container);
-  }
-
-  private void awaitEnds(String container) {
-    List<AgentStart> starts;
-    synchronized (this) {
-      starts = handedOver.getOrDefault(container, List.of());
-    }
-    jade.awaitEnds(starts);
-  }
-
-  private synchronized Optional<AgentContainer> release(String name, Consumer<String> leaving) {
+  private synchronized Optional<AgentContainer> release(
+      String name, String asker, Consumer<String> leaving) {
     Deployment.requireContainerName(name);
     if (isElsewhere(name)) {
       throw new DeploymentException(
@@ -225,7 +216,7 @@ final class Deployer {
                     start.container().equals(name)
                         || HeirLinks.controller(name).equals(heirOf.get(start.agent())))
             .toList();
-    handedOver.put(name, starts);
+    handing.begin(name, asker, starts, this::controllerOf);
     for (AgentStart start : starts) {
       if (!awaited.remove(start.agent())) {
         jade.endsHere(start.agent());
@@ -234,13 +225,31 @@ final class Deployer {
       leaving.accept(start.agent());
     }
     deployment.containerGone(name);
-    return Optional.ofNullable(own.remove(name));
+    return own.release(name);
+  }
+
+  /** Under whose name it has called, or the one that was there before it. */
+  private String controllerOf(AgentStart start) {
+    if (awaited.contains(start.agent())) {
+      return HeirLinks.controller(start.container());
+    }
+    return heirOf.getOrDefault(start.agent(), here.link().controller());
+  }
+
+  /**
+   * Who asked for a container is no more. Waits for JADE.
+   *
+   * @return agents that have no place for it, and under whose names they have called
+   */
+  Map<String, String> givenUp(String asker) {
+    Map<String, String> back = handing.givenUp(asker);
+    elsewhere.removeAll(back.keySet());
+    return back;
   }
 
   /** A container has joined; returns the agents that it is to begin and those that are to move. */
   synchronized Welcome welcome(ContainerStart joined) {
-    List<AgentStart> starts =
-        Optional.ofNullable(handedOver.remove(joined.name())).orElse(List.of());
+    List<AgentStart> starts = handing.joined(joined.name());
     Set<String> topics = new TreeSet<>(joined.topics());
     if (starts.stream().anyMatch(start -> start.topic().equals(joined.name()))) {
       topics.add(joined.name());
@@ -328,9 +337,7 @@ final class Deployer {
 
   /** Whether another process has it, or is about to. */
   private boolean hasPlace(String agent) {
-    return elsewhere.contains(agent)
-        || handedOver.values().stream()
-            .anyMatch(starts -> starts.stream().anyMatch(start -> start.agent().equals(agent)));
+    return elsewhere.contains(agent) || handing.isAwaiting(agent);
   }
 
   /**
@@ -374,8 +381,8 @@ final class Deployer {
   }
 
   /** Topics whose containers are of this process. */
-  synchronized List<String> topics() {
-    return List.copyOf(own.keySet());
+  List<String> topics() {
+    return own.topics();
   }
 
   /** Container by agent, in the order in which they were started; groups last. */
@@ -386,12 +393,8 @@ final class Deployer {
     return containers;
   }
 
-  /**
-   * No agent is started any more; returns the containers of this process, which are to be ended.
-   */
+  /** No agent is started any more; returns what is to be ended of this process. */
   synchronized List<AgentContainer> close() {
-    List<AgentContainer> containers = List.copyOf(own.values());
-    own.clear();
-    return containers;
+    return own.releaseAll();
   }
 }

@@ -47,7 +47,6 @@ import org.maestro.sl.Formula;
  */
 public final class MaestroPlatform implements AutoCloseable {
   private static final String GROUPS = "groups";
-  private static final String DESK = "desk";
 
   /** Containers that have outlived a platform have joined the next one by then. */
   private static final Duration RETURN = Duration.ofSeconds(15);
@@ -137,7 +136,8 @@ public final class MaestroPlatform implements AutoCloseable {
         new Rescue(
             new RescueWays(knowledge::home, deployer, this::orders, central::now),
             clock,
-            Provision.of(settings.premises().provides()));
+            Provision.of(settings.premises().provides()),
+            link.controller());
     this.starter =
         new Starter(
             settings.premises().hosts(),
@@ -240,7 +240,7 @@ public final class MaestroPlatform implements AutoCloseable {
     accept(KnowledgeAgent.NAME, new KnowledgeAgent(time, knowledge, describedBy));
     accept(CoordinatorAgent.NAME, central.now());
     accept(SupervisorAgent.NAME, supervisor);
-    accept(DESK, desk);
+    accept("desk", desk);
     arrivals.ofHome();
     for (var group : knowledge.home().groups().values()) {
       GroupAgent agent = new GroupAgent(time, mind, group, stories, past);

@@ -65,11 +65,13 @@ final class Rescue {
 
   /**
    * @param own what this process provides
+   * @param controller under whose name this process calls, which nobody takes over
    */
-  Rescue(Ways ways, Clock clock, Provision own) {
+  Rescue(Ways ways, Clock clock, Provision own, String controller) {
     this.ways = ways;
     this.clock = clock;
     provisionByHost.put(OWN, own);
+    holderByController.put(controller, OWN);
   }
 
   /** A host is there; agents that only it fits are started there. */

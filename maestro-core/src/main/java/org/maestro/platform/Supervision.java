@@ -69,7 +69,7 @@ final class Supervision implements Containers {
   }
 
   @Override
-  public Handover admit(ContainerStart container) {
+  public Handover admit(ContainerStart container, String asker) {
     String broker =
         settings
             .brokerUri()
@@ -83,6 +83,7 @@ final class Supervision implements Containers {
     }
     deployer.admit(
         container,
+        asker,
         agent -> {
           centre.settled(agent);
           centre.agentMoves(agent);

@@ -24,7 +24,7 @@ class RescueTest {
   private final List<String> problems = new CopyOnWriteArrayList<>();
   private final List<String> told = new CopyOnWriteArrayList<>();
   private volatile Provision needs = Provision.of(Set.of("microphone"));
-  private final Rescue rescue = new Rescue(new Ways(), clock, Provision.of(List.of()));
+  private final Rescue rescue = new Rescue(new Ways(), clock, Provision.of(List.of()), "maestro");
 
   private final class Ways implements Rescue.Ways {
     @Override
