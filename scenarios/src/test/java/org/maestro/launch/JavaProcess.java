@@ -43,6 +43,18 @@ public final class JavaProcess implements AutoCloseable {
     return start(List.of(), mainClass, arguments, environment);
   }
 
+  /** Starts a main class that logs as it does for its users: more than tests do, and to a file. */
+  public static JavaProcess startLogging(
+      String mainClass, List<String> arguments, Map<String, String> environment)
+      throws IOException {
+    return start(
+        List.of(),
+        List.of("-Dlogback.configurationFile=logback.xml"),
+        mainClass,
+        arguments,
+        environment);
+  }
+
   /**
    * @param before what brings it elsewhere, such as {@code ip netns exec NAME}, and becomes the
    *     process itself
@@ -54,9 +66,20 @@ public final class JavaProcess implements AutoCloseable {
       List<String> arguments,
       Map<String, String> environment)
       throws IOException {
+    return start(before, List.of(), mainClass, arguments, environment);
+  }
+
+  private static JavaProcess start(
+      List<String> before,
+      List<String> options,
+      String mainClass,
+      List<String> arguments,
+      Map<String, String> environment)
+      throws IOException {
     List<String> command = new ArrayList<>(before);
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xshare:auto"));
+    command.addAll(options);
     command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));
     command.addAll(arguments);
     Path output = Files.createTempFile("maestro-process", ".out");

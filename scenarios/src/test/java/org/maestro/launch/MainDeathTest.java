@@ -21,6 +21,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.awaitility.Awaitility;
+import org.awaitility.core.ConditionTimeoutException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.Tag;
@@ -205,7 +206,9 @@ class MainDeathTest {
           seconds = secondsUntilItAnswers(second, port);
           until(() -> goal.output().contains("another has taken over"), goal);
           office.open("press-0");
-          assertThat(goal.await(LIMIT).exitCode()).as(goal::errors).isZero();
+          assertThat(goal.await(LIMIT).exitCode())
+              .as(() -> told(Map.of("goal", goal, "second", second)))
+              .isZero();
         }
         assertThat(main.isAlive()).isFalse();
         assertThat(second.output()).contains("this process takes over");
@@ -273,7 +276,7 @@ class MainDeathTest {
 
   private JavaProcess maestro(String... arguments) throws IOException {
     Path runtime = Files.createDirectories(directory.resolve("runtime"));
-    return JavaProcess.start(
+    return JavaProcess.startLogging(
         "org.maestro.launch.Maestro",
         List.of(arguments),
         Map.of("XDG_RUNTIME_DIR", runtime.toString()));
@@ -299,17 +302,21 @@ class MainDeathTest {
     clock.close();
   }
 
-  private static void until(BooleanSupplier condition, JavaProcess process) {
+  private void until(BooleanSupplier condition, JavaProcess process) {
     AtomicBoolean holds = new AtomicBoolean();
-    Awaitility.await()
-        .pollDelay(Duration.ZERO)
-        .pollInterval(Duration.ofMillis(20))
-        .atMost(LIMIT)
-        .until(
-            () -> {
-              holds.set(condition.getAsBoolean());
-              return holds.get() || !process.isAlive();
-            });
-    assertThat(holds).as(() -> process.output() + process.errors()).isTrue();
+    try {
+      Awaitility.await()
+          .pollDelay(Duration.ZERO)
+          .pollInterval(Duration.ofMillis(20))
+          .atMost(LIMIT)
+          .until(
+              () -> {
+                holds.set(condition.getAsBoolean());
+                return holds.get() || !process.isAlive();
+              });
+    } catch (ConditionTimeoutException e) {
+      assertThat(e).as(() -> told(Map.of("process", process))).isNull();
+    }
+    assertThat(holds).as(() -> told(Map.of("process", process))).isTrue();
   }
 }
