@@ -136,7 +136,7 @@ public final class JoinedContainer implements AutoCloseable {
     DeskAgent desk = new DeskAgent(time);
     try {
       JadeRuntime.start(container, name + "-desk", desk);
-    } catch (PlatformStartException e) {
+    } catch (RuntimeException e) {
       // JADE goes on in this process as long as one of its containers does: who tries again would
       // not begin afresh.
       ContainerEnds.abandon(List.of(container));

@@ -154,7 +154,7 @@ final class GoalCommand implements Callable<Integer> {
   private int ask(Endpoint endpoint) {
     CompletableFuture<ACLMessage> ended = new CompletableFuture<>();
     agreed = false;
-    JoinedContainer container = platform.join(++attempts);
+    JoinedContainer container = join();
     try {
       container.whenGivenUp(() -> ended.completeExceptionally(new PlatformGoneException()));
       request(
@@ -188,6 +188,25 @@ final class GoalCommand implements Callable<Integer> {
       throw e;
     } finally {
       container.close();
+    }
+  }
+
+  /**
+   * JADE throws what it likes where a platform is only half there, and one that has just taken over
+   * may not be found for a moment.
+   */
+  private JoinedContainer join() {
+    attempts++;
+    try {
+      return platform.join(attempts);
+    } catch (PlatformStartException e) {
+      throw e;
+    } catch (RuntimeException e) {
+      if (!resumes) {
+        throw e;
+      }
+      throw new PlatformStartException(
+          "The platform that has taken over cannot be joined: " + Failures.sentence(e), e);
     }
   }
 
