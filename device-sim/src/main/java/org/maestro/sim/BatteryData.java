@@ -22,6 +22,9 @@ public record BatteryData(
     PhysicalParameters.positive("battery.wattHours", wattHours);
     PhysicalParameters.positive("battery.chargingWatts above idleWatts", chargingWatts - idleWatts);
     PhysicalParameters.positive("battery.worthTelling", worthTelling);
+    if (worthTelling > 1) {
+      throw new SimulationException("The setting world.battery.worthTelling is 1 at most.");
+    }
     PhysicalParameters.positive("battery.checkSeconds", checkSeconds);
   }
 

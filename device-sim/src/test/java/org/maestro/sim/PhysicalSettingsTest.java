@@ -79,7 +79,8 @@ class PhysicalSettingsTest {
         "world.camera.noise | -1 | is a number from 0 on",
         "world.shutters | no | is true or false",
         "world.camera.width | 2.5 | is a whole number",
-        "world.base.speed | 0 | world.base.speed is more than 0"
+        "world.base.speed | 0 | world.base.speed is more than 0",
+        "world.battery.worthTelling | 3 | world.battery.worthTelling is 1 at most"
       })
   void whatMakesNoSenseIsNamed(String name, String value, String message) {
     assertThatThrownBy(() -> USUAL.with(Map.of(name, value)))

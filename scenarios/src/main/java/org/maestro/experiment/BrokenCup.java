@@ -24,6 +24,23 @@ import org.maestro.experiment.setting.Setting;
  */
 final class BrokenCup implements Experiment {
 
+  /**
+   * There are no cameras, sensors, lamps, nor windows; what is where another robot tells without
+   * error. The only robot with a battery cannot charge it, whatever it tells of it.
+   */
+  private static final String[] IDLE = {
+    "world.shutters",
+    "world.camera.",
+    "world.colour.",
+    "world.image.",
+    "world.sensor.",
+    "world.facade.",
+    "world.lamp.",
+    "world.arm.graspTolerance",
+    "world.battery.worthTelling",
+    "world.drives."
+  };
+
   @Override
   public String name() {
     return "broken-cup";
@@ -41,7 +58,7 @@ final class BrokenCup implements Experiment {
 
   @Override
   public List<Setting> settings() {
-    return Physics.settings();
+    return Physics.settingsWithout(IDLE);
   }
 
   @Override

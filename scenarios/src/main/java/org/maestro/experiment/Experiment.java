@@ -16,7 +16,7 @@ public interface Experiment {
   /** How many runs it has unless another number is asked for. */
   int usualRuns();
 
-  /** What can be set. */
+  /** What can be set: each changes what runs write, be it under conditions only. */
   List<Setting> settings();
 
   /** Whether it can repeat its runs on the paced clock. */

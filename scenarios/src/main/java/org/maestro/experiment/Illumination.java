@@ -16,6 +16,7 @@ import org.maestro.experiment.page.Page;
 import org.maestro.experiment.running.Progress;
 import org.maestro.experiment.setting.Physics;
 import org.maestro.experiment.setting.Setting;
+import org.maestro.experiment.setting.Settings;
 
 /** The paper's section 5.1: detection in the dark, and after an agent has seen to the light. */
 final class Illumination implements Experiment {
@@ -24,7 +25,25 @@ final class Illumination implements Experiment {
   static final String DARK_MOST = "world.dark.most";
   static final String FALLEN = "world.dusk";
   private static final String GOAL = "(keep (>= (illuminance zone-2) 72))";
-  private static final double LAMP_SECONDS = 0.4;
+  private static final String LAMP_SECONDS = "world.lamp.transitionSeconds";
+
+  /**
+   * Nobody moves, a camera is watched of which frames alone are counted, and there are no windows.
+   */
+  private static final String[] IDLE = {
+    "world.shutters",
+    "world.camera.minimumLux",
+    "world.camera.noise",
+    "world.camera.lightError",
+    "world.camera.noticesGlare",
+    "world.facade.",
+    "world.base.",
+    "world.wheels.",
+    "world.arm.",
+    "world.gripper.",
+    "world.battery.",
+    "world.drives."
+  };
 
   @Override
   public String name() {
@@ -51,7 +70,7 @@ final class Illumination implements Experiment {
     settings.add(
         Setting.number(
             FALLEN, 40, 0, 10_000, "light that is left after it has fallen, lux; paper 5.1"));
-    settings.addAll(Physics.settings());
+    settings.addAll(Physics.settingsWithout(IDLE));
     return settings;
   }
 
@@ -79,7 +98,7 @@ final class Illumination implements Experiment {
 
   private static Findings findings(Request request, List<LightRun> dark, List<LightRun> recovery) {
     Map<String, Table> tables = new LinkedHashMap<>();
-    tables.put("runs", runs(recovery));
+    tables.put("runs", runs(recovery, request.settings().number(LAMP_SECONDS)));
     tables.put("samples", samples(dark, recovery));
     tables.put("story", story(recovery));
     List<Figure> figures = figures(dark.get(0), recovery.get(0));
@@ -108,7 +127,7 @@ final class Illumination implements Experiment {
         recovery.stream().flatMapToDouble(run -> run.recoverySeconds().stream()).toArray());
   }
 
-  private static Table runs(List<LightRun> recovery) {
+  private static Table runs(List<LightRun> recovery, double lampSeconds) {
     Table table =
         new Table(
             "run", "seed", "goal", "success", "duration_s", "lower_bound_s", "replans", "failure");
@@ -120,7 +139,7 @@ final class Illumination implements Experiment {
           GOAL,
           back,
           run.recoverySeconds().orElse(Double.NaN),
-          LAMP_SECONDS,
+          lampSeconds,
           Math.max(0, run.plans().size() - 1),
           back ? "" : "Within 20 s the light at the sensor did not reach 72 lux again.");
     }
@@ -216,7 +235,7 @@ final class Illumination implements Experiment {
             "Illumination",
             "The paper's section 5.1: colour-based detection fails in the dark; the deliberation of the illumination agent yields a plan that raises the light, and detection is stable again.",
             request.command("illumination"));
-    page.heading("Paper and measurement").comparison(rows(dark, recovery));
+    page.heading("Paper and measurement").comparison(rows(dark, recovery, request.settings()));
     page.heading("Figures");
     figures.forEach(page::figure);
     page.heading("What the illumination agent found and planned, run 1")
@@ -236,7 +255,8 @@ final class Illumination implements Experiment {
     return page.settings(request.settings());
   }
 
-  private static List<Page.Row> rows(List<LightRun> dark, List<LightRun> recovery) {
+  private static List<Page.Row> rows(
+      List<LightRun> dark, List<LightRun> recovery, Settings settings) {
     double[] lux =
         dark.stream()
             .flatMap(run -> run.samples().stream())
@@ -290,7 +310,8 @@ final class Illumination implements Experiment {
                     back.mean(),
                     back.count(),
                     recovery.size()),
-            "from the fall on, looked at five times a second; a lamp takes 0.4 s"));
+            "from the fall on, looked at five times a second; a lamp takes %s s"
+                .formatted(settings.value(Physics.setting(LAMP_SECONDS)))));
   }
 
   private static String percent(double share) {

@@ -23,6 +23,9 @@ final class MoveObject implements Experiment {
   private static final String PACE = "paced.speed";
   private static final int PACED_RUNS = 20;
 
+  /** There is one robot, and it cannot charge its battery, whatever it tells of it. */
+  static final String IDLE = "world.battery.worthTelling";
+
   /** Of the trail's samples every fifth is written: ten a second. */
   private static final int TRAIL_STRIDE = 5;
 
@@ -45,7 +48,7 @@ final class MoveObject implements Experiment {
   public List<Setting> settings() {
     List<Setting> settings = new ArrayList<>(Laboratory.settings());
     settings.addAll(MoveRun.settings());
-    settings.addAll(Physics.settings());
+    settings.addAll(Physics.settingsWithout(IDLE));
     settings.add(
         Setting.number(
             PACE, 4, 0.1, 100, "simulated seconds per second of wall time with --paced"));
@@ -169,7 +172,7 @@ final class MoveObject implements Experiment {
     return table;
   }
 
-  private static Table details(List<MoveRun> runs) {
+  static Table details(List<MoveRun> runs) {
     Table table =
         new Table(
             "run",

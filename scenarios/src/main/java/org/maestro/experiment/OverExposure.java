@@ -21,8 +21,8 @@ import org.maestro.experiment.setting.Settings;
  * shutters.
  */
 final class OverExposure implements Experiment {
-  private static final String NOTICES = "world.camera.noticesGlare";
-  private static final String SHUTTERS = "world.shutters";
+  private static final Setting NOTICES = Physics.setting("world.camera.noticesGlare");
+  private static final Setting SHUTTERS = Physics.setting("world.shutters");
   private static final List<Stacks.Piece> ENDINGS =
       List.of(
           new Stacks.Piece("reached", Ink.GREEN),
@@ -78,7 +78,8 @@ final class OverExposure implements Experiment {
   public List<Setting> settings() {
     List<Setting> settings = new ArrayList<>(Laboratory.settings());
     settings.addAll(MoveRun.settings());
-    settings.addAll(Physics.settings());
+    // each condition says by itself what these two are
+    settings.addAll(Physics.settingsWithout(MoveObject.IDLE, NOTICES.name(), SHUTTERS.name()));
     return settings;
   }
 

@@ -14,7 +14,6 @@ import org.maestro.experiment.Experiment;
 import org.maestro.experiment.Experiments;
 import org.maestro.experiment.Findings;
 import org.maestro.experiment.Request;
-import org.maestro.experiment.setting.Settings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -85,7 +84,7 @@ final class ExperimentCommand implements Callable<Integer> {
         new Request(
             checkedRuns(experiment),
             seed,
-            new Settings(experiment.settings(), given),
+            Experiments.settings(experiment, given),
             checkedPaced(experiment));
     Path target = madeReady(directory.orElse(Path.of("experiment-" + experiment.name())));
     Findings findings = experiment.carryOut(request, new ProgressBar(spec.commandLine().getErr()));

@@ -9,7 +9,6 @@ import java.util.Arrays;
 import java.util.Map;
 import javax.imageio.ImageIO;
 import org.maestro.experiment.drawing.Figure;
-import org.maestro.experiment.setting.Settings;
 
 /** Experiments as tests carry them out, and what must be true of all their findings. */
 final class CarriedOut {
@@ -18,7 +17,7 @@ final class CarriedOut {
   static Findings findings(String name, int runs, long seed, Map<String, String> given) {
     Experiment experiment = Experiments.named(name).orElseThrow();
     return experiment.carryOut(
-        new Request(runs, seed, new Settings(experiment.settings(), given), false),
+        new Request(runs, seed, Experiments.settings(experiment, given), false),
         (done, of, line) -> {});
   }
 

@@ -10,7 +10,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.maestro.experiment.setting.Settings;
 
 /** What docs/guide-experiments.md says can be typed, can be. */
 class GuideTest {
@@ -25,7 +24,7 @@ class GuideTest {
     for (String command : commands) {
       String[] words = command.strip().split("\\s+");
       if (Experiments.named(words[2]).isPresent()) {
-        new Settings(Experiments.named(words[2]).orElseThrow().settings(), given(words));
+        Experiments.settings(Experiments.named(words[2]).orElseThrow(), given(words));
       } else {
         assertThat(command).isEqualTo(commands.get(0));
       }

@@ -1,22 +1,26 @@
 package org.maestro.experiment.setting;
 
+import java.lang.reflect.RecordComponent;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.maestro.sim.PhysicalParameters;
 import org.maestro.sim.PhysicalSettings;
 
 /**
- * The physics that can be set in every experiment: every number of {@link PhysicalParameters}, by
- * its name, but for those of hardware that no experiment's home has.
+ * The physics that can be set in experiments: every number of {@link PhysicalParameters}, by its
+ * name, but for those that change nothing there.
  */
 public final class Physics {
   private static final Map<String, String> USUAL =
       PhysicalSettings.of(PhysicalParameters.standard());
 
   /**
-   * Wheels of their own and cameras on robots, driven doors, lamps behind switches, charging
-   * stations.
+   * Of hardware that no experiment's home has: wheels of their own and cameras on robots, driven
+   * doors, lamps behind switches, charging stations. And the shades of white, of which light and
+   * detection do not depend and for which no goal of an experiment asks.
    */
   private static final List<String> ABSENT =
       List.of(
@@ -30,21 +34,47 @@ public final class Physics {
           "world.wheels.aimRadians",
           "world.drives.doorSeconds",
           "world.drives.relaySeconds",
-          "world.battery.chargingWatts");
+          "world.battery.chargingWatts",
+          "world.lamp.white");
 
   private Physics() {}
 
-  public static List<Setting> settings() {
-    return USUAL.entrySet().stream()
-        .filter(entry -> ABSENT.stream().noneMatch(entry.getKey()::startsWith))
-        .map(
-            entry ->
-                new Setting(
-                    entry.getKey(),
-                    entry.getValue(),
-                    new Setting.Range.Physical(),
-                    "physics; its source is stated in PhysicalParameters"))
+  /**
+   * What acts in an experiment.
+   *
+   * @param idle beginnings of the names of what changes nothing there
+   */
+  public static List<Setting> settingsWithout(String... idle) {
+    return USUAL.keySet().stream()
+        .filter(
+            name -> Stream.concat(ABSENT.stream(), Arrays.stream(idle)).noneMatch(name::startsWith))
+        .map(Physics::setting)
         .toList();
+  }
+
+  /** Whether a number of the physics is called so, whether it acts in an experiment or not. */
+  public static boolean isNumber(String name) {
+    return USUAL.containsKey(name);
+  }
+
+  /** By its name. */
+  public static Setting setting(String name) {
+    return new Setting(
+        name,
+        USUAL.get(name),
+        new Setting.Range.Physical(),
+        "physics; what it is, its unit and its source are stated in " + statedIn(name));
+  }
+
+  private static String statedIn(String name) {
+    String part = name.split("\\.")[1];
+    return Arrays.stream(PhysicalParameters.class.getRecordComponents())
+        .filter(component -> component.getName().equals(part))
+        .map(RecordComponent::getType)
+        .filter(Class::isRecord)
+        .findFirst()
+        .orElse(PhysicalParameters.class)
+        .getSimpleName();
   }
 
   public static PhysicalParameters of(Settings settings) {

@@ -78,10 +78,12 @@ public final class Settings {
     return text(setting.name());
   }
 
-  /** The same with another value of one setting. */
-  public Settings with(String name, String value) {
+  /** The same with another value of a setting, which need not have been among them. */
+  public Settings with(Setting setting, String value) {
+    Map<String, Setting> more = new LinkedHashMap<>(known);
+    more.put(setting.name(), setting);
     Map<String, String> changed = new TreeMap<>(values);
-    changed.put(name, value);
-    return new Settings(known(), changed);
+    changed.put(setting.name(), value);
+    return new Settings(List.copyOf(more.values()), changed);
   }
 }
