@@ -1,10 +1,13 @@
 package org.maestro.experiment;
 
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.maestro.experiment.setting.Physics;
+import org.maestro.experiment.setting.Setting;
 import org.maestro.experiment.setting.SettingException;
 import org.maestro.experiment.setting.Settings;
 
@@ -31,22 +34,44 @@ public final class Experiments {
   /**
    * What is set for an experiment.
    *
-   * @param given values by name
-   * @throws SettingException when one is unknown, changes nothing in this experiment, or has a
-   *     value that it may not have
+   * @param notes a sentence about each of what was given that changes nothing in it
    */
-  public static Settings settings(Experiment experiment, Map<String, String> given) {
-    given.keySet().stream()
-        .filter(name -> !offers(experiment, name))
-        .filter(name -> Physics.isNumber(name) || ALL.stream().anyMatch(any -> offers(any, name)))
+  public record Chosen(Settings settings, List<String> notes) {}
+
+  /**
+   * Sets what acts in the experiment. The same may be given to all experiments: what acts in others
+   * only is checked and said.
+   *
+   * @param given values by name
+   * @throws SettingException when one is unknown or has a value that it may not have
+   */
+  public static Chosen settings(Experiment experiment, Map<String, String> given) {
+    Map<String, String> acting = new LinkedHashMap<>(given);
+    List<String> notes = new ArrayList<>();
+    given.forEach(
+        (name, value) -> {
+          Optional<Setting> elsewhere = elsewhere(experiment, name);
+          if (elsewhere.isPresent()) {
+            acting.remove(name);
+            notes.add(
+                "%s changes nothing in %s; it acts in %s."
+                    .formatted(name, experiment.name(), whereItActs(name)));
+            new Settings(List.of(elsewhere.get()), Map.of(name, value));
+          }
+        });
+    return new Chosen(new Settings(experiment.settings(), acting), List.copyOf(notes));
+  }
+
+  /** What is called so, unless the experiment offers it itself. */
+  private static Optional<Setting> elsewhere(Experiment experiment, String name) {
+    if (offers(experiment, name)) {
+      return Optional.empty();
+    }
+    return ALL.stream()
+        .flatMap(any -> any.settings().stream())
+        .filter(setting -> setting.name().equals(name))
         .findFirst()
-        .ifPresent(
-            name -> {
-              throw new SettingException(
-                  "%s changes nothing in %s; it acts in %s."
-                      .formatted(name, experiment.name(), whereItActs(name)));
-            });
-    return new Settings(experiment.settings(), given);
+        .or(() -> Physics.isNumber(name) ? Optional.of(Physics.setting(name)) : Optional.empty());
   }
 
   private static String whereItActs(String name) {

@@ -80,12 +80,10 @@ final class ExperimentCommand implements Callable<Integer> {
                 () ->
                     CommandException.badInput(
                         "There is no experiment %s; there are %s.".formatted(name.get(), names())));
+    Experiments.Chosen chosen = Experiments.settings(experiment, given);
+    chosen.notes().forEach(spec.commandLine().getErr()::println);
     Request request =
-        new Request(
-            checkedRuns(experiment),
-            seed,
-            Experiments.settings(experiment, given),
-            checkedPaced(experiment));
+        new Request(checkedRuns(experiment), seed, chosen.settings(), checkedPaced(experiment));
     Path target = madeReady(directory.orElse(Path.of("experiment-" + experiment.name())));
     Findings findings = experiment.carryOut(request, new ProgressBar(spec.commandLine().getErr()));
     Path page = findings.write(target);

@@ -17,7 +17,7 @@ final class CarriedOut {
   static Findings findings(String name, int runs, long seed, Map<String, String> given) {
     Experiment experiment = Experiments.named(name).orElseThrow();
     return experiment.carryOut(
-        new Request(runs, seed, Experiments.settings(experiment, given), false),
+        new Request(runs, seed, Experiments.settings(experiment, given).settings(), false),
         (done, of, line) -> {});
   }
 

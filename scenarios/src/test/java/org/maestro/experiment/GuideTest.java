@@ -24,7 +24,7 @@ class GuideTest {
     for (String command : commands) {
       String[] words = command.strip().split("\\s+");
       if (Experiments.named(words[2]).isPresent()) {
-        Experiments.settings(Experiments.named(words[2]).orElseThrow(), given(words));
+        Experiments.settings(Experiments.named(words[2]).orElseThrow(), given(words)).settings();
       } else {
         assertThat(command).isEqualTo(commands.get(0));
       }

@@ -61,4 +61,20 @@ class SettingsActTest {
     expected.removeAll(Set.of(PACED, "world.shutters", "world.camera.noticesGlare"));
     assertThat(names("over-exposure")).isEqualTo(expected);
   }
+
+  @Test
+  void whatActsElsewhereIsSaid() {
+    assertThat(notes("illumination", "world.facade.noise"))
+        .containsExactly(
+            "world.facade.noise changes nothing in illumination; it acts in move-object, over-exposure.");
+    assertThat(notes("join-leave", "world.turn.height"))
+        .containsExactly(
+            "world.turn.height changes nothing in join-leave; it acts in none of the experiments.");
+    assertThat(notes("move-object", "world.facade.noise")).isEmpty();
+  }
+
+  private static List<String> notes(String experiment, String name) {
+    return Experiments.settings(Experiments.named(experiment).orElseThrow(), Map.of(name, "1"))
+        .notes();
+  }
 }

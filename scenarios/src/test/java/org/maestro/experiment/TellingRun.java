@@ -186,7 +186,8 @@ record TellingRun(
 
   /** What comes into the experiment's tables, and the bytes of the pictures that are taken. */
   List<Object> written() {
-    Settings settings = Experiments.settings(Experiments.named(experiment).orElseThrow(), given);
+    Settings settings =
+        Experiments.settings(Experiments.named(experiment).orElseThrow(), given).settings();
     return switch (experiment) {
       case "illumination" -> lit(settings);
       case "join-leave" -> {
