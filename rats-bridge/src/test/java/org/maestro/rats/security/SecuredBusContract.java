@@ -99,6 +99,10 @@ abstract class SecuredBusContract {
     List<String> told = new CopyOnWriteArrayList<>();
     try (SecuredSite site = new SecuredSite(files, byPassword(files))) {
       site.join(site.security.password("door"));
+      // The broker may lose what is retained to whoever subscribes while it is published.
+      try (RatsLink link = site.connect(site.security.password("cca"))) {
+        await(() -> isReady(link, "door"));
+      }
       PahoTransport witness = new PahoTransport(site.uri(), site.security.password("cca"));
       for (String filter : List.of("rats/1/home/member/#", "rats/1/home/call/#")) {
         witness.subscribe(
@@ -322,8 +326,11 @@ abstract class SecuredBusContract {
             told.add("lost: " + reason);
           }
         });
-    await(() -> !told.isEmpty() && also.getAsBoolean());
-    transport.die();
+    try {
+      await(() -> !told.isEmpty() && also.getAsBoolean());
+    } finally {
+      transport.die();
+    }
     return told.get(0);
   }
 
