@@ -37,6 +37,7 @@ public final class HostService extends BaseService {
     if (profile instanceof ProfileImpl all && all.getProperties().get(KEY) instanceof Host given) {
       host = given;
     }
+    AgentTable.guard(container);
     host.attach(container);
   }
 
