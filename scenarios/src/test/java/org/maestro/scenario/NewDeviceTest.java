@@ -101,6 +101,25 @@ class NewDeviceTest {
     assertThat(stage.world()).hasNextTo("Cup", "Bob");
   }
 
+  /** M22: it need not look for what others have seen before it came. */
+  @Test
+  void whoJoinsUsesWhatWasSeenBefore(Stage stage) {
+    assertThat(stage.goal("(canSee ?camera Cup)")).isReached();
+    assertThat(stage.goal("(canSee ?camera Bob)")).isReached();
+    joins(
+        stage,
+        "band-1",
+        BAND,
+        "waft",
+        Set.of("belt"),
+        after(stage, 2, () -> stage.world().moveByHand("Cup", besideBob(stage))));
+
+    assertThat(stage.goal(WISH))
+        .isReached()
+        .tells("Plan 1 (cost 2): 1. band-1 wafts Cup to Bob")
+        .neverTells("looks for Cup in zone-b");
+  }
+
   private static void shine(Stage stage) {
     stage.world().setAmbient("zone-b", 97);
   }
