@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.function.Supplier;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.Grounder;
@@ -93,9 +94,9 @@ final class PddlSolving {
     Patience patience = Patience.seconds(asked.deadlineSeconds() - sinceStart(), () -> false);
     try {
       LiftedTask lifted = PddlReader.read(Path.of(asked.domain()), Path.of(asked.problem()));
-      tell("read");
+      tell(() -> "read");
       GrowingTask task = Grounder.growing(lifted, patience);
-      tell("%d operators at first".formatted(task.task().operators().size()));
+      tell(() -> "%d operators at first".formatted(task.task().operators().size()));
       long memory = Runtime.getRuntime().maxMemory() / 10 * 6;
       AnytimePlanner planner = new AnytimePlanner(task, memory, this::tell);
       Solution solution = asked.first() ? planner.first(patience) : planner.solve(patience);
@@ -119,9 +120,9 @@ final class PddlSolving {
     }
   }
 
-  private void tell(String progress) {
+  private void tell(Supplier<String> progress) {
     if (asked.verbose()) {
-      err.printf(Locale.ROOT, "%.2f s: %s%n", sinceStart(), progress);
+      err.printf(Locale.ROOT, "%.2f s: %s%n", sinceStart(), progress.get());
     }
   }
 

@@ -3,17 +3,20 @@ package org.maestro.bench;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
-import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.List;
 import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.maestro.launch.JavaProcess;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.Grounder;
 import org.maestro.planning.ground.LiftedTask;
 import org.maestro.planning.ground.Patience;
-import org.maestro.planning.pddl.PddlReader;
 import org.maestro.planning.search.AnytimePlanner;
 import org.maestro.planning.search.Solution;
 
@@ -55,7 +58,7 @@ class PlannerPatienceTest {
 
   @Test
   void endsWithinTwentyMillisecondsWhenCancelled() throws IOException {
-    LiftedTask task = task(300, PlanningHome.Wish.THREE_TRANSPORTS);
+    LiftedTask task = CancelledPlanner.task(300, PlanningHome.Wish.THREE_TRANSPORTS);
     double longest = Double.MAX_VALUE;
     for (int attempt = 0; attempt < ATTEMPTS && longest >= 20; attempt++) {
       Watch watch = new Watch(0.8);
@@ -67,6 +70,32 @@ class PlannerPatienceTest {
     assertThat(longest).isLessThan(20);
   }
 
+  /** A process that never planned before runs slowly what it runs: it looks more often for that. */
+  @Tag("full")
+  @ParameterizedTest
+  @CsvSource({
+    "100, TRANSPORT, 5",
+    "100, TRANSPORT, 20",
+    "100, ILLUMINATE, 35",
+    "1000, ILLUMINATE, 50",
+    "1000, TRANSPORT, 90",
+    "100, THREE_TRANSPORTS, 160",
+    "100, THREE_TRANSPORTS, 400",
+    "1000, OBSERVE, 70",
+    "1000, THREE_TRANSPORTS, 500"
+  })
+  void endsWithinTwentyMillisecondsInAFreshProcess(int agents, String wish, int afterMilliseconds)
+      throws Exception {
+    try (JavaProcess process =
+        JavaProcess.start(
+            CancelledPlanner.class.getName(),
+            List.of(String.valueOf(agents), wish, String.valueOf(afterMilliseconds)))) {
+      JavaProcess.Ended ended = process.await(Duration.ofSeconds(60));
+      assertThat(ended.errors()).isEmpty();
+      assertThat(Double.parseDouble(ended.output())).isLessThan(20);
+    }
+  }
+
   private static Solution plan(LiftedTask task, BooleanSupplier cancelled) {
     Patience patience = Patience.seconds(Double.POSITIVE_INFINITY, cancelled);
     return new AnytimePlanner(Grounder.growing(task, patience), MEMORY, line -> {}).solve(patience);
@@ -75,19 +104,11 @@ class PlannerPatienceTest {
   @Test
   void keepsItsPlanWhenMemoryIsUsedUp() throws IOException {
     GroundTask task =
-        Grounder.ground(task(100, PlanningHome.Wish.THREE_TRANSPORTS), Patience.endless());
+        Grounder.ground(
+            CancelledPlanner.task(100, PlanningHome.Wish.THREE_TRANSPORTS), Patience.endless());
     Solution solution = new AnytimePlanner(task, 500_000, line -> {}).solve(Patience.endless());
     assertThat(solution.memoryUsedUp()).isTrue();
     assertThat(solution.verdict()).isEqualTo(Solution.Verdict.PLAN);
     assertThat(solution.lowerBound()).isPositive().isLessThan(solution.cost());
-  }
-
-  private static LiftedTask task(int agents, PlanningHome.Wish wish) throws IOException {
-    try (InputStream in =
-        PlannerPatienceTest.class.getResourceAsStream("/planning/home-domain.pddl")) {
-      String domain = new String(in.readAllBytes(), StandardCharsets.UTF_8);
-      return PddlReader.parse(
-          "domain", domain, "problem", new PlanningHome(agents, 3).problem(wish));
-    }
   }
 }

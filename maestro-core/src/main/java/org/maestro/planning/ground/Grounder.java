@@ -29,6 +29,7 @@ public final class Grounder implements GrowingTask {
     relations = new Relation[symbols];
     Arrays.setAll(relations, symbol -> new Relation(task.objects().size()));
     for (Atom atom : task.initial()) {
+      patience.check();
       if (!changing[atom.symbol()] && relations[atom.symbol()].number(atom.terms()) < 0) {
         relations[atom.symbol()].add(atom.terms());
       }

@@ -81,6 +81,7 @@ final class Instances {
 
   private void begin() {
     for (Atom atom : task.initial()) {
+      patience.check();
       if (changing[atom.symbol()]) {
         reach(atom.symbol(), atom.terms(), 0);
       }

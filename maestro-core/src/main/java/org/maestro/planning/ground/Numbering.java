@@ -360,6 +360,7 @@ final class Numbering {
     TreeSet<Integer> initial = new TreeSet<>(opposites.values());
     int[] nothing = {};
     for (Atom atom : task.initial()) {
+      patience.check();
       int fact = fact(atom, nothing);
       if (fact >= 0) {
         initial.add(fact);

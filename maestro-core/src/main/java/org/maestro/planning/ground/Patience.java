@@ -8,7 +8,7 @@ import java.util.function.BooleanSupplier;
  * from the planning thread; who cancels may be any thread.
  */
 public final class Patience {
-  private static final int ASKED_BETWEEN = 256;
+  private static final int ASKED_BETWEEN = 64;
 
   private final long end;
   private final BooleanSupplier cancelled;
@@ -64,12 +64,13 @@ public final class Patience {
   }
 
   /**
-   * Looks at the clock now and then; cheap enough for innermost loops.
+   * Looks whether it was cancelled, and at the clock now and then; cheap enough for inner loops.
    *
    * @throws CancellationException when it is over
    */
   public void check() {
-    if (++asked % ASKED_BETWEEN == 0) {
+    // Code that was never run before is slow: sixty rounds of it may take longer than a cancel may.
+    if (cancelled.getAsBoolean() || ++asked % ASKED_BETWEEN == 0) {
       refuseIfOver();
     }
   }

@@ -10,6 +10,9 @@ import java.util.Map;
 final class Relation {
   private static final int[] NONE = {};
 
+  /** Odd, so that no two keys become the same. */
+  private static final long SPREAD = 0x9E3779B97F4A7C15L;
+
   /** A growing list of tuple numbers. */
   private static final class Bucket {
     private int[] numbers = new int[4];
@@ -78,6 +81,7 @@ final class Relation {
     return number;
   }
 
+  /** Unlike for unlike objects, and spread: the low bits alone would fall together in a table. */
   private long key(int mask, int[] tuple) {
     long key = 0;
     for (int i = 0; i < tuple.length; i++) {
@@ -85,7 +89,7 @@ final class Relation {
         key = key << bits | tuple[i];
       }
     }
-    return key;
+    return key * SPREAD;
   }
 
   /** As many positions as fit into a key; the others have to be compared. */

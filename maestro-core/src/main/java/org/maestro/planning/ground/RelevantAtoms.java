@@ -56,15 +56,16 @@ final class RelevantAtoms {
         possible[symbol] = possible(symbol);
       }
     }
-    this.spokes = new Spokes(task);
+    this.spokes = new Spokes(task, patience);
     task.schemas().forEach(schema -> numberOf.put(schema, numberOf.size()));
+    List<Atom> initiallyEntered = new ArrayList<>();
     for (Atom atom : task.initial()) {
+      patience.check();
       if (spokes.isSpoke(atom.symbol())) {
         entered.add(atom);
+        initiallyEntered.add(atom);
       }
     }
-    List<Atom> initiallyEntered =
-        task.initial().stream().filter(atom -> spokes.isSpoke(atom.symbol())).toList();
     need(task.goal(), unbound(task.goal()));
     initiallyEntered.forEach(atom -> open.add(() -> release(atom)));
     while (!open.isEmpty()) {
@@ -76,6 +77,7 @@ final class RelevantAtoms {
   private Relation possible(int symbol) {
     Relation relation = new Relation(task.objects().size());
     for (Atom atom : task.initial()) {
+      patience.check();
       if (atom.symbol() == symbol && relation.number(atom.terms()) < 0) {
         relation.add(atom.terms());
       }
@@ -268,6 +270,7 @@ final class RelevantAtoms {
   /** Every schema that can make the atoms of the pattern hold, or lack, matters. */
   private void achieve(Atom pattern, boolean positive) {
     for (Schema schema : task.schemas()) {
+      patience.check();
       for (Atom effect : positive ? schema.additions() : schema.deletions()) {
         if (effect.symbol() == pattern.symbol()) {
           int[] bound = bind(schema, unbound(schema), effect, pattern.terms());
@@ -281,6 +284,7 @@ final class RelevantAtoms {
 
   private void change(Atom function) {
     for (Schema schema : task.schemas()) {
+      patience.check();
       for (Schema.Increase increase : schema.increases()) {
         if (increase.function().symbol() == function.symbol()) {
           int[] bound = bind(schema, unbound(schema), increase.function(), function.terms());

@@ -2,6 +2,7 @@ package org.maestro.planning.ground;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -21,14 +22,21 @@ final class Spokes {
   private record Spoke(int symbol, int[] places) {}
 
   private final LiftedTask task;
+  private final Patience patience;
   private final Map<Integer, List<Spoke>> spokesOf = new HashMap<>();
+  private final BitSet symbols = new BitSet();
 
-  Spokes(LiftedTask task) {
+  /**
+   * @throws java.util.concurrent.CancellationException when patience is over
+   */
+  Spokes(LiftedTask task, Patience patience) {
     this.task = task;
+    this.patience = patience;
     for (int symbol = 0; symbol < task.predicates().size(); symbol++) {
       List<Spoke> spokes = candidates(symbol);
       if (!spokes.isEmpty() && isWheel(symbol, spokes)) {
         spokesOf.put(symbol, spokes);
+        spokes.forEach(spoke -> symbols.set(spoke.symbol()));
       }
     }
   }
@@ -45,14 +53,13 @@ final class Spokes {
   }
 
   boolean isSpoke(int symbol) {
-    return spokesOf.values().stream()
-        .flatMap(List::stream)
-        .anyMatch(spoke -> spoke.symbol() == symbol);
+    return symbols.get(symbol);
   }
 
   private List<Spoke> candidates(int middle) {
     List<Spoke> result = new ArrayList<>();
     for (Schema schema : task.schemas()) {
+      patience.check();
       for (Atom added : schema.additions()) {
         if (added.symbol() == middle) {
           for (Atom left : exchanged(schema)) {
@@ -107,10 +114,14 @@ final class Spokes {
 
   /** What a schema needs and deletes. */
   private static List<Atom> exchanged(Schema schema) {
-    return schema.deletions().stream()
-        .filter(atom -> schema.conditions().contains(new Literal(atom, true)))
-        .filter(atom -> !schema.additions().contains(atom))
-        .toList();
+    List<Atom> exchanged = new ArrayList<>();
+    for (Atom atom : schema.deletions()) {
+      if (schema.conditions().contains(new Literal(atom, true))
+          && !schema.additions().contains(atom)) {
+        exchanged.add(atom);
+      }
+    }
+    return exchanged;
   }
 
   /** Whether at each moment at most one of the middle and its spokes holds, for each key. */
@@ -121,7 +132,8 @@ final class Spokes {
         && holdsAtFirst(middle, spokes);
   }
 
-  private static boolean keeps(Schema schema, int middle, List<Spoke> spokes) {
+  private boolean keeps(Schema schema, int middle, List<Spoke> spokes) {
+    patience.check();
     List<Atom> left = new ArrayList<>();
     for (Atom added : schema.additions()) {
       List<Atom> matching =
@@ -150,6 +162,7 @@ final class Spokes {
   private boolean holdsAtFirst(int middle, List<Spoke> spokes) {
     Map<List<Integer>, Integer> weights = new HashMap<>();
     for (Atom atom : task.initial()) {
+      patience.check();
       if (atom.symbol() == middle) {
         weights.merge(Arrays.stream(atom.terms()).boxed().toList(), 1, Integer::sum);
       }

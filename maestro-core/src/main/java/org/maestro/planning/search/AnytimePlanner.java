@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.GrowingTask;
@@ -52,15 +53,16 @@ public final class AnytimePlanner {
 
   private final GrowingTask growing;
   private final long memory;
-  private final Consumer<String> progress;
+  private final Consumer<Supplier<String>> progress;
   private Optional<SettledTask> settled = Optional.empty();
   private Solution best = Solution.without(Verdict.OUT_OF_TIME, 0);
 
   /**
    * @param memory how many bytes searches may use, about
-   * @param progress is told, for people, how far planning came
+   * @param progress is told, for people, how far planning came; only who asks has it put in words,
+   *     as the first time that takes longer than a cancel may
    */
-  public AnytimePlanner(GroundTask task, long memory, Consumer<String> progress) {
+  public AnytimePlanner(GroundTask task, long memory, Consumer<Supplier<String>> progress) {
     this(GrowingTask.whole(task), memory, progress);
   }
 
@@ -69,7 +71,7 @@ public final class AnytimePlanner {
    * @param memory how many bytes searches may use, about
    * @param progress is told, for people, how far planning came
    */
-  public AnytimePlanner(GrowingTask task, long memory, Consumer<String> progress) {
+  public AnytimePlanner(GrowingTask task, long memory, Consumer<Supplier<String>> progress) {
     this.progress = progress;
     this.growing = task;
     this.memory = memory;
@@ -171,7 +173,7 @@ public final class AnytimePlanner {
     growing.grow(cost, patience);
     best = best.times(one() / unit);
     settled = Optional.empty();
-    progress.accept("%d operators".formatted(growing.task().operators().size()));
+    progress.accept(() -> "%d operators".formatted(growing.task().operators().size()));
   }
 
   private SettledTask settled(Patience patience) {
@@ -196,7 +198,7 @@ public final class AnytimePlanner {
       }
       return greedy(reduced, heuristic, mostStates, patience);
     } catch (CancellationException e) {
-      progress.accept("greedy search was stopped");
+      progress.accept(() -> "greedy search was stopped");
       return Attempt.STOPPED;
     }
   }
@@ -234,19 +236,20 @@ public final class AnytimePlanner {
       SearchTask reduced = new SearchTask(removed.task(), removed.task().operators(), patience);
       List<Leaf> leaves = Factoring.leaves(reduced, below, patience);
       progress.accept(
-          "plan of cost %d, bound %d, %d of %d operators and %d facts left, leaves of %s states"
-              .formatted(
-                  best.cost(),
-                  best.lowerBound(),
-                  reduced.operators.size(),
-                  task.operators().size(),
-                  reduced.facts,
-                  leaves.stream().map(leaf -> leaf.space.size()).toList()));
+          () ->
+              "plan of cost %d, bound %d, %d of %d operators and %d facts left, leaves of %s states"
+                  .formatted(
+                      best.cost(),
+                      best.lowerBound(),
+                      reduced.operators.size(),
+                      task.operators().size(),
+                      reduced.facts,
+                      leaves.stream().map(leaf -> leaf.space.size()).toList()));
       return star(
           new StarSearch(
               reduced, leaves, below, weight, memory, patience, plan -> keep(reduced, plan)));
     } catch (CancellationException e) {
-      progress.accept("weight %d: stopped".formatted(weight));
+      progress.accept(() -> "weight %d: stopped".formatted(weight));
       return false;
     }
   }
@@ -262,8 +265,9 @@ public final class AnytimePlanner {
       return end == StarSearch.End.EXHAUSTED;
     } finally {
       progress.accept(
-          "%d states, bound %d, plan of cost %d"
-              .formatted(search.states(), search.lowerBound(), best.cost()));
+          () ->
+              "%d states, bound %d, plan of cost %d"
+                  .formatted(search.states(), search.lowerBound(), best.cost()));
       raise(search.lowerBound());
     }
   }

@@ -39,6 +39,7 @@ final class CentreOperators {
     ownSums = new boolean[task.origin.sums().length];
     Arrays.fill(ownSums, true);
     for (Leaf leaf : leaves) {
+      patience.refuseIfOver();
       for (int fact = 0; fact < task.facts; fact++) {
         if (leaf.space.concerns(fact)) {
           facts.clear(fact);
@@ -54,6 +55,7 @@ final class CentreOperators {
             .toArray();
     List<Integer> own = new ArrayList<>();
     for (int o = 0; o < task.operators.size(); o++) {
+      patience.check();
       if (isOwn(o)) {
         own.add(o);
       }

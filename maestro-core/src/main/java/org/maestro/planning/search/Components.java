@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
 import org.maestro.planning.ground.GroundOperator;
+import org.maestro.planning.ground.Patience;
 
 /**
  * The facts and sums of a task in groups such that every operator changes those of one group only:
@@ -26,13 +27,17 @@ final class Components {
   private final int[] componentOf;
   private final List<Component> components = new ArrayList<>();
 
-  Components(SearchTask task) {
+  /**
+   * @throws java.util.concurrent.CancellationException when patience is over
+   */
+  Components(SearchTask task, Patience patience) {
     this.task = task;
     int things = task.facts + task.origin.sums().length;
     leader = new int[things];
     Arrays.setAll(leader, i -> i);
     int[] first = new int[task.operators.size()];
     for (int o = 0; o < first.length; o++) {
+      patience.check();
       int[] changed = changed(o);
       first[o] = changed.length == 0 ? -1 : changed[0];
       for (int thing : changed) {
@@ -59,6 +64,7 @@ final class Components {
       }
     }
     for (int c = 0; c < numbers.size(); c++) {
+      patience.check();
       TreeSet<Integer> needed = new TreeSet<>();
       for (int o : operators.get(c)) {
         for (int fact : task.needed[o]) {

@@ -22,12 +22,14 @@ final class Factoring {
   private static final int MOST_STATES = 4000;
 
   private final SearchTask task;
+  private final Patience patience;
   private final Components components;
   private final List<Set<Integer>> neighbours = new ArrayList<>();
 
-  private Factoring(SearchTask task) {
+  private Factoring(SearchTask task, Patience patience) {
     this.task = task;
-    components = new Components(task);
+    this.patience = patience;
+    components = new Components(task, patience);
     for (int c = 0; c < components.all().size(); c++) {
       neighbours.add(new HashSet<>());
     }
@@ -45,15 +47,15 @@ final class Factoring {
    * @param below plans that cost this much or more do not matter
    */
   static List<Leaf> leaves(SearchTask task, long below, Patience patience) {
-    return new Factoring(task).choose(below, patience);
+    return new Factoring(task, patience).choose(below);
   }
 
-  private List<Leaf> choose(long below, Patience patience) {
+  private List<Leaf> choose(long below) {
     Map<Integer, LeafSpace> spaces = new LinkedHashMap<>();
     for (int c = 0; c < components.all().size(); c++) {
       Component component = components.all().get(c);
       if (component.operators().length > 0 && looksAtNoForeignSum(c)) {
-        explore(component, below, patience).ifPresent(putInto(spaces, c));
+        explore(component, below).ifPresent(putInto(spaces, c));
       }
     }
     List<Leaf> leaves = new ArrayList<>();
@@ -92,7 +94,7 @@ final class Factoring {
   }
 
   /** States that are dearer than what is left beside all other costs are left out. */
-  private Optional<LeafSpace> explore(Component component, long below, Patience patience) {
+  private Optional<LeafSpace> explore(Component component, long below) {
     long[] others = task.cost.clone();
     for (int o : component.operators()) {
       others[o] = 0;
@@ -106,11 +108,11 @@ final class Factoring {
 
   private double worth(int c, Map<Integer, LeafSpace> spaces, Set<Integer> left) {
     Component component = components.all().get(c);
-    long inside =
-        Arrays.stream(component.operators())
-            .filter(
-                o -> Arrays.stream(task.needed[o]).allMatch(f -> components.componentOf(f) == c))
-            .count();
+    int inside = 0;
+    for (int o : component.operators()) {
+      patience.check();
+      inside += Arrays.stream(task.needed[o]).allMatch(f -> components.componentOf(f) == c) ? 1 : 0;
+    }
     double lost = 1;
     for (int other : neighbours.get(c)) {
       if (left.contains(other)) {

@@ -73,6 +73,7 @@ final class LeafSpace {
       open.clear();
       List<Integer> used = new ArrayList<>();
       for (int o : operators) {
+        patience.check();
         long reached = now + task.cost[o];
         if (reached >= below || !isApplicable(table.state(from), o)) {
           continue;
