@@ -56,7 +56,9 @@ final class AclMarket implements Market {
     if (asked.isEmpty()) {
       complete.accept(new NobodyThere());
     } else {
-      agent.addBehaviour(new ContractNetRound(agent, call, asked, contracts, misconduct, complete));
+      ContractNetRound round =
+          new ContractNetRound(agent, call, asked, contracts, misconduct, complete);
+      agent.addBehaviour(new InOneGo(round, round::hasMail));
     }
   }
 

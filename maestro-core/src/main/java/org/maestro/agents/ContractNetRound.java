@@ -47,7 +47,7 @@ final class ContractNetRound extends ContractNetInitiator {
   private final transient List<String> receivers = new ArrayList<>();
   private transient Clock.Timer timer = () -> {};
   private boolean awarding;
-  private String conversation;
+  private volatile String conversation;
   private int waits;
 
   ContractNetRound(
@@ -65,6 +65,11 @@ final class ContractNetRound extends ContractNetInitiator {
     this.misconduct = misconduct;
     this.closed = closed;
     registerHandleAllResponses(new Deal());
+  }
+
+  /** Whether there is an answer to be read, or it is not known yet what answers look like. */
+  boolean hasMail() {
+    return conversation == null || agent.hasMailOf(conversation);
   }
 
   @Override

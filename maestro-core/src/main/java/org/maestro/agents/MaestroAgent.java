@@ -42,6 +42,7 @@ public abstract class MaestroAgent extends Agent {
   public static final String ONTOLOGY = "WorldModel";
 
   private transient volatile Equipment equipment;
+  private transient volatile TicketedQueue queue;
   private transient volatile boolean forsaken;
   private transient volatile Optional<Pulse> pulse = Optional.empty();
 
@@ -76,7 +77,13 @@ public abstract class MaestroAgent extends Agent {
     if (equipment == null) {
       equip(timeHere());
     }
-    return new TicketedQueue(equipment.tickets);
+    queue = new TicketedQueue(equipment.tickets);
+    return queue;
+  }
+
+  /** Whether there is a message of the conversation. Any thread may ask. */
+  final boolean hasMailOf(String conversation) {
+    return queue.hasAnyOf(conversation);
   }
 
   @Override

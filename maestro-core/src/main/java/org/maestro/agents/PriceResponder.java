@@ -78,7 +78,8 @@ final class PriceResponder {
     if (message.getConversationId() == null) {
       message.setConversationId(agent.getLocalName() + "-call-" + ++unnamed);
     }
-    return Optional.of(new Session(message));
+    return Optional.of(
+        new InOneGo(new Session(message), () -> agent.hasMailOf(message.getConversationId())));
   }
 
   private ACLMessage answer(ACLMessage cfp) {

@@ -6,13 +6,17 @@ import jade.lang.acl.MessageTemplate;
 import jade.util.leap.List;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.Iterator;
+import java.util.Map;
 
 /**
- * An agent's message queue that tells when a message is taken out. JADE guards it by its own lock.
+ * An agent's message queue that tells when a message is taken out, and whether any is there of a
+ * conversation. Any thread may ask; JADE guards what it does with it by its own lock.
  */
 public final class TicketedQueue implements MessageQueue {
   private final Deque<ACLMessage> messages = new ArrayDeque<>();
+  private final Map<String, Integer> ofConversation = new HashMap<>();
   private final WorkTickets tickets;
 
   public TicketedQueue(WorkTickets tickets) {
@@ -22,11 +26,22 @@ public final class TicketedQueue implements MessageQueue {
   @Override
   public synchronized void addFirst(ACLMessage message) {
     messages.addFirst(message);
+    ofConversation.merge(conversation(message), 1, Integer::sum);
   }
 
   @Override
   public synchronized void addLast(ACLMessage message) {
     messages.addLast(message);
+    ofConversation.merge(conversation(message), 1, Integer::sum);
+  }
+
+  private static String conversation(ACLMessage message) {
+    return String.valueOf(message.getConversationId());
+  }
+
+  /** Whether a message of the conversation waits to be taken out. */
+  public synchronized boolean hasAnyOf(String conversation) {
+    return ofConversation.containsKey(conversation);
   }
 
   @Override
@@ -56,6 +71,8 @@ public final class TicketedQueue implements MessageQueue {
       ACLMessage message = iterator.next();
       if (pattern == null || pattern.match(message)) {
         iterator.remove();
+        ofConversation.computeIfPresent(
+            conversation(message), (id, number) -> number > 1 ? number - 1 : null);
         tickets.taken(message);
         return message;
       }
