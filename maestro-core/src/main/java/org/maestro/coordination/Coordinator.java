@@ -31,7 +31,7 @@ public final class Coordinator {
   private final Ports ports;
   private final JournaledCrew crew;
   private final Roster roster = new Roster();
-  private final Rivals rivals = new Rivals();
+  private final Rivals rivals;
   private final ExactPrices exactPrices = new ExactPrices();
   private final Map<String, Pursuit> pursuits = new LinkedHashMap<>();
   private final Map<String, Recovery.EndedGoal> ended = new LinkedHashMap<>();
@@ -53,6 +53,7 @@ public final class Coordinator {
     this.prefix = prefix;
     this.crew = new JournaledCrew(ports.crew(), ports.journal(), roster, ports.clock().instant());
     this.ports = ports.with(crew);
+    this.rivals = new Rivals(ports.clock(), ports.thinking());
   }
 
   /** Takes a goal on, of which only the end is wanted to be known. */

@@ -2,9 +2,11 @@ package org.maestro.coordination;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -32,11 +34,28 @@ final class FactsBesideSteps implements Facts {
   private final Vocabulary vocabulary;
   private final List<Handled> handled = new ArrayList<>();
 
-  /** A name with arguments; of a state variable, without its value. */
-  record Subject(String name, List<Term> arguments) {}
+  /**
+   * A name with arguments; of a state variable, without its value.
+   *
+   * @param hash of both, as it is looked for in what many steps are changing
+   */
+  record Subject(String name, List<Term> arguments, int hash) {
+    Subject(String name, List<Term> arguments) {
+      this(name, arguments, 31 * name.hashCode() + arguments.hashCode());
+    }
 
-  /** What a step is just changing, and what was known before. */
-  record Handled(Set<Subject> subjects, Snapshot before) {}
+    @Override
+    public int hashCode() {
+      return hash;
+    }
+  }
+
+  /**
+   * What a step is just changing, and what was known before.
+   *
+   * @param spokenOf the subjects as changes tell them
+   */
+  record Handled(Set<Subject> subjects, Map<String, Set<String>> spokenOf, Snapshot before) {}
 
   FactsBesideSteps(Snapshot now, Vocabulary vocabulary) {
     this.now = now;
@@ -49,9 +68,7 @@ final class FactsBesideSteps implements Facts {
 
   /** Whether any of what has changed is told here as it was before. */
   boolean hides(Interest changed) {
-    return handled.stream()
-        .flatMap(beside -> beside.subjects().stream())
-        .anyMatch(subject -> changed.speaksOf(subject.name(), subject.arguments()));
+    return handled.stream().anyMatch(beside -> changed.speaksOfAny(beside.spokenOf()));
   }
 
   /** The step is under way since the given moment. */
@@ -67,7 +84,13 @@ final class FactsBesideSteps implements Facts {
         subjects.add(subject(number.fluent()));
       }
     }
-    return new Handled(subjects, before);
+    Map<String, Set<String>> spokenOf = new HashMap<>();
+    subjects.forEach(
+        subject ->
+            spokenOf
+                .computeIfAbsent(subject.name(), name -> new HashSet<>())
+                .add(Interest.told(subject.arguments())));
+    return new Handled(subjects, spokenOf, before);
   }
 
   private Subject subject(Formula.Atom atom) {

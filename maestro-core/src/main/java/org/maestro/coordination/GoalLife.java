@@ -96,6 +96,11 @@ final class GoalLife {
     return effort.plans();
   }
 
+  /** How many steps were begun for it. */
+  int calls() {
+    return effort.calls();
+  }
+
   int confirmingPlans() {
     return effort.confirmingPlans();
   }

@@ -76,6 +76,9 @@ final class GoalPlanning {
     changedMeanwhile = nothing();
     begunWith = parts.outlook().look();
     parts.turn().forget();
+    if (life.plans() == 0) {
+      parts.rivals().rush().planning(parts.id());
+    }
     life.countPlan(confirming);
     life.become(stateWhilePlanning(why), why.orElse(""));
     parts.story().planning(life.plans(), why);
@@ -103,8 +106,15 @@ final class GoalPlanning {
     planning = false;
     if (parts.life().isOver()) {
       round.tender().award(Map.of());
-      return;
+    } else {
+      take(round);
     }
+    if (!planning) {
+      parts.rivals().rush().planned(parts.id());
+    }
+  }
+
+  private void take(PlanningRound.Ended round) {
     parts.outlook().offered(round.features());
     if (isSeenMeanwhile()) {
       round.tender().award(Map.of());

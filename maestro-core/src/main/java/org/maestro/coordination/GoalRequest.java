@@ -14,8 +14,10 @@ import org.maestro.sl.Formula;
 public record GoalRequest(
     Formula goal, String requester, int priority, Optional<Duration> deadline) {
 
+  static final int USUAL_PRIORITY = 0;
+
   /** A wish of usual priority that may take its time. */
   public GoalRequest(Formula goal, String requester) {
-    this(goal, requester, 0, Optional.empty());
+    this(goal, requester, USUAL_PRIORITY, Optional.empty());
   }
 }

@@ -145,6 +145,13 @@ final class GoalStory {
     tell(StoryEntry.Kind.WAIT, "Stands back: " + why + ".");
   }
 
+  void heldBack() {
+    tell(
+        StoryEntry.Kind.WAIT,
+        "Begins when the many goals that were stated with it are planned, %d s from now at most."
+            .formatted(Rush.LONGEST.toSeconds()));
+  }
+
   void goesOn() {
     tell(StoryEntry.Kind.WAIT, "Goes on.");
   }

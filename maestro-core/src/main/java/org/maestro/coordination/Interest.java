@@ -192,11 +192,28 @@ final class Interest {
     return place == 0 ? name.text() : place + ":" + name.text();
   }
 
+  /** How a change tells of whom a fact with these arguments is. */
+  static String told(List<Term> arguments) {
+    return arguments.isEmpty() ? ANY : subject(arguments.get(0), 0);
+  }
+
   /** Whether a fact of that name and about the same is among these changes. */
   boolean speaksOf(String name, List<Term> arguments) {
-    return subjects
-        .getOrDefault(name, Set.of())
-        .contains(arguments.isEmpty() ? ANY : subject(arguments.get(0), 0));
+    return subjects.getOrDefault(name, Set.of()).contains(told(arguments));
+  }
+
+  /**
+   * Whether any of these is.
+   *
+   * @param facts how changes tell of whom they are, by their names
+   */
+  boolean speaksOfAny(Map<String, Set<String>> facts) {
+    return subjects.entrySet().stream()
+        .anyMatch(
+            mine -> {
+              Set<String> others = facts.getOrDefault(mine.getKey(), Set.of());
+              return mine.getValue().stream().anyMatch(others::contains);
+            });
   }
 
   /** Whether any part of the formula is about what is among these changes. */

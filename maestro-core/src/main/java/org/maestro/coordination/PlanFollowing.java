@@ -75,7 +75,10 @@ final class PlanFollowing {
   }
 
   void knowledgeChanged(KnowledgeBase.Change change, Interest changed) {
-    if (!isActive() || change.version() == ownChange || lookedAt.has(change, changed)) {
+    if (!isActive()
+        || change.version() == ownChange
+        || !concern.perhaps(changed)
+        || lookedAt.has(change, changed)) {
       return;
     }
     if (parts.turn().isAwaited()) {
@@ -135,9 +138,22 @@ final class PlanFollowing {
     } else if (turn.isAwaited()) {
       turn.came(outlook.isConfirming());
       reconsider(() -> "things have changed while it waited");
-    } else if (!turn.givesWay(parts.contention().wanted())) {
+    } else if (!turn.givesWay(parts.contention().wanted()) && !isHeldBack()) {
       beginSteps();
     }
+  }
+
+  /** What has begun goes on, and so does what comes before others. */
+  private boolean isHeldBack() {
+    boolean heldBack =
+        life.calls() == 0
+            && life.request().priority() <= GoalRequest.USUAL_PRIORITY
+            && parts.rivals().rush().holdsBack(life.id());
+    if (heldBack && life.state() == GoalState.RUNNING) {
+      life.become(GoalState.WAITING, "for the goals stated with it to be planned");
+      story.heldBack();
+    }
+    return heldBack;
   }
 
   private void beginSteps() {

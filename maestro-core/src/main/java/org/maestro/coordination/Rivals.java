@@ -13,6 +13,7 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.rats.time.Clock;
 
 /**
  * The goals under way beside each other, what they have of what all of them want, and whose turn it
@@ -24,10 +25,19 @@ final class Rivals {
   private final Map<String, Pursuit> pursuits = new LinkedHashMap<>();
   private final Deque<Runnable> errands = new ArrayDeque<>();
   private final Set<String> woken = new LinkedHashSet<>();
+  private final Rush rush;
   private boolean atWork;
+
+  Rivals(Clock clock, Thinking thinking) {
+    rush = new Rush(clock, thinking, this::wake);
+  }
 
   Leases leases() {
     return leases;
+  }
+
+  Rush rush() {
+    return rush;
   }
 
   void enter(Pursuit pursuit, Standing standing) {
