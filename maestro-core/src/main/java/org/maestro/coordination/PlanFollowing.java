@@ -149,7 +149,7 @@ final class PlanFollowing {
         life.calls() == 0
             && life.request().priority() <= GoalRequest.USUAL_PRIORITY
             && parts.rivals().rush().holdsBack(life.id());
-    if (heldBack && life.state() == GoalState.RUNNING) {
+    if (heldBack && life.state() != GoalState.WAITING) {
       life.become(GoalState.WAITING, "for the goals stated with it to be planned");
       story.heldBack();
     }

@@ -64,7 +64,12 @@ public final class Maestro implements Runnable {
 
   /** The entry point; ends the process, as JADE leaves threads behind. */
   public static void main(String[] arguments) {
-    RuntimeDirectory.ofUser().prepareLog();
+    try {
+      RuntimeDirectory.ofUser().prepareLog();
+    } catch (CommandException e) {
+      System.err.println("maestro: " + e.getMessage());
+      System.exit(e.exitCode());
+    }
     SLF4JBridgeHandler.removeHandlersForRootLogger();
     SLF4JBridgeHandler.install();
     CommandLine commandLine = commandLine(System.out, System.err);

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
@@ -148,15 +149,14 @@ final class RuntimeDirectory {
 
   private Path ready() {
     try {
-      if (!Files.isDirectory(directory)) {
-        Files.createDirectories(directory.getParent());
-        if (hasPermissions()) {
-          Files.createDirectory(
-              directory,
-              PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------")));
-        } else {
-          Files.createDirectory(directory);
-        }
+      Files.createDirectories(directory.getParent());
+      // Another command may be making it at the same moment.
+      if (hasPermissions()) {
+        Files.createDirectories(
+            directory,
+            PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------")));
+      } else {
+        Files.createDirectories(directory);
       }
       return directory;
     } catch (IOException e) {
@@ -166,15 +166,12 @@ final class RuntimeDirectory {
     }
   }
 
+  /** Others find the file as it was or as it is now, and nobody else can read it. */
   private void write(Path file, String text) {
     try {
-      Files.deleteIfExists(file);
-      if (hasPermissions()) {
-        Files.createFile(
-            file,
-            PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")));
-      }
-      Files.writeString(file, text);
+      Path made = Files.createTempFile(directory, "", ".new");
+      Files.writeString(made, text);
+      Files.move(made, file, StandardCopyOption.ATOMIC_MOVE);
     } catch (IOException e) {
       throw CommandException.outside("The file " + file + " cannot be written.", e);
     }
