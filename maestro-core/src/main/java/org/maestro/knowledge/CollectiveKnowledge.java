@@ -30,6 +30,11 @@ import org.maestro.sl.Term;
 public final class CollectiveKnowledge implements KnowledgeBase {
 
   private static final Voice TIME = new Voice(new Source(Source.Kind.DESCRIBED, "time"), 1);
+
+  /** Of memory, measured: a dataset in memory has each of its triples in six orders. */
+  private static final long STATEMENT_BYTES_WITH_DATASET = 6 << 10;
+
+  private static final long STATEMENT_BYTES = 512;
   private static final Source HOME = new Source(Source.Kind.DESCRIBED, "home");
 
   private final Clock clock;
@@ -63,7 +68,8 @@ public final class CollectiveKnowledge implements KnowledgeBase {
       Function<Home, Measures> measures,
       GraphStorage storage,
       KnowledgeSettings settings) {
-    this.history = new History(settings.kept(), settings.mostOfEach());
+    this.history =
+        new History(settings, storage.isLasting() ? STATEMENT_BYTES : STATEMENT_BYTES_WITH_DATASET);
     this.file = settings.directory().map(place -> new HistoryFile(place, settings.kept()));
     this.clock = clock;
     this.measures = measures;

@@ -30,10 +30,28 @@ final class Graphs {
   private static final String PROV = "http://www.w3.org/ns/prov#";
   private static final int PAIR = 2;
 
+  /** Made once: each statement has them, and the dataset keeps what it is given. */
+  private static final Node FACT = maestro("fact");
+
+  private static final Node OBSERVATION = sosa("Observation");
+  private static final Node ACTIVITY = prov("Activity");
+  private static final Node OBSERVED_PROPERTY = sosa("observedProperty");
+  private static final Node HAS_FEATURE_OF_INTEREST = sosa("hasFeatureOfInterest");
+  private static final Node HAS_SIMPLE_RESULT = sosa("hasSimpleResult");
+  private static final Node RESULT_TIME = sosa("resultTime");
+  private static final Node WAS_ATTRIBUTED_TO = prov("wasAttributedTo");
+  private static final Node SOURCE_NAME = maestro("sourceName");
+  private static final Node SOURCE_KIND = maestro("sourceKind");
+  private static final Node CONFIDENCE = maestro("confidence");
+
   private final Home home;
+  private final Node worldGraph;
+  private final Node observationsGraph;
 
   Graphs(Home home) {
     this.home = home;
+    this.worldGraph = graph("world");
+    this.observationsGraph = graph("observations");
   }
 
   Node vocabularyGraph() {
@@ -45,11 +63,11 @@ final class Graphs {
   }
 
   Node worldGraph() {
-    return graph("world");
+    return worldGraph;
   }
 
   Node observationsGraph() {
-    return graph("observations");
+    return observationsGraph;
   }
 
   Node memberGraph(String member) {
@@ -116,8 +134,7 @@ final class Graphs {
   List<Quad> current(Outcome.News news) {
     List<Quad> quads = new ArrayList<>();
     quads.add(
-        Quad.create(
-            worldGraph(), observation(news.held().serial()), maestro("fact"), text(news.fact())));
+        Quad.create(worldGraph(), observation(news.held().serial()), FACT, text(news.fact())));
     plain(news).ifPresent(triple -> quads.add(Quad.create(worldGraph(), triple)));
     return quads;
   }
@@ -128,24 +145,24 @@ final class Graphs {
     Instant since = news.held().since();
     List<Quad> quads = new ArrayList<>();
     boolean seen = source.kind() != Source.Kind.EXPECTED;
-    add(quads, observation, RDF.type.asNode(), seen ? sosa("Observation") : prov("Activity"));
-    add(quads, observation, maestro("fact"), text(news.fact()));
-    add(quads, observation, sosa("observedProperty"), predicate(news.variable().predicate()));
+    add(quads, observation, RDF.type.asNode(), seen ? OBSERVATION : ACTIVITY);
+    add(quads, observation, FACT, text(news.fact()));
+    add(quads, observation, OBSERVED_PROPERTY, predicate(news.variable().predicate()));
     news.variable().arguments().stream()
         .findFirst()
-        .ifPresent(s -> add(quads, observation, sosa("hasFeatureOfInterest"), node(s)));
+        .ifPresent(s -> add(quads, observation, HAS_FEATURE_OF_INTEREST, node(s)));
     if (news.has()) {
-      add(quads, observation, sosa("hasSimpleResult"), node(news.held().value()));
+      add(quads, observation, HAS_SIMPLE_RESULT, node(news.held().value()));
     }
     add(
         quads,
         observation,
-        sosa("resultTime"),
+        RESULT_TIME,
         NodeFactory.createLiteralDT(since.toString(), XSDDatatype.XSDdateTime));
-    add(quads, observation, prov("wasAttributedTo"), node(new Term.Name(source.agent())));
-    add(quads, observation, maestro("sourceName"), text(source.agent()));
-    add(quads, observation, maestro("sourceKind"), text(source.kind().name()));
-    add(quads, observation, maestro("confidence"), node(new Term.Number(news.held().confidence())));
+    add(quads, observation, WAS_ATTRIBUTED_TO, node(new Term.Name(source.agent())));
+    add(quads, observation, SOURCE_NAME, text(source.agent()));
+    add(quads, observation, SOURCE_KIND, text(source.kind().name()));
+    add(quads, observation, CONFIDENCE, node(new Term.Number(news.held().confidence())));
     return quads;
   }
 

@@ -5,22 +5,31 @@ import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
-import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 /**
  * Who said what of every state variable, when and how surely; statements that lost are among them.
- * What is older than the kept time goes, but for the last statement of each variable. Not
- * thread-safe.
+ * The last statement of each variable is kept. Those before it go when they are older than the kept
+ * time, and the oldest of them when there are too many of one variable, or too many bytes of all.
+ * Not thread-safe.
  */
 final class History {
+  private static final int BYTES_OF_A_CHARACTER = 2;
 
   private final Duration kept;
   private final int mostOfEach;
+  private final long mostBytes;
+  private final long bytesOfEach;
   private final Map<StateVariable, Deque<Note>> pasts = new LinkedHashMap<>();
-  private final Map<Long, Note> inOrder = new LinkedHashMap<>();
+
+  /** Those after which another came, by their serial numbers. */
+  private final SortedMap<Long, Note> followed = new TreeMap<>();
+
+  private long bytes;
 
   /**
    * A statement.
@@ -29,34 +38,45 @@ final class History {
    */
   record Note(StateVariable variable, Belief belief, boolean believed, long serial) {}
 
-  History(Duration kept, int mostOfEach) {
-    this.kept = kept;
-    this.mostOfEach = mostOfEach;
+  /**
+   * @param bytesOfEach of memory that a statement takes here and in the dataset, beside its text
+   */
+  History(KnowledgeSettings settings, long bytesOfEach) {
+    this.kept = settings.kept();
+    this.mostOfEach = settings.mostOfEach();
+    this.mostBytes = settings.mostBytes();
+    this.bytesOfEach = bytesOfEach;
   }
 
   /** Returns what is forgotten instead. */
   List<Note> add(Note note, Instant now) {
     List<Note> forgotten = new ArrayList<>();
     Deque<Note> past = pasts.computeIfAbsent(note.variable(), key -> new ArrayDeque<>());
-    past.addLast(note);
-    inOrder.put(note.serial(), note);
-    while (past.size() > mostOfEach || past.size() > 1 && isTooOld(past.getFirst(), now)) {
-      inOrder.remove(past.getFirst().serial());
-      forgotten.add(past.removeFirst());
+    if (!past.isEmpty()) {
+      followed.put(past.getLast().serial(), past.getLast());
+      bytes += bytes(past.getLast());
     }
-    Iterator<Note> oldest = inOrder.values().iterator();
-    while (oldest.hasNext()) {
-      Note old = oldest.next();
-      if (!isTooOld(old, now)) {
-        break;
-      }
-      oldest.remove();
-      Deque<Note> its = pasts.get(old.variable());
-      if (its.size() > 1 && its.getFirst().equals(old)) {
-        forgotten.add(its.removeFirst());
-      }
+    past.addLast(note);
+    while (past.size() > mostOfEach || past.size() > 1 && isTooOld(past.getFirst(), now)) {
+      forgotten.add(forget(past.getFirst()));
+    }
+    while (!followed.isEmpty()
+        && (bytes > mostBytes || isTooOld(followed.get(followed.firstKey()), now))) {
+      forgotten.add(forget(followed.get(followed.firstKey())));
     }
     return forgotten;
+  }
+
+  /** The first of its variable. */
+  private Note forget(Note old) {
+    followed.remove(old.serial());
+    pasts.get(old.variable()).removeFirst();
+    bytes -= bytes(old);
+    return old;
+  }
+
+  private long bytes(Note note) {
+    return bytesOfEach + (long) BYTES_OF_A_CHARACTER * note.belief().fact().length();
   }
 
   private boolean isTooOld(Note note, Instant now) {

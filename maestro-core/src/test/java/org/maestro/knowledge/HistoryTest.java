@@ -81,6 +81,32 @@ class HistoryTest {
   }
 
   @Test
+  void whatIsKeptIsBoundedInBytesButForTheLastOfEach() {
+    int most = 60 << 10;
+    Household home =
+        new Household(
+            new KnowledgeSettings(Duration.ofDays(1), 1_000_000, Optional.empty())
+                .with(store())
+                .with(most));
+    home.state(CAM_A, "(in Cup zone-a)");
+    for (int i = 0; i < 150; i++) {
+      home.state(CAM_A, "(position Cup \"1." + i + " 0 0\")", "(= (level lamp-b1) " + i + ")");
+      home.pass(Duration.ofMillis(33));
+    }
+
+    List<Belief> positions = home.knowledge.history("(position Cup \"0 0 0\")");
+    assertThat(positions).hasSizeBetween(3, most / 512 / 2);
+    assertThat(positions.get(positions.size() - 1).fact()).contains("1.149 0 0");
+    List<Belief> levels = home.knowledge.history("(= (level lamp-b1) 0)");
+    assertThat(levels)
+        .as("the oldest go first, whatever they are about")
+        .hasSizeBetween(positions.size() - 1, positions.size() + 1);
+    assertThat(home.knowledge.history("(in Cup zone-a)")).hasSize(1);
+    assertThat(home.knowledge.select(OBSERVATIONS)).hasSize(positions.size() + levels.size() + 1);
+    home.knowledge.close();
+  }
+
+  @Test
   void afterARestartWhatWasSaidIsRememberedButNotBelieved() {
     Household before = new Household(KnowledgeSettings.in(directory).with(store()));
     before.state(CAM_A, "(in Cup zone-a)", "(= (illuminance zone-a) 80.5)");

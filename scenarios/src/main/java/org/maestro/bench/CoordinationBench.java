@@ -1,11 +1,7 @@
 package org.maestro.bench;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -18,7 +14,6 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteException;
 import org.maestro.assembly.SiteSettings;
@@ -100,27 +95,9 @@ public final class CoordinationBench {
   private void contractNet() {
     progress.accept("Contract-net rounds beside those of plain JADE.");
     List<Device> devices = List.copyOf(new LargeHome(2, 0, 0).home().devices().values());
-    Path files = temporaryDirectory();
-    try {
-      rows.add(ContractNetRounds.measure(devices, files, WARM_UP_ROUNDS, MEASURED_TIME).row());
-    } finally {
-      delete(files);
-    }
-  }
-
-  private static Path temporaryDirectory() {
-    try {
-      return Files.createTempDirectory("maestro-bench");
-    } catch (IOException e) {
-      throw new SiteException("No temporary directory can be made.", e);
-    }
-  }
-
-  private static void delete(Path directory) {
-    try (Stream<Path> files = Files.walk(directory)) {
-      files.sorted(Comparator.reverseOrder()).forEach(file -> file.toFile().delete());
-    } catch (IOException e) {
-      throw new SiteException("Cannot clean up " + directory + ".", e);
+    try (TemporaryDirectory files = TemporaryDirectory.make()) {
+      rows.add(
+          ContractNetRounds.measure(devices, files.path(), WARM_UP_ROUNDS, MEASURED_TIME).row());
     }
   }
 

@@ -22,6 +22,7 @@ import org.maestro.bench.Loss;
 import org.maestro.bench.LossesBench;
 import org.maestro.bench.PlannerBench;
 import org.maestro.bench.SimulationBench;
+import org.maestro.bench.SoakBench;
 import org.maestro.ontology.home.Home;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -33,12 +34,14 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "bench",
     description =
-        "Run a benchmark: agents, bus, containers, coordination, growth, losses, planner or sim.")
+        "Run a benchmark: agents, bus, containers, coordination, growth, losses, planner, sim or soak.")
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
+  private static final int LEAST_GOALS = 250;
 
   /** What was asked for with options. */
-  private record Wanted(Path directory, int runs, List<Loss> losses, List<Integer> sizes) {}
+  private record Wanted(
+      Path directory, int runs, List<Loss> losses, List<Integer> sizes, int goals) {}
 
   private static final Map<String, BiFunction<Wanted, Consumer<String>, BenchReport>> BENCHES =
       new TreeMap<>(
@@ -61,7 +64,9 @@ final class BenchCommand implements Callable<Integer> {
               "planner",
               (wanted, progress) -> new PlannerBench(20, progress).run(),
               "sim",
-              (wanted, progress) -> simulation(progress)));
+              (wanted, progress) -> simulation(progress),
+              "soak",
+              (wanted, progress) -> soak(wanted.goals(), progress)));
 
   private static final Duration MEASURED_TIME = Duration.ofSeconds(10);
 
@@ -100,6 +105,12 @@ final class BenchCommand implements Callable<Integer> {
       description =
           "With how many containers growth is measured, each; 20,50,100,200 unless it is said.")
   private List<Integer> containers = GrowthBench.CONTAINERS;
+
+  @Option(
+      names = "--goals",
+      paramLabel = "N",
+      description = "How many goals soak pursues, from 250; ${DEFAULT-VALUE} unless it is said.")
+  private int goals = 1_000;
 
   private List<Integer> sizes() {
     if (containers.stream().anyMatch(count -> count < 2)) {
@@ -143,6 +154,19 @@ final class BenchCommand implements Callable<Integer> {
         .run();
   }
 
+  private int goals() {
+    if (goals < LEAST_GOALS) {
+      throw CommandException.badInput(
+          "--goals %d is too few for a slope; give %d or more.".formatted(goals, LEAST_GOALS));
+    }
+    return goals;
+  }
+
+  private static BenchReport soak(int goals, Consumer<String> progress) {
+    Home bob = Shipped.home("bob");
+    return new SoakBench(bob, Shipped.scene("bob-dark", bob), goals, progress).run();
+  }
+
   @Override
   public Integer call() {
     BiFunction<Wanted, Consumer<String>, BenchReport> bench = BENCHES.get(name);
@@ -155,7 +179,7 @@ final class BenchCommand implements Callable<Integer> {
     PrintWriter err = spec.commandLine().getErr();
     BenchReport report =
         bench.apply(
-            new Wanted(out, runs, losses(), sizes()),
+            new Wanted(out, runs, losses(), sizes(), goals()),
             line -> {
               err.println(line);
               err.flush();

@@ -1,0 +1,73 @@
+package org.maestro.bench;
+
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.MemoryUsage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.ToDoubleFunction;
+import org.maestro.assembly.SiteException;
+
+/**
+ * What this process has of memory after so many goals.
+ *
+ * @param heapMiB live: after all garbage was collected
+ * @param committedMiB of the heap, live or free
+ * @param residentMiB of the whole process, as the system counts it
+ */
+record MemorySample(int goals, double heapMiB, double committedMiB, double residentMiB) {
+  private static final double MIB = 1 << 20;
+  private static final Path STATUS = Path.of("/proc/self/status");
+  private static final String RESIDENT = "VmRSS:";
+
+  static MemorySample take(int goals) {
+    System.gc();
+    MemoryUsage heap = ManagementFactory.getMemoryMXBean().getHeapMemoryUsage();
+    return new MemorySample(goals, heap.getUsed() / MIB, heap.getCommitted() / MIB, resident());
+  }
+
+  private static double resident() {
+    try {
+      return Files.readAllLines(STATUS).stream()
+          .filter(line -> line.startsWith(RESIDENT))
+          .map(line -> line.substring(RESIDENT.length()).strip().split(" ")[0])
+          .mapToDouble(kib -> Double.parseDouble(kib) / 1024)
+          .findFirst()
+          .orElseThrow(
+              () -> new SiteException("There is no %s in %s.".formatted(RESIDENT, STATUS)));
+    } catch (IOException e) {
+      throw new SiteException("What is resident is told by Linux only, in " + STATUS + ".", e);
+    }
+  }
+
+  /** All of it but the heap: classes, compiled code, stacks, buffers, what the C library keeps. */
+  double outsideHeapMiB() {
+    return residentMiB - committedMiB;
+  }
+
+  /** Least squares: by how much the figure grows in 100 goals. */
+  static double slope(List<MemorySample> samples, ToDoubleFunction<MemorySample> figure) {
+    double meanGoals = samples.stream().mapToDouble(MemorySample::goals).average().orElseThrow();
+    double mean = samples.stream().mapToDouble(figure).average().orElseThrow();
+    double together = 0;
+    double squares = 0;
+    for (MemorySample sample : samples) {
+      double goals = sample.goals() - meanGoals;
+      together += goals * (figure.applyAsDouble(sample) - mean);
+      squares += goals * goals;
+    }
+    return 100 * together / squares;
+  }
+
+  String line() {
+    return String.format(
+        Locale.ROOT,
+        "%5d goals: %7.2f MiB live, %7.2f MiB resident, %7.2f MiB of it outside the heap",
+        goals,
+        heapMiB,
+        residentMiB,
+        outsideHeapMiB());
+  }
+}
