@@ -1,5 +1,6 @@
 package org.maestro.sim.link;
 
+import java.time.Duration;
 import java.util.Optional;
 import org.maestro.rats.transport.Message;
 import org.maestro.rats.transport.Publication;
@@ -45,6 +46,11 @@ final class BadTransport implements Transport {
   @Override
   public void open(Optional<Will> will, ConnectionListener listener) {
     transport.open(will, listener);
+  }
+
+  @Override
+  public void stayAway(Duration pause) {
+    transport.stayAway(pause);
   }
 
   /** Nobody tells the sender that a message got lost. */

@@ -18,6 +18,7 @@ import org.maestro.rats.protocol.ReservedFeature;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.protocol.WireFormat;
 import org.maestro.rats.time.Clock;
+import org.maestro.rats.transport.Message;
 import org.maestro.rats.transport.Publication;
 import org.maestro.rats.transport.Transport;
 import org.maestro.rats.transport.Transport.RetainedMessages;
@@ -170,6 +171,17 @@ public final class MemberCalls {
 
   /** The connection, on which results for the member's own calls are heard as well. */
   private final class Shared implements Transport {
+    /** Within the results that are heard anyhow: filters of one transport must not overlap. */
+    private volatile MessageHandler ofItself = message -> {};
+
+    private void resultHeard(Message message) {
+      if (message.topic().equals(topics.result(member, member))) {
+        ofItself.arrived(message);
+      } else {
+        calls.resultHeard(message);
+      }
+    }
+
     @Override
     public String clientId() {
       return transport.clientId();
@@ -177,7 +189,11 @@ public final class MemberCalls {
 
     @Override
     public void subscribe(String filter, RetainedMessages retained, MessageHandler handler) {
-      transport.subscribe(filter, retained, handler);
+      if (filter.equals(topics.result(member, member))) {
+        ofItself = handler;
+      } else {
+        transport.subscribe(filter, retained, handler);
+      }
     }
 
     @Override
@@ -192,7 +208,7 @@ public final class MemberCalls {
 
     @Override
     public void open(Optional<Will> will, ConnectionListener listener) {
-      subscriptions.subscribe(topics.results(member), RetainedMessages.IGNORE, calls::resultHeard);
+      subscriptions.subscribe(topics.results(member), RetainedMessages.IGNORE, this::resultHeard);
       subscriptions.subscribe(
           topics.progresses(member), RetainedMessages.IGNORE, calls::progressHeard);
       transport.open(
@@ -210,6 +226,11 @@ public final class MemberCalls {
               clock.perform(member, roster::doubtAll);
             }
           });
+    }
+
+    @Override
+    public void stayAway(Duration pause) {
+      transport.stayAway(pause);
     }
 
     @Override

@@ -10,6 +10,7 @@ import java.util.function.Predicate;
 import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.ErrorCode;
+import org.maestro.rats.protocol.MalformedMessageException;
 import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Offer;
 import org.maestro.rats.protocol.Outcome;
@@ -157,12 +158,35 @@ final class OpenCalls {
 
   /** On the bare topic nobody is named but in the message itself. */
   void resultHeard(Message message) {
-    Result result = wire.decodeResult(message.payload());
+    Result result;
+    try {
+      result = wire.decodeResult(message.payload());
+    } catch (MalformedMessageException malformed) {
+      unreadable(message, malformed);
+      throw malformed;
+    }
     String sender = topics.senderOf(message.topic()).orElse(result.from());
     Open call = open.get(result.id());
     if (call != null && isFrom(call, sender, result.from())) {
       end(call, result);
     }
+  }
+
+  /** Who has answered what nobody can read does not answer again. */
+  private void unreadable(Message message, MalformedMessageException malformed) {
+    Optional<Open> answered =
+        wire.idOf(message.payload())
+            .map(open::get)
+            .filter(
+                call ->
+                    topics.senderOf(message.topic()).filter(member(call.call)::equals).isPresent());
+    answered.ifPresent(
+        call ->
+            end(
+                call,
+                ErrorCode.INTERNAL,
+                "The answer of %s cannot be read: %s"
+                    .formatted(member(call.call), malformed.getMessage())));
   }
 
   void progressHeard(Message message) {

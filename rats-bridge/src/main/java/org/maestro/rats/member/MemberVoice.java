@@ -10,12 +10,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Supplier;
 import org.maestro.rats.protocol.Call;
+import org.maestro.rats.protocol.Complaints;
+import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.MemberState;
 import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Offer;
+import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Progress;
+import org.maestro.rats.protocol.RatsError;
 import org.maestro.rats.protocol.Release;
 import org.maestro.rats.protocol.ReservedFeature;
 import org.maestro.rats.protocol.Result;
@@ -36,6 +41,7 @@ final class MemberVoice {
   private static final Logger LOG = LoggerFactory.getLogger(MemberVoice.class);
   private static final int MOST_UNSENT = 256;
   private static final Duration HOLDER_TIMEOUT = Duration.ofSeconds(30);
+  private static final Duration CALL_EXPIRY = Duration.ofSeconds(30);
 
   private final String id;
   private final String boot;
@@ -44,7 +50,8 @@ final class MemberVoice {
   private final Transport transport;
   private final WireFormat wire = new WireFormat();
   private final Deque<Publication> unsent = new ArrayDeque<>();
-  private final AtomicLong holderCalls = new AtomicLong();
+  private final AtomicLong ownCalls = new AtomicLong();
+  private final Complaints complaints = new Complaints();
   private boolean silent;
 
   MemberVoice(MemberProfile profile, String boot, Topics topics, Transport transport) {
@@ -68,21 +75,59 @@ final class MemberVoice {
   }
 
   void state(MemberState state) {
-    publish(Publication.retained(topics.state(id), wire.encode(state)));
+    encoded("its state", () -> wire.encode(state))
+        .ifPresent(bytes -> publish(Publication.retained(topics.state(id), bytes)));
   }
 
+  /** An outcome that cannot be sent is told as a failure: every call gets an answer. */
   void result(String to, Result result) {
-    sendResult(Publication.reliable(topics.result(to, id), wire.encode(result), Optional.empty()));
+    byte[] bytes;
+    try {
+      bytes = wire.encode(result);
+    } catch (IllegalArgumentException unsendable) {
+      bytes = wire.encode(unsendable(result, unsendable.getMessage()));
+    }
+    sendResult(Publication.reliable(topics.result(to, id), bytes, Optional.empty()));
+  }
+
+  private static Result unsendable(Result result, String why) {
+    RatsError error =
+        new RatsError(
+            ErrorCode.INTERNAL,
+            RatsError.Level.ERROR,
+            "It ended (%s), and what came of it cannot be sent: %s"
+                .formatted(result.outcome(), why),
+            Optional.empty(),
+            List.of(),
+            false);
+    return new Result(
+        result.id(), result.from(), Outcome.FAILED, result.state(), Map.of(), Optional.of(error));
   }
 
   void progress(String to, Progress progress) {
-    publish(Publication.reliable(topics.progress(to, id), wire.encode(progress), Optional.empty()));
+    encoded("progress", () -> wire.encode(progress))
+        .ifPresent(
+            bytes ->
+                publish(Publication.reliable(topics.progress(to, id), bytes, Optional.empty())));
   }
 
   void observation(Observation observation) {
-    publish(
-        Publication.stream(
-            topics.observation(id, observation.feature()), wire.encode(observation)));
+    encoded("what it observes", () -> wire.encode(observation))
+        .ifPresent(
+            bytes ->
+                publish(Publication.stream(topics.observation(id, observation.feature()), bytes)));
+  }
+
+  /** What cannot be sent is passed over, and complained of now and then. */
+  private Optional<byte[]> encoded(String what, Supplier<byte[]> encoder) {
+    try {
+      return Optional.of(encoder.get());
+    } catch (IllegalArgumentException unsendable) {
+      if (complaints.isDue(id)) {
+        LOG.warn("{} cannot tell {}: {}", id, what, unsendable.getMessage());
+      }
+      return Optional.empty();
+    }
   }
 
   /**
@@ -109,7 +154,7 @@ final class MemberVoice {
   private void tellHolder(Call call, String feature, Map<String, Object> parameters) {
     Call told =
         new Call(
-            id + "-" + boot + "-" + holderCalls.incrementAndGet(),
+            nextCallId(),
             Optional.of(call.from()),
             Optional.empty(),
             feature,
@@ -117,7 +162,17 @@ final class MemberVoice {
             HOLDER_TIMEOUT,
             id,
             call.task());
-    publish(Publication.reliable(topics.call(id), wire.encode(told), Optional.of(HOLDER_TIMEOUT)));
+    call(told);
+  }
+
+  /** No other call of the member has it. */
+  String nextCallId() {
+    return id + "-" + boot + "-" + ownCalls.incrementAndGet();
+  }
+
+  /** Of the member's own. */
+  void call(Call call) {
+    publish(Publication.reliable(topics.call(id), wire.encode(call), Optional.of(CALL_EXPIRY)));
   }
 
   void sendUnsent() {

@@ -42,12 +42,10 @@ public final class RatsMember implements AutoCloseable {
   private final Impatience impatience;
   private final CallPolicy policy;
   private final ControllerWatch controllers;
-  private final OtherLives others;
+  private final Namesake namesake;
   private Optional<Clock.Timer> byTime = Optional.empty();
   private String restedIn;
-  private final Complaints complaints;
   private boolean announced;
-  private volatile boolean refused;
   private boolean connected;
   private boolean changePending;
   private Optional<MemberState> told = Optional.empty();
@@ -61,7 +59,6 @@ public final class RatsMember implements AutoCloseable {
       Complaints complaints,
       Clock clock) {
     this.profile = profile;
-    this.complaints = complaints;
     this.topics = topics;
     this.transport = transport;
     this.clock = clock;
@@ -75,7 +72,8 @@ public final class RatsMember implements AutoCloseable {
             profile, voice, condition, answers, this::tellState, this::stateChanged, clock);
     this.controllers = new ControllerWatch(profile.id(), topics, profile.rules(), tasks, clock);
     this.policy = policy;
-    this.others = new OtherLives(boot);
+    this.namesake =
+        new Namesake(profile.id(), boot, voice, transport, complaints, new StatusWatcher(), clock);
     this.impatience = new Impatience(profile, policy, voice, condition, tasks, clock);
     this.reception =
         new Reception(
@@ -87,6 +85,7 @@ public final class RatsMember implements AutoCloseable {
             answers,
             tasks,
             impatience,
+            namesake::mayBe,
             this::describe,
             complaints,
             clock);
@@ -207,7 +206,11 @@ public final class RatsMember implements AutoCloseable {
    */
   @Override
   public void close() {
-    voice.leave();
+    if (namesake.isAway()) {
+      voice.silence();
+    } else {
+      voice.leave();
+    }
     transport.close();
   }
 
@@ -234,8 +237,12 @@ public final class RatsMember implements AutoCloseable {
             return;
           }
           Duration arrivedAt = clock.now();
-          perform(() -> reception.heard(message, arrivedAt));
+          perform(() -> callHeard(message, arrivedAt));
         });
+    transport.subscribe(
+        topics.result(profile.id(), profile.id()),
+        Transport.RetainedMessages.IGNORE,
+        message -> perform(() -> namesake.answered(message)));
     transport.subscribe(
         topics.status(profile.id()),
         Transport.RetainedMessages.SEND,
@@ -250,7 +257,7 @@ public final class RatsMember implements AutoCloseable {
         new Transport.ConnectionListener() {
           @Override
           public void connected() {
-            perform(RatsMember.this::announce);
+            perform(RatsMember.this::connected);
           }
 
           @Override
@@ -270,9 +277,22 @@ public final class RatsMember implements AutoCloseable {
         });
   }
 
+  /** While another of its id is there, or may be, calls are for that one. */
+  private void callHeard(Message message, Duration arrivedAt) {
+    if (!namesake.isAway()) {
+      reception.heard(message, arrivedAt);
+    }
+  }
+
   private void disconnected() {
     connected = false;
-    others.dropped();
+    namesake.dropped();
+  }
+
+  private void connected() {
+    if (!namesake.looksFirst()) {
+      announce();
+    }
   }
 
   /** After each connect, since the broker may have come back empty. */
@@ -294,35 +314,9 @@ public final class RatsMember implements AutoCloseable {
     voice.status(MemberStatus.Phase.READY);
   }
 
-  /**
-   * A will that came late, of this life or a former one, must not stay the last word; nor what
-   * another clears, such as a second member of this id that leaves for good.
-   */
   private void readOwnStatus(Message message) {
-    if (!connected) {
-      return;
-    }
-    if (message.payload().length == 0) {
-      if (others.heardItself()) {
-        describe();
-      }
-      return;
-    }
-    try {
-      MemberStatus status = wire.decodeStatus(message.payload());
-      if (others.isAlive(status)) {
-        meetTwin(status.boot());
-      } else if (status.phase() == MemberStatus.Phase.LOST) {
-        voice.status(MemberStatus.Phase.READY);
-      }
-    } catch (MalformedMessageException malformed) {
-      if (complaints.isDue(profile.id())) {
-        LOG.warn(
-            "{} found a status of its own that it cannot read: {}",
-            profile.id(),
-            malformed.getMessage());
-      }
-      voice.status(MemberStatus.Phase.READY);
+    if (connected) {
+      namesake.statusHeard(message);
     }
   }
 
@@ -334,23 +328,9 @@ public final class RatsMember implements AutoCloseable {
     }
   }
 
-  /** Another member of the same id is alive; the one that started later has to go (M9). */
-  private void meetTwin(String other) {
-    if (boot.compareTo(other) < 0) {
-      LOG.warn("Another member calls itself {} and started later; it is to leave", profile.id());
-      voice.status(MemberStatus.Phase.READY);
-    } else {
-      LOG.error(
-          "There is a member {} already; this one leaves, give it an id of its own", profile.id());
-      refused = true;
-      voice.silence();
-      transport.close();
-    }
-  }
-
-  /** Whether it left because another member of its id was there before. */
+  /** Whether it is off the bus because another member of its id is there. Any thread. */
   public boolean isRefused() {
-    return refused;
+    return namesake.isAway();
   }
 
   private void tellPendingChange() {
@@ -383,5 +363,27 @@ public final class RatsMember implements AutoCloseable {
 
   private static String bootId(Instant instant) {
     return Long.toString(instant.getEpochSecond() * 1_000_000_000L + instant.getNano(), 36);
+  }
+
+  private final class StatusWatcher implements Namesake.Watcher {
+    @Override
+    public void contradicted() {
+      voice.status(MemberStatus.Phase.READY);
+    }
+
+    @Override
+    public void cleared() {
+      describe();
+    }
+
+    @Override
+    public void left() {
+      connected = false;
+    }
+
+    @Override
+    public void stays() {
+      announce();
+    }
   }
 }

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.CostExchange;
@@ -36,12 +37,16 @@ final class Reception {
   private final CallAnswers answers;
   private final TaskQueue tasks;
   private final Impatience impatience;
+  private final Predicate<String> anotherLife;
   private final RightsWatch rights;
   private final Runnable describe;
   private final Clock clock;
   private final WireFormat wire = new WireFormat();
   private final Complaints complaints;
 
+  /**
+   * @param anotherLife whether a boot may be that of another who is there and answers for itself
+   */
   Reception(
       MemberProfile profile,
       String boot,
@@ -51,6 +56,7 @@ final class Reception {
       CallAnswers answers,
       TaskQueue tasks,
       Impatience impatience,
+      Predicate<String> anotherLife,
       Runnable describe,
       Complaints complaints,
       Clock clock) {
@@ -62,6 +68,7 @@ final class Reception {
     this.answers = answers;
     this.tasks = tasks;
     this.impatience = impatience;
+    this.anotherLife = anotherLife;
     this.describe = describe;
     this.complaints = complaints;
     this.clock = clock;
@@ -133,6 +140,9 @@ final class Reception {
   }
 
   private void take(Call call, Optional<Duration> remainingExpiry, Duration arrivedAt) {
+    if (call.boot().filter(anotherLife).isPresent()) {
+      return;
+    }
     if (call.boot().isPresent() && !call.boot().get().equals(boot)) {
       String message = "The call was meant for the boot " + call.boot().get() + " before this one";
       answers.rejectedUnremembered(call.id(), call.from(), ErrorCode.RESTARTED, message);

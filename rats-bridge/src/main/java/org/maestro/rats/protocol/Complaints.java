@@ -38,8 +38,7 @@ public final class Complaints {
 
   /** Of a text that may quote what a sender wrote, however long that is. */
   public static String shortened(String text) {
-    String whole = String.valueOf(text);
-    return whole.length() <= MOST_CHARACTERS ? whole : whole.substring(0, MOST_CHARACTERS) + "...";
+    return WholeText.shortened(String.valueOf(text), MOST_CHARACTERS);
   }
 
   /**

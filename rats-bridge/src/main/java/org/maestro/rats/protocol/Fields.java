@@ -14,6 +14,8 @@ import java.util.TreeMap;
 /** Reads the fields of one JSON object, each by its rule. Unknown fields are not looked at. */
 final class Fields {
 
+  private static final int MOST_SHOWN = 60;
+
   private final JsonNode object;
   private final String path;
 
@@ -31,7 +33,7 @@ final class Fields {
     if (node == null || !node.isTextual() || !rule.allows(node.textValue())) {
       throw broken(field, rule.words(), node);
     }
-    return node.textValue();
+    return whole(node.textValue(), path + field);
   }
 
   Optional<String> optionalText(String field, Rule rule) {
@@ -125,7 +127,7 @@ final class Fields {
       if (!item.isTextual() || !rule.allows(item.textValue())) {
         throw broken(field + "[" + texts.size() + "]", rule.words(), item);
       }
-      texts.add(item.textValue());
+      texts.add(whole(item.textValue(), path + field + "[" + texts.size() + "]"));
     }
     return List.copyOf(texts);
   }
@@ -176,13 +178,15 @@ final class Fields {
         .properties()
         .forEach(
             entry ->
-                values.put(entry.getKey(), value(entry.getValue(), path + "." + entry.getKey())));
+                values.put(
+                    whole(entry.getKey(), path + "." + entry.getKey()),
+                    value(entry.getValue(), path + "." + entry.getKey())));
     return Collections.unmodifiableMap(values);
   }
 
   private static Object value(JsonNode node, String path) {
     if (node.isTextual()) {
-      return node.textValue();
+      return whole(node.textValue(), path);
     } else if (node.isBoolean()) {
       return node.booleanValue();
     } else if (node.isInt()) {
@@ -202,6 +206,15 @@ final class Fields {
         path, "a text, a finite number, true, false, a list or an object", shown(node));
   }
 
+  /** A text with half a character could not be sent on, nor told to its sender. */
+  private static String whole(String text, String path) {
+    if (!WholeText.isWhole(text)) {
+      throw new MalformedMessageException(
+          WholeText.mended(path), "of whole characters", "one with half a character");
+    }
+    return text;
+  }
+
   MalformedMessageException broken(String field, String rule, JsonNode found) {
     return new MalformedMessageException(path + field, rule, shown(found));
   }
@@ -210,7 +223,6 @@ final class Fields {
     if (node == null) {
       return "absent";
     }
-    String text = node.toString();
-    return text.length() <= 60 ? text : text.substring(0, 60) + "...";
+    return WholeText.shortened(node.toString(), MOST_SHOWN);
   }
 }

@@ -33,25 +33,11 @@ final class JsonValues {
         throw broken(path, "is not finite");
       }
     } else if (value instanceof String text) {
-      requireWhole(path, text);
+      if (!WholeText.isWhole(text)) {
+        throw broken(path, "holds half a character");
+      }
     } else if (!(value instanceof Boolean)) {
       throw broken(path, "is neither text, number, truth value, list nor map");
-    }
-  }
-
-  private static void requireWhole(String path, String text) {
-    for (int index = 0; index < text.length(); index++) {
-      char unit = text.charAt(index);
-      if (Character.isSurrogate(unit)) {
-        boolean pair =
-            Character.isHighSurrogate(unit)
-                && index + 1 < text.length()
-                && Character.isLowSurrogate(text.charAt(index + 1));
-        if (!pair) {
-          throw broken(path, "holds half a character");
-        }
-        index++;
-      }
     }
   }
 

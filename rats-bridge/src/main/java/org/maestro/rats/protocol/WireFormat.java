@@ -1,5 +1,7 @@
 package org.maestro.rats.protocol;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
@@ -17,6 +19,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * The JSON of version 1, as the JSON Schemas beside it describe it. Unknown fields are ignored, an
@@ -38,7 +42,12 @@ public final class WireFormat {
   /** How deep objects and lists may be nested. */
   public static final int MOST_NESTING = 16;
 
+  /** Of an error's text, which may quote anything; receivers take somewhat more. */
+  private static final int MOST_SAID = 8_000;
+
   private static final long LONGEST_TIMEOUT_MILLIS = Duration.ofDays(7).toMillis();
+
+  private static final Logger LOG = LoggerFactory.getLogger(WireFormat.class);
 
   /** For a look at a call that is read in full if it concerns the reader. */
   private static final JsonFactory GLANCES =
@@ -77,10 +86,10 @@ public final class WireFormat {
   }
 
   /**
-   * @throws IllegalArgumentException when the call holds what JSON cannot
+   * @throws IllegalArgumentException when the call holds what JSON cannot, or too much
    */
   public void require(Call call) {
-    JsonValues.require(fields(call));
+    bytes(fields(call));
   }
 
   public Call decodeCall(byte[] payload) {
@@ -115,15 +124,42 @@ public final class WireFormat {
    * read.
    */
   public Optional<CallAddress> addressOf(byte[] payload) {
+    Map<String, String> texts = textsUntilItBreaks(payload);
+    return Optional.ofNullable(texts.get("r"))
+        .filter(Rule.NAME::allows)
+        .flatMap(member -> id(texts).map(id -> new CallAddress(id, member)));
+  }
+
+  /** The id of a message that may be malformed otherwise; empty when not even that can be read. */
+  public Optional<String> idOf(byte[] payload) {
+    return id(textsUntilItBreaks(payload));
+  }
+
+  private static Optional<String> id(Map<String, String> texts) {
+    return Optional.ofNullable(texts.get("id")).filter(Rule.ID::allows);
+  }
+
+  /** The fields of a message that are texts, up to where it cannot be read; whole ones only. */
+  private static Map<String, String> textsUntilItBreaks(byte[] payload) {
+    Map<String, String> texts = new LinkedHashMap<>();
     if (payload.length > MOST_BYTES) {
-      return Optional.empty();
+      return texts;
     }
-    try {
-      Fields fields = new Fields(MAPPER.readTree(payload), "");
-      return Optional.of(new CallAddress(fields.text("id", Rule.ID), fields.text("r", Rule.NAME)));
-    } catch (IOException | MalformedMessageException unreadable) {
-      return Optional.empty();
+    try (JsonParser parser = GLANCES.createParser(new String(payload, UTF_8))) {
+      if (parser.nextToken() != JsonToken.START_OBJECT) {
+        return texts;
+      }
+      while (parser.nextToken() == JsonToken.FIELD_NAME) {
+        String field = parser.currentName();
+        if (parser.nextToken() == JsonToken.VALUE_STRING) {
+          texts.putIfAbsent(field, WholeText.mended(parser.getText()));
+        }
+        parser.skipChildren();
+      }
+    } catch (IOException broken) {
+      LOG.trace("A message cannot be read to its end: {}", broken.getMessage());
     }
+    return texts;
   }
 
   /**
@@ -259,8 +295,8 @@ public final class WireFormat {
     Map<String, Object> fields = new LinkedHashMap<>();
     fields.put("code", error.code().name());
     fields.put("level", error.level().name());
-    fields.put("message", error.message());
-    error.hint().ifPresent(hint -> fields.put("hint", hint));
+    fields.put("message", WholeText.shortened(error.message(), MOST_SAID));
+    error.hint().ifPresent(hint -> fields.put("hint", WholeText.shortened(hint, MOST_SAID)));
     List<Map<String, Object>> refs = error.refs().stream().map(WireFormat::reference).toList();
     fields.put("refs", refs);
     fields.put("retriable", error.retriable());
@@ -302,7 +338,13 @@ public final class WireFormat {
   private byte[] bytes(Map<String, Object> fields) {
     JsonValues.require(fields);
     try {
-      return MAPPER.writeValueAsBytes(fields);
+      byte[] bytes = MAPPER.writeValueAsBytes(fields);
+      if (bytes.length > MOST_BYTES) {
+        throw new IllegalArgumentException(
+            "The message %s has %d bytes, and nobody reads more than %d"
+                .formatted(fields.get("id"), bytes.length, MOST_BYTES));
+      }
+      return bytes;
     } catch (JsonProcessingException unwritable) {
       throw new IllegalArgumentException(
           "The message " + fields.get("id") + " cannot be written as JSON", unwritable);

@@ -17,6 +17,7 @@ final class InProcessTransport implements Transport {
   private Optional<Will> will = Optional.empty();
   private ConnectionListener listener;
   private boolean wanted;
+  private boolean away;
 
   InProcessTransport(InProcessBus bus, Clock clock, String clientId) {
     this.bus = bus;
@@ -85,6 +86,27 @@ final class InProcessTransport implements Transport {
   }
 
   @Override
+  public void stayAway(Duration pause) {
+    synchronized (this) {
+      wanted = false;
+      away = true;
+    }
+    bus.remove(this, Optional.empty());
+    clock.schedule(pause, clientId, this::comeBack);
+  }
+
+  private void comeBack() {
+    synchronized (this) {
+      if (!away) {
+        return;
+      }
+      away = false;
+      wanted = true;
+    }
+    bus.connect(this);
+  }
+
+  @Override
   public void close() {
     leave(Optional.empty());
   }
@@ -97,6 +119,7 @@ final class InProcessTransport implements Transport {
   private void leave(Optional<Will> lastWill) {
     synchronized (this) {
       wanted = false;
+      away = false;
     }
     bus.remove(this, lastWill);
   }

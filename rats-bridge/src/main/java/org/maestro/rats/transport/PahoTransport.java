@@ -47,6 +47,7 @@ public final class PahoTransport implements Transport {
   private boolean ready;
   private boolean leaving;
   private int attempts;
+  private long awayUntil = System.nanoTime();
   private long lastSignOfLife = System.nanoTime();
 
   /**
@@ -169,6 +170,19 @@ public final class PahoTransport implements Transport {
   }
 
   @Override
+  public void stayAway(Duration pause) {
+    perform(
+        () -> {
+          Optional.ofNullable(connection)
+              .ifPresent(last -> timers.execute(() -> last.disconnect(last::cut)));
+          connection = null;
+          drop("it stays away for a while");
+          awayUntil = System.nanoTime() + pause.toNanos();
+          later(this::attempt, pause.toMillis() + 1);
+        });
+  }
+
+  @Override
   public void close() {
     perform(
         () -> {
@@ -224,7 +238,7 @@ public final class PahoTransport implements Transport {
   }
 
   private void attempt() {
-    if (!leaving) {
+    if (!leaving && connection == null && System.nanoTime() - awayUntil >= 0) {
       PahoConnection tried =
           new PahoConnection(broker, clientId, keepAlive, will, credentials, events);
       connection = tried;

@@ -1,5 +1,6 @@
 package org.maestro.rats.transport;
 
+import java.time.Duration;
 import java.util.Optional;
 
 /**
@@ -40,6 +41,14 @@ public interface Transport extends AutoCloseable {
 
   /** Starts to connect, and keeps connecting until closed. To be called once. */
   void open(Optional<Will> will, ConnectionListener listener);
+
+  /**
+   * Says goodbye as {@link #close} does, and connects again after a while. The listener hears of
+   * the new connection only.
+   *
+   * @param pause wall time; in process: the clock's
+   */
+  void stayAway(Duration pause);
 
   /**
    * Publishes. The completion is told exactly once: when the broker has taken the message (QoS 0:

@@ -1,5 +1,6 @@
 package org.maestro.rats.gateway;
 
+import java.time.Duration;
 import java.util.Optional;
 import org.maestro.rats.transport.Publication;
 import org.maestro.rats.transport.Transport;
@@ -49,6 +50,11 @@ final class LosesRetainedOnce implements Transport {
   @Override
   public void open(Optional<Will> will, ConnectionListener listener) {
     transport.open(will, listener);
+  }
+
+  @Override
+  public void stayAway(Duration pause) {
+    transport.stayAway(pause);
   }
 
   @Override

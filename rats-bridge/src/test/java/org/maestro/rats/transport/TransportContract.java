@@ -163,6 +163,29 @@ abstract class TransportContract {
   }
 
   @Test
+  void staysAwayForAWhileAndSaysGoodbyeBefore() {
+    Inbox wills = new Inbox();
+    open("reader", wills, "m/+/status", RetainedMessages.SEND);
+    Inbox inbox = new Inbox();
+    Listener listener = new Listener();
+    Transport client = client("guest");
+    client.subscribe("a/#", RetainedMessages.SEND, inbox);
+    opened.add(client);
+    client.open(Optional.of(new Transport.Will("m/guest/status", bytes("lost"))), listener);
+    await(() -> listener.connectedTimes() == 1);
+    client.stayAway(Duration.ofMillis(500));
+    List<Optional<PublishException>> completions = new CopyOnWriteArrayList<>();
+    client.publish(reliable("a/b", "meanwhile"), completions::add);
+    await(() -> completions.size() == 1 && completions.get(0).isPresent());
+    await(() -> listener.connectedTimes() == 2);
+    publish(client, reliable("a/b", "again"));
+    await(() -> inbox.size() == 1);
+    assertThat(inbox.text(0)).isEqualTo("a/b=again");
+    assertThat(listener.events).containsExactly("connected", "connected");
+    assertThat(wills.messages).isEmpty();
+  }
+
+  @Test
   void subscribesWhileItIsOpen() {
     Transport publisher = open("publisher");
     publish(publisher, Publication.retained("a/b", bytes("kept")));
