@@ -326,7 +326,8 @@ final class GoalStory {
   /** Tells it, and returns it as sentences. */
   List<String> searched(SearchReport report) {
     List<String> told =
-        new SearchSentences(new ObstacleSentences(knowledge.home(), knowledge.snapshot()))
+        new SearchSentences(
+                new ObstacleSentences(knowledge.home(), knowledge.snapshot()), clock.now())
             .of(report);
     told.forEach(text -> tell(StoryEntry.Kind.SEARCHED, text));
     return told;

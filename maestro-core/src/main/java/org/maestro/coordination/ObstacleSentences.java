@@ -9,6 +9,7 @@ import org.maestro.ontology.home.Home;
 import org.maestro.planning.PlanningResult.Cure;
 import org.maestro.planning.PlanningResult.Explanation;
 import org.maestro.planning.PlanningResult.Obstacle;
+import org.maestro.planning.PlanningResult.Obstacle.Extent;
 import org.maestro.planning.PlanningResult.Obstacle.Kind;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
@@ -17,6 +18,7 @@ import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Formula.Relation;
 import org.maestro.sl.SlParser;
+import org.maestro.sl.Term;
 
 /** Says in plain words what stands in the way of a goal, and what would help. */
 public final class ObstacleSentences {
@@ -78,14 +80,38 @@ public final class ObstacleSentences {
     if (!(formula(obstacle) instanceof Formula.Comparison comparison)) {
       return "it is needed that " + fact(obstacle) + purpose + ", and it is not so";
     }
-    return clause(comparison, " has to be ")
-        + purpose
-        + ", and "
-        + (comparison.right() instanceof Expression.Fluent ? "it is " : "it can be ")
-        + (isMore(comparison) ? "" : "no less than ")
-        + Sentences.number(Double.parseDouble(obstacle.possible()))
-        + unit(comparison)
-        + (isMore(comparison) ? " at most" : "");
+    return clause(comparison, " has to be ") + purpose + ", and " + possible(obstacle, comparison);
+  }
+
+  /** A limit is told only where it is one. */
+  private String possible(Obstacle obstacle, Formula.Comparison comparison) {
+    double possible = Double.parseDouble(obstacle.possible());
+    String number = Sentences.number(possible) + unit(comparison);
+    String limit = isMore(comparison) ? number + " at most" : "no less than " + number;
+    if (obstacle.extent() != Extent.KNOWN && isMet(comparison, possible)) {
+      return "it can be " + number + ", but not together with all else that is needed";
+    }
+    return switch (obstacle.extent()) {
+      case KNOWN -> "it is " + number;
+      case LIMIT -> "it can be " + limit;
+      case LIMIT_NOW -> "as things are now it can be " + limit;
+      case FOUND ->
+          "no way was found to bring it " + (isMore(comparison) ? "above " : "below ") + number;
+    };
+  }
+
+  private static boolean isMet(Formula.Comparison comparison, double possible) {
+    if (!(comparison.right() instanceof Expression.OfTerm ofTerm)
+        || !(ofTerm.term() instanceof Term.Number wanted)) {
+      return false;
+    }
+    return switch (comparison.relation()) {
+      case AT_LEAST -> possible >= wanted.value();
+      case GREATER -> possible > wanted.value();
+      case AT_MOST -> possible <= wanted.value();
+      case LESS -> possible < wanted.value();
+      case EQUAL -> false;
+    };
   }
 
   private String clause(Formula.Comparison comparison, String verb) {

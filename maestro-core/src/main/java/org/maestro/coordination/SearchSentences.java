@@ -1,5 +1,6 @@
 package org.maestro.coordination;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,9 +10,15 @@ import java.util.stream.Collectors;
 /** Says in plain words what was looked at in vain, and what could not be looked at and why. */
 final class SearchSentences {
   private final ObstacleSentences obstacles;
+  private final Duration now;
 
-  SearchSentences(ObstacleSentences obstacles) {
+  /**
+   * @param now simulated time since the platform's start: looks are told by their age, since those
+   *     who read the story count its time from elsewhere
+   */
+  SearchSentences(ObstacleSentences obstacles, Duration now) {
     this.obstacles = obstacles;
+    this.now = now;
   }
 
   /** At most two: of what was looked at, and of what was not. */
@@ -20,7 +27,7 @@ final class SearchSentences {
     if (!report.looks().isEmpty()) {
       sentences.add(
           report.looks().stream()
-              .map(SearchSentences::look)
+              .map(this::look)
               .collect(
                   Collectors.joining("; ", report.thing() + " was looked for in vain: ", ".")));
     }
@@ -30,14 +37,18 @@ final class SearchSentences {
     return sentences;
   }
 
-  private static String look(SearchReport.Look look) {
+  private String look(SearchReport.Look look) {
     String covered =
         look.coveredShare().isPresent()
             ? " (%s %% of it in view)"
                 .formatted(Sentences.number(100 * look.coveredShare().getAsDouble()))
             : "";
-    return "in %s by %s at %s s%s"
-        .formatted(look.place(), look.by(), Sentences.number(look.at().toMillis() / 1e3), covered);
+    return "in %s by %s %s s ago%s"
+        .formatted(
+            look.place(),
+            look.by(),
+            Sentences.number(now.minus(look.at()).toMillis() / 1e3),
+            covered);
   }
 
   /** Places that nobody looked at for the same reason are told together. */

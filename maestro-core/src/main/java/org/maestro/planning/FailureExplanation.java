@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.maestro.planning.Condition.Question;
 import org.maestro.planning.PlanningResult.Cure;
@@ -45,6 +46,7 @@ final class FailureExplanation {
   private final Map<Condition, Obstacle> obstacles = new LinkedHashMap<>();
   private final Map<Condition, Double> weights = new LinkedHashMap<>();
   private final CureSearch search;
+  private final NumberLimits limits;
 
   private FailureExplanation(
       PlanningTask task,
@@ -56,23 +58,26 @@ final class FailureExplanation {
     Facts facts = new Returned(task.facts(), task.vocabulary(), task.unavailable());
     this.base = Grounder.forExplanation(task.withFacts(facts)).ground();
     Set<Condition> leaves = leavesThatFail();
-    GroundProblem available =
-        base.with(base.operators().stream().filter(FailureExplanation::isToBeHad).toList());
+    List<Operator> toBeHad =
+        base.operators().stream().filter(FailureExplanation::isToBeHad).toList();
+    GroundProblem available = base.with(toBeHad);
     RelaxedProblem relaxed = new RelaxedProblem(available);
     if (!relaxed.isSolvable()) {
       leaves.removeAll(relaxed.reachableLeaves());
     }
+    Set<Object> moved = moved(toBeHad);
     Set<Condition> ofGoal = new LinkedHashSet<>();
     base.goal().condition().forEachLeaf(ofGoal::add);
     for (Condition leaf : leaves) {
       if (mayBeAssumed(leaf)) {
-        Obstacle obstacle = ObstacleText.obstacle(leaf, available, relaxed.settings());
+        Obstacle obstacle = ObstacleText.obstacle(leaf, available, relaxed.settings(), moved);
         obstacles.put(leaf, obstacle);
         boolean isGoalItself = ofGoal.contains(leaf) && obstacle.kind() != Kind.NUMBER;
         weights.put(leaf, weight(leaf, obstacle) + (isGoalItself ? GOAL_ITSELF : 0));
       }
     }
     this.search = new CureSearch(base, anyFeature, Effort.forBestPlan(mostStates));
+    this.limits = new NumberLimits(base, toBeHad);
   }
 
   /**
@@ -95,6 +100,15 @@ final class FailureExplanation {
     base.operators().forEach(operator -> operator.precondition().forEachLeaf(leaves::add));
     leaves.removeIf(leaf -> leaf.holds(base.initial()));
     return leaves;
+  }
+
+  /** What the operators make more or less of; to measure it is not to move it. */
+  private static Set<Object> moved(List<Operator> operators) {
+    return operators.stream()
+        .flatMap(operator -> operator.changes().stream())
+        .filter(Change.Adjust.class::isInstance)
+        .map(Change::target)
+        .collect(Collectors.toSet());
   }
 
   /** Whether nothing forbids it for good. */
@@ -161,8 +175,8 @@ final class FailureExplanation {
       Set<Condition> others = new LinkedHashSet<>(cited.keySet());
       others.remove(entry.getKey());
       result.add(
-          obstacles
-              .get(entry.getKey())
+          limits
+              .limited(obstacles.get(entry.getKey()), entry.getKey())
               .neededBy(entry.getValue())
               .withCures(cures(entry.getKey(), others)));
     }

@@ -209,6 +209,7 @@ final class Grounder {
             what,
             kind == Kind.MEMBER ? "present" : "done",
             why,
+            Obstacle.Extent.KNOWN,
             OptionalDouble.empty(),
             Optional.empty(),
             Optional.of(subject),

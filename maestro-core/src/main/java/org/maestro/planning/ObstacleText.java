@@ -3,9 +3,11 @@ package org.maestro.planning;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.stream.Collectors;
 import org.maestro.planning.Condition.Question;
 import org.maestro.planning.PlanningResult.Obstacle;
+import org.maestro.planning.PlanningResult.Obstacle.Extent;
 import org.maestro.planning.PlanningResult.Obstacle.Kind;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
@@ -19,12 +21,14 @@ final class ObstacleText {
   /**
    * @param problem what can be done, the latest that was made
    * @param settings of that problem
+   * @param moved what can be changed at all
    */
-  static Obstacle obstacle(Condition leaf, GroundProblem problem, SettingAnalysis settings) {
+  static Obstacle obstacle(
+      Condition leaf, GroundProblem problem, SettingAnalysis settings, Set<Object> moved) {
     if (leaf instanceof Condition.Literal literal) {
       return ofLiteral(literal, literal.variable().initialCode());
     } else if (leaf instanceof Condition.Compare compare) {
-      return ofComparison(compare, problem.initial().numbers(), settings);
+      return ofComparison(compare, problem.initial().numbers(), settings, moved);
     } else if (leaf instanceof Condition.NumberKnown number) {
       Formula unknown = new Formula.UnknownNumber(number.variable().fluent());
       Formula condition = number.known() ? new Formula.Not(unknown) : unknown;
@@ -61,7 +65,10 @@ final class ObstacleText {
   }
 
   private static Obstacle ofComparison(
-      Condition.Compare compare, NumberVector numbers, SettingAnalysis settings) {
+      Condition.Compare compare,
+      NumberVector numbers,
+      SettingAnalysis settings,
+      Set<Object> moved) {
     Formula formula =
         new Formula.Comparison(
             compare.relation(), expression(compare.left()), expression(compare.right()));
@@ -78,17 +85,29 @@ final class ObstacleText {
     if (Quantity.isUnknown(now)) {
       return stated(Kind.UNKNOWN, condition, needed, "unknown");
     }
-    SettingSum sum = settings.sum(threshold.variable());
-    double best = sum == null ? now : sum.extreme(numbers, threshold.upward());
     return new Obstacle(
         Kind.NUMBER,
         condition,
         needed,
-        SlPrinter.print(best),
-        OptionalDouble.of(Quantity.rounded(threshold.missing(best))),
+        SlPrinter.print(now),
+        Extent.KNOWN,
+        missing(threshold, numbers, settings, moved),
         Optional.empty(),
         Optional.empty(),
         List.of());
+  }
+
+  /** By how much more settings that add up would do; what else is done may depend on more. */
+  private static OptionalDouble missing(
+      Threshold threshold, NumberVector numbers, SettingAnalysis settings, Set<Object> moved) {
+    NumberVariable variable = threshold.variable();
+    SettingSum sum = settings.sum(variable);
+    if (sum == null && moved.contains(variable)) {
+      return OptionalDouble.empty();
+    }
+    double best = sum == null ? variable.initial() : sum.extreme(numbers, threshold.upward());
+    double missing = Quantity.rounded(threshold.missing(best));
+    return missing > 0 ? OptionalDouble.of(missing) : OptionalDouble.empty();
   }
 
   /** A comparison of numbers that nobody ever changes. */
@@ -101,6 +120,7 @@ final class ObstacleText {
         SlPrinter.print(positive ? ground : new Formula.Not(ground)),
         relation + (Quantity.isUnknown(right) ? "an unknown number" : SlPrinter.print(right)),
         Quantity.isUnknown(left) ? "unknown" : SlPrinter.print(left),
+        Extent.KNOWN,
         known
             ? OptionalDouble.of(Quantity.rounded(Math.abs(right - left)))
             : OptionalDouble.empty(),
@@ -126,6 +146,7 @@ final class ObstacleText {
         condition,
         needed,
         possible,
+        Extent.KNOWN,
         OptionalDouble.empty(),
         Optional.empty(),
         Optional.empty(),

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import org.maestro.sl.SlPrinter;
 
 /** What planning ends with. */
 public sealed interface PlanningResult {
@@ -45,8 +46,9 @@ public sealed interface PlanningResult {
    * @param needed what is needed: {@code >= 72}, {@code true}, {@code present}
    * @param possible the best that can be reached, or what is known: {@code 42}, {@code false}, or
    *     why the member is not there
+   * @param extent what a possible number is
    * @param missing how much more (or, when it is to be less, how much less) would do; empty unless
-   *     both numbers are known
+   *     that is known
    * @param neededBy the step that needs it; empty: the goal itself
    * @param subject who is not there, or which step is not done; empty for other kinds
    * @param cures other conditions that would do instead of this one
@@ -56,6 +58,7 @@ public sealed interface PlanningResult {
       String condition,
       String needed,
       String possible,
+      Extent extent,
       OptionalDouble missing,
       Optional<StepKey> neededBy,
       Optional<StepKey> subject,
@@ -79,12 +82,38 @@ public sealed interface PlanningResult {
       GOAL
     }
 
+    /** What is said of a number by the one that is possible. */
+    public enum Extent {
+      /** It is that, as far as is known; how far it can be moved is not told. */
+      KNOWN,
+      /** Nothing that anybody does brings it further: all was tried, or reckoned. */
+      LIMIT,
+      /** The same, by those who are there and do not refuse; with others it may be more. */
+      LIMIT_NOW,
+      /** The best that was found; that there is no better is not proven. */
+      FOUND
+    }
+
     Obstacle neededBy(Optional<StepKey> step) {
-      return new Obstacle(kind, condition, needed, possible, missing, step, subject, cures);
+      return new Obstacle(kind, condition, needed, possible, extent, missing, step, subject, cures);
     }
 
     Obstacle withCures(List<Cure> others) {
-      return new Obstacle(kind, condition, needed, possible, missing, neededBy, subject, others);
+      return new Obstacle(
+          kind, condition, needed, possible, extent, missing, neededBy, subject, others);
+    }
+
+    Obstacle withPossible(double best, Extent reached) {
+      return new Obstacle(
+          kind,
+          condition,
+          needed,
+          SlPrinter.print(best),
+          reached,
+          missing,
+          neededBy,
+          subject,
+          cures);
     }
   }
 

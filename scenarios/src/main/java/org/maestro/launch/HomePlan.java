@@ -77,12 +77,27 @@ final class HomePlan {
           .forEach(
               obstacle ->
                   out.printf(
-                      "; needed: %s, %s; possible: %s%n",
-                      obstacle.condition(), obstacle.needed(), obstacle.possible()));
+                      "; needed: %s, %s; %s: %s%n",
+                      obstacle.condition(),
+                      obstacle.needed(),
+                      reachedWord(obstacle),
+                      obstacle.possible()));
       return UNSOLVABLE;
     }
     out.println("; no plan found: " + ((PlanningResult.GaveUp) result).reason());
     return NOTHING_FOUND;
+  }
+
+  /** What is only known now, or the best that was found, is no limit. */
+  private static String reachedWord(PlanningResult.Obstacle obstacle) {
+    if (obstacle.kind() != PlanningResult.Obstacle.Kind.NUMBER) {
+      return "possible";
+    }
+    return switch (obstacle.extent()) {
+      case KNOWN -> "it is";
+      case LIMIT, LIMIT_NOW -> "possible";
+      case FOUND -> "found";
+    };
   }
 
   private static Formula goal(Home home, String text) {

@@ -1,0 +1,71 @@
+package org.maestro.coordination;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.junit.jupiter.api.Test;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+import org.maestro.planning.PlanningResult.Obstacle;
+import org.maestro.planning.PlanningResult.Obstacle.Extent;
+import org.maestro.planning.PlanningResult.Obstacle.Kind;
+
+/** A number is called a limit only where it is one, and by whose help. */
+class ObstacleSentencesTest {
+
+  @Test
+  void whatIsProvenIsALimit() throws IOException {
+    assertThat(said("(>= (illuminance zone-b) 72)", "60", Extent.LIMIT))
+        .contains("has to be at least 72 lux, and it can be 60 lux at most.");
+    assertThat(said("(<= (illuminance zone-b) 10)", "17", Extent.LIMIT))
+        .contains("has to be at most 10 lux, and it can be no less than 17 lux.");
+  }
+
+  @Test
+  void whatOthersCouldChangeIsALimitAsThingsAreNow() throws IOException {
+    assertThat(said("(>= (illuminance zone-b) 72)", "60", Extent.LIMIT_NOW))
+        .contains("and as things are now it can be 60 lux at most.");
+  }
+
+  @Test
+  void whatIsNotProvenIsNoLimit() throws IOException {
+    assertThat(said("(>= (illuminance zone-b) 72)", "60", Extent.FOUND))
+        .contains("and no way was found to bring it above 60 lux.")
+        .doesNotContain("can be");
+    assertThat(said("(>= (illuminance zone-b) 72)", "60", Extent.KNOWN))
+        .contains("and it is 60 lux.")
+        .doesNotContain("can be");
+  }
+
+  /** Each would be possible without the other. */
+  @Test
+  void whatIsOutOfReachOnlyBesideTheRestIsToldSo() throws IOException {
+    assertThat(said("(>= (illuminance zone-b) 72)", "80", Extent.LIMIT))
+        .contains("and it can be 80 lux, but not together with all else that is needed.");
+  }
+
+  private static String said(String condition, String possible, Extent extent) throws IOException {
+    try (InputStream turtle = ObstacleSentencesTest.class.getResourceAsStream("/bob.ttl")) {
+      Home home =
+          new HomeLoader()
+              .load(new String(turtle.readAllBytes(), StandardCharsets.UTF_8), "bob.ttl");
+      return new ObstacleSentences(home, new PretendHouse(home).knowledge.snapshot())
+          .obstacle(
+              new Obstacle(
+                  Kind.NUMBER,
+                  condition,
+                  "",
+                  possible,
+                  extent,
+                  OptionalDouble.empty(),
+                  Optional.empty(),
+                  Optional.empty(),
+                  List.of()));
+    }
+  }
+}
