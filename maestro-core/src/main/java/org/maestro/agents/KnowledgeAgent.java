@@ -14,7 +14,9 @@ import org.maestro.knowledge.Answer;
 import org.maestro.knowledge.Belief;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.knowledge.KnowledgeException;
 import org.maestro.knowledge.Question;
+import org.maestro.knowledge.QuestionReader;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.knowledge.Source;
 import org.maestro.ontology.home.AccessList;
@@ -35,6 +37,7 @@ import org.maestro.sl.Term;
  * (query-if (in Cup zone-b))                   true, false or unknown, how old, on whose word
  * (query-if (in Cup zone-b) (:within 60))      by nothing older than 60 s
  * (query-ref (in Cup ?where))                  an element for each answer; (:answers none)
+ * (query-ref (= (level lamp-1) ?n))            the number; (query-ref (level lamp-1)) too
  * (query-ref)                                  all that is believed
  * (query-ref (:history "(in Cup zone-b)"))     who said what of it, when and how surely
  * (query-ref (:last "(in Cup zone-b)"))        what was known of it last, however long ago
@@ -44,6 +47,8 @@ import org.maestro.sl.Term;
  * (subscribe (in Cup ?where))                  AGREE, what is so now, and again when that changes;
  *                                              until CANCEL in the same conversation
  * </pre>
+ *
+ * A question that uses words as neither home nor vocabulary do is refused, as a goal is.
  */
 public final class KnowledgeAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
@@ -84,20 +89,28 @@ public final class KnowledgeAgent extends MaestroAgent {
       return;
     }
     for (Content content : Words.parse(message.getContent())) {
-      Words words = Words.of(content);
-      switch (content.operator()) {
-        case "inform" -> informed(message, words);
-        case "query-if" -> queryIf(message, words);
-        case "query-ref" -> queryRef(message, words);
-        case "subscribe" -> subscribe(message, words);
-        default ->
-            refuse(
-                message,
-                ACLMessage.NOT_UNDERSTOOD,
-                "The knowledge agent does not know the operator "
-                    + content.operator()
-                    + "; it knows inform, query-if, query-ref and subscribe.");
+      try {
+        received(message, content);
+      } catch (KnowledgeException e) {
+        refuse(message, ACLMessage.REFUSE, e.getMessage());
       }
+    }
+  }
+
+  private void received(ACLMessage message, Content content) {
+    Words words = Words.of(content);
+    switch (content.operator()) {
+      case "inform" -> informed(message, words);
+      case "query-if" -> queryIf(message, words);
+      case "query-ref" -> queryRef(message, words);
+      case "subscribe" -> subscribe(message, words);
+      default ->
+          refuse(
+              message,
+              ACLMessage.NOT_UNDERSTOOD,
+              "The knowledge agent does not know the operator "
+                  + content.operator()
+                  + "; it knows inform, query-if, query-ref and subscribe.");
     }
   }
 
@@ -172,7 +185,7 @@ public final class KnowledgeAgent extends MaestroAgent {
   }
 
   private void queryIf(ACLMessage message, Words words) {
-    Optional<Formula> formula = words.formula();
+    Optional<Formula> formula = question(words);
     if (formula.isEmpty()) {
       refuse(
           message,
@@ -185,8 +198,9 @@ public final class KnowledgeAgent extends MaestroAgent {
 
   private void queryRef(ACLMessage message, Words words) {
     Snapshot snapshot = read(words);
-    Optional<String> history = words.string("history");
-    Optional<String> last = words.string("last");
+    Optional<String> history = words.string("history").map(reader()::fact);
+    Optional<String> last = words.string("last").map(reader()::fact);
+    Optional<Formula> question = question(words);
     if (words.find("call").isPresent()) {
       call(message, words.find("call").get());
     } else if (history.isPresent()) {
@@ -202,11 +216,23 @@ public final class KnowledgeAgent extends MaestroAgent {
       answer(
           message,
           snapshot.disputes().stream().map(dispute -> BeliefWords.content(dispute, snapshot.at())));
-    } else if (words.formula().isPresent()) {
-      inform(message, new Question(snapshot).answerRef(words.formula().get()));
-    } else {
+    } else if (question.isPresent()) {
+      inform(message, new Question(snapshot).answerRef(question.get()));
+    } else if (words.hasNothingBut("within")) {
       beliefs(message, snapshot.beliefs().stream(), snapshot.at());
+    } else {
+      throw new KnowledgeException(
+          "A question needs a formula, such as (query-ref (in Cup ?where)), or one of :history,"
+              + " :last, :call and :disputes.");
     }
+  }
+
+  private QuestionReader reader() {
+    return new QuestionReader(knowledge.home());
+  }
+
+  private Optional<Formula> question(Words words) {
+    return words.formula().map(reader()::question);
   }
 
   private void call(ACLMessage message, Words call) {
@@ -218,7 +244,7 @@ public final class KnowledgeAgent extends MaestroAgent {
   }
 
   private void subscribe(ACLMessage message, Words words) {
-    Optional<Formula> formula = words.formula();
+    Optional<Formula> formula = question(words);
     if (formula.isEmpty()) {
       refuse(
           message,
@@ -251,10 +277,15 @@ public final class KnowledgeAgent extends MaestroAgent {
 
   /** How old what counts may be. */
   private static Optional<Duration> within(Words words) {
+    if (words.named("within").isEmpty()) {
+      return Optional.empty();
+    }
     double seconds = words.number("within", -1);
-    return seconds < 0
-        ? Optional.empty()
-        : Optional.of(Duration.ofMillis((long) (seconds * MILLIS_PER_SECOND)));
+    if (seconds < 0) {
+      throw new KnowledgeException(
+          "What follows :within is no number of seconds; write one, such as (:within 60).");
+    }
+    return Optional.of(Duration.ofMillis((long) (seconds * MILLIS_PER_SECOND)));
   }
 
   private void inform(ACLMessage message, List<Answer> answers) {

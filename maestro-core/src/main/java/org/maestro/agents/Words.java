@@ -88,6 +88,12 @@ public final class Words {
     return all().stream().filter(n -> n.name().equals(name)).findFirst();
   }
 
+  /** Whether all arguments, if there are any, are of this name. */
+  boolean hasNothingBut(String name) {
+    return arguments.stream()
+        .allMatch(argument -> argument instanceof Argument.Named n && n.name().equals(name));
+  }
+
   /** All named arguments, in order. */
   public List<Argument.Named> all() {
     return arguments.stream()

@@ -1,25 +1,21 @@
 package org.maestro.coordination;
 
-import java.util.Collection;
-import java.util.List;
+import java.util.Set;
 import org.maestro.ontology.home.Home;
-import org.maestro.ontology.vocabulary.NameCheck;
-import org.maestro.ontology.vocabulary.Nearest;
+import org.maestro.ontology.home.StatementCheck;
 import org.maestro.sl.Formula;
-import org.maestro.sl.FreeVariables;
-import org.maestro.sl.Leaves;
-import org.maestro.sl.Term;
+import org.maestro.sl.NumberVariables;
 
 /**
  * Refuses goals that speak of what neither home nor vocabulary know, before anybody is asked for
  * anything.
  */
 public final class GoalCheck {
-  private final Home home;
+  private final StatementCheck statements;
 
   /** For goals in this home. */
   public GoalCheck(Home home) {
-    this.home = home;
+    this.statements = new StatementCheck(home, "The goal");
   }
 
   /**
@@ -28,32 +24,17 @@ public final class GoalCheck {
    * @throws InvalidGoalException for the first that is wrong
    */
   public void check(Formula goal) {
-    Leaves.of(goal, atom -> checkNames(atom.arguments()), fluent -> checkNames(fluent.arguments()));
-    new NameCheck(
-            home.vocabulary(),
-            home.individuals()::containsKey,
-            FreeVariables.of(goal),
-            (problem, cure) -> {
-              throw new InvalidGoalException("The goal " + problem + "; " + cure + ".");
-            })
-        .check(goal);
-  }
-
-  private void checkNames(List<Term> terms) {
-    Collection<String> known = home.individuals().keySet();
-    for (Term term : terms) {
-      if (term instanceof Term.Name name && !known.contains(name.text())) {
-        throw new InvalidGoalException(
-            "Nobody knows a thing named %s; %s."
-                .formatted(
-                    name.text(),
-                    Nearest.cure(
-                        name.text(), known, "name one of the home, such as " + example(known))));
-      }
+    statements
+        .fault(goal)
+        .ifPresent(
+            sentence -> {
+              throw new InvalidGoalException(sentence);
+            });
+    Set<String> open = NumberVariables.of(goal);
+    if (!open.isEmpty()) {
+      throw new InvalidGoalException(
+          "The goal leaves the number ?%s open; write one in its place."
+              .formatted(open.iterator().next()));
     }
-  }
-
-  private static String example(Collection<String> known) {
-    return known.stream().limit(3).reduce((a, b) -> a + ", " + b).orElse("none (it is empty)");
   }
 }

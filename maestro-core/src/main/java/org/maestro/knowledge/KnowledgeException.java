@@ -7,7 +7,7 @@ public final class KnowledgeException extends IllegalArgumentException {
 
   private static final long serialVersionUID = 1L;
 
-  KnowledgeException(String message) {
+  public KnowledgeException(String message) {
     super(message);
   }
 

@@ -89,6 +89,60 @@ class KnowledgeAgentTest {
   }
 
   @Test
+  void whatCannotBeAnsweredIsRefusedHoweverItIsAsked() {
+    String wrong = "The question names zone-b where a Thing is wanted, and it is none";
+    assertThat(guest.ask("r1", ACLMessage.QUERY_IF, "(query-if (in zone-b Cup))"))
+        .singleElement()
+        .asString()
+        .startsWith("REFUSE")
+        .contains(wrong);
+    assertThat(guest.ask("r2", ACLMessage.QUERY_REF, "(query-ref (in zone-b ?where))"))
+        .singleElement()
+        .asString()
+        .startsWith("REFUSE")
+        .contains(wrong);
+    assertThat(guest.ask("r3", ACLMessage.SUBSCRIBE, "(subscribe (in zone-b ?where))"))
+        .singleElement()
+        .asString()
+        .startsWith("REFUSE")
+        .contains(wrong);
+    assertThat(guest.ask("r4", ACLMessage.QUERY_REF, "(query-ref (:last \"(in zone-b Cup)\"))"))
+        .singleElement()
+        .asString()
+        .startsWith("REFUSE")
+        .contains(wrong);
+    assertThat(guest.ask("r5", ACLMessage.QUERY_REF, "(query-ref Cup)"))
+        .singleElement()
+        .asString()
+        .startsWith("REFUSE")
+        .contains("A question needs a formula");
+    assertThat(guest.ask("r6", ACLMessage.QUERY_IF, "(query-if (in Cup zone-b) (:within soon))"))
+        .singleElement()
+        .asString()
+        .startsWith("REFUSE")
+        .contains("no number of seconds");
+  }
+
+  @Test
+  void aNumberIsAnsweredWithItsValue() {
+    knowledge.state(new Source(Source.Kind.STATED, "lamp-b1"), List.of("(= (level lamp-b1) 0.25)"));
+
+    assertThat(guest.ask("n1", ACLMessage.QUERY_REF, "(query-ref (= (level lamp-b1) ?n))"))
+        .singleElement()
+        .asString()
+        .contains("(:binding (:n 0.25))", "(:source \"lamp-b1\")");
+    assertThat(guest.ask("n2", ACLMessage.SUBSCRIBE, "(subscribe (level lamp-b1))"))
+        .hasSize(2)
+        .last()
+        .asString()
+        .contains("(:binding (:value 0.25))");
+    assertThat(guest.ask("n3", ACLMessage.QUERY_IF, "(query-if (level lamp-b1))"))
+        .singleElement()
+        .asString()
+        .contains("(:truth true) (:binding (:value 0.25))");
+  }
+
+  @Test
   void twoCamerasThatDisagreeAreBothShownWithTheRule() {
     knowledge.state(new Source(Source.Kind.OBSERVED, "cam-a"), List.of("(position Cup \"1 1 0\")"));
     knowledge.state(CAMERA, List.of("(position Cup \"1.5 1 0\")"));

@@ -55,11 +55,14 @@ public final class Evaluation {
     return truth(((Formula.Keep) formula).body(), bindings);
   }
 
-  /** The expression's number; empty when a fluent in it is unknown, or it divides by zero. */
+  /**
+   * The expression's number; empty when a fluent in it is unknown, a variable is bound to no number
+   * (NaN), or it divides by zero.
+   */
   public OptionalDouble number(Expression expression, Map<String, Term> bindings) {
     if (expression instanceof Expression.OfTerm ofTerm) {
       Term term = ground(ofTerm.term(), bindings);
-      return term instanceof Term.Number number
+      return term instanceof Term.Number number && !Double.isNaN(number.value())
           ? OptionalDouble.of(number.value())
           : OptionalDouble.empty();
     } else if (expression instanceof Expression.Fluent fluent) {

@@ -1,8 +1,8 @@
 package org.maestro.launch;
 
 import java.io.PrintStream;
-import java.io.PrintWriter;
-import java.nio.charset.StandardCharsets;
+import org.maestro.display.VisibleText;
+import org.maestro.display.VisibleWriter;
 import org.slf4j.bridge.SLF4JBridgeHandler;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -67,7 +67,7 @@ public final class Maestro implements Runnable {
     try {
       RuntimeDirectory.ofUser().prepareLog();
     } catch (CommandException e) {
-      System.err.println("maestro: " + e.getMessage());
+      System.err.println("maestro: " + VisibleText.line(e.getMessage()));
       System.exit(e.exitCode());
     }
     SLF4JBridgeHandler.removeHandlersForRootLogger();
@@ -82,8 +82,8 @@ public final class Maestro implements Runnable {
   static CommandLine commandLine(PrintStream out, PrintStream err) {
     Failures failures = new Failures();
     return new CommandLine(new Maestro())
-        .setOut(new PrintWriter(out, true, StandardCharsets.UTF_8))
-        .setErr(new PrintWriter(err, true, StandardCharsets.UTF_8))
+        .setOut(VisibleWriter.on(out, true))
+        .setErr(VisibleWriter.on(err, true))
         .setCaseInsensitiveEnumValuesAllowed(true)
         .setUsageHelpAutoWidth(true)
         .setExecutionExceptionHandler(failures)

@@ -1,7 +1,7 @@
 package org.maestro.launch;
 
 import java.io.PrintWriter;
-import java.nio.charset.StandardCharsets;
+import org.maestro.display.VisibleWriter;
 import picocli.CommandLine;
 
 /**
@@ -13,8 +13,8 @@ public final class PlanProgram {
 
   /** The entry point; the arguments are those after {@code plan}. */
   public static void main(String[] arguments) {
-    PrintWriter out = new PrintWriter(System.out, false, StandardCharsets.UTF_8);
-    PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
+    PrintWriter out = VisibleWriter.on(System.out, false);
+    PrintWriter err = VisibleWriter.on(System.err, true);
     int exitCode =
         PddlSolving.Asked.plain(arguments)
             .map(asked -> solve(new PddlSolving(asked, out, err), err))

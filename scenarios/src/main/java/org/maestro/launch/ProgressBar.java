@@ -2,6 +2,7 @@ package org.maestro.launch;
 
 import java.io.PrintWriter;
 import java.util.Locale;
+import org.maestro.display.VisibleText;
 import org.maestro.experiment.running.Progress;
 
 /** A bar that grows while an experiment runs; a line for each run where there is no terminal. */
@@ -36,10 +37,12 @@ final class ProgressBar implements Progress {
             of,
             left,
             line);
-    people.print("\r" + text.substring(0, Math.min(LINE, text.length())) + "\u001b[K");
+    String shown = VisibleText.line(text);
+    PrintWriter bar = System.console().writer();
+    bar.print("\r" + shown.substring(0, Math.min(LINE, shown.length())) + "\u001b[K");
     if (done == of) {
-      people.println();
+      bar.println();
     }
-    people.flush();
+    bar.flush();
   }
 }

@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import org.maestro.display.VisibleText;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -34,7 +35,7 @@ final class StrayOutput extends OutputStream {
     String text = line.toString(StandardCharsets.UTF_8).stripTrailing();
     line.reset();
     if (text.startsWith(OWN)) {
-      people.println(text);
+      people.println(VisibleText.line(text));
     } else if (!text.isEmpty()) {
       log().info(text);
     }

@@ -6,11 +6,19 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
+import org.maestro.display.VisibleText;
 
 /** Rows under column names, for people or as JSON. */
 record Table(List<String> columns, List<List<String>> rows) {
 
   void print(PrintWriter out) {
+    new Table(
+            columns,
+            rows.stream().map(row -> row.stream().map(VisibleText::line).toList()).toList())
+        .printVisible(out);
+  }
+
+  private void printVisible(PrintWriter out) {
     List<Integer> widths = new ArrayList<>();
     for (int column = 0; column < columns.size(); column++) {
       int width = columns.get(column).length();

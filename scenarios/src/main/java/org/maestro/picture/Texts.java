@@ -7,6 +7,7 @@ import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.font.TextLayout;
 import java.awt.geom.AffineTransform;
+import org.maestro.display.VisibleText;
 
 /** Labels with a white edge, so that they can be read on anything. */
 final class Texts {
@@ -18,7 +19,7 @@ final class Texts {
 
   static void draw(Graphics2D canvas, String text, double x, double y, Font font, Color color) {
     Shape outline =
-        new TextLayout(text, font, canvas.getFontRenderContext())
+        new TextLayout(VisibleText.line(text), font, canvas.getFontRenderContext())
             .getOutline(AffineTransform.getTranslateInstance(x, y));
     canvas.setStroke(new BasicStroke(5, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
     canvas.setColor(new Color(255, 255, 255, 220));

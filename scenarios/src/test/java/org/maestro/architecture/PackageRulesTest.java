@@ -30,6 +30,7 @@ class PackageRulesTest {
     "org.maestro.assembly..",
     "org.maestro.random..",
     "org.maestro.launch..",
+    "org.maestro.display..",
     "org.maestro.junit..",
     "org.maestro.experiment..",
     "org.maestro.picture..",

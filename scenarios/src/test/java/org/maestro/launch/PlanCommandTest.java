@@ -102,7 +102,7 @@ class PlanCommandTest {
 
   @Test
   void saysWhyAHomeHasNoPlan() {
-    Said said = maestro("plan", "bob", "(open lamp-a1)");
+    Said said = maestro("plan", "bob", "(= (level lux-a) 1)");
     assertThat(said.exitCode()).isEqualTo(10);
     assertThat(said.out()).startsWith("; unsolvable (proven)").contains("needed");
   }

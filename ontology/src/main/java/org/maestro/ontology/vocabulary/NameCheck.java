@@ -4,8 +4,11 @@ import java.util.ArrayDeque;
 import java.util.Collection;
 import java.util.Deque;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.function.BiPredicate;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Fact;
@@ -16,27 +19,32 @@ import org.maestro.sl.TypedVariable;
 
 /**
  * Checks that formulas, effects and expressions use declared predicates, fluents, classes,
- * variables and individuals, as declared. Each problem is told with its cure.
+ * variables and individuals, as declared: an individual where its class is wanted, and never a text
+ * or a number in its place. Each problem is told with its cure.
  */
 public final class NameCheck {
 
   private final Vocabulary vocabulary;
   private final Predicate<String> individuals;
+  private final BiPredicate<String, String> instances;
   private final Deque<String> variables;
   private final BiConsumer<String, String> problems;
 
   /**
    * @param individuals which names may stand for individuals
+   * @param instances whether an individual, named first, is of a class
    * @param variables those that may be used freely
    * @param problems takes a problem and its cure
    */
   public NameCheck(
       Vocabulary vocabulary,
       Predicate<String> individuals,
+      BiPredicate<String, String> instances,
       Collection<String> variables,
       BiConsumer<String, String> problems) {
     this.vocabulary = vocabulary;
     this.individuals = individuals;
+    this.instances = instances;
     this.variables = new ArrayDeque<>(variables);
     this.problems = problems;
   }
@@ -60,6 +68,8 @@ public final class NameCheck {
     } else if (formula instanceof Formula.Comparison comparison) {
       check(comparison.left());
       check(comparison.right());
+      alike(comparison.left(), comparison.right());
+      alike(comparison.right(), comparison.left());
     } else if (formula instanceof Formula.UnknownAtom unknown) {
       atom(unknown.atom());
     } else if (formula instanceof Formula.UnknownNumber unknown) {
@@ -136,6 +146,8 @@ public final class NameCheck {
       arguments(declared, atom.arguments());
     } else if (!vocabulary.classes().containsKey(name) || atom.arguments().size() != 1) {
       unknownPredicate(name, atom.arguments());
+    } else if (!(atom.arguments().get(0) instanceof Term.Name)) {
+      argument(atom.arguments().get(0), name, "(" + name + " ?x)");
     }
     atom.arguments().forEach(this::term);
   }
@@ -171,14 +183,61 @@ public final class NameCheck {
 
   private void arguments(PredicateDeclaration declared, List<Term> arguments) {
     if (declared.parameters().size() != arguments.size()) {
-      String right =
-          declared.parameters().stream()
-              .map(p -> " " + SlPrinter.print(p))
-              .reduce("", String::concat);
       problems.accept(
           "gives " + declared.name() + " " + arguments.size() + " arguments",
-          "write (" + declared.name() + right + ")");
+          "write " + form(declared));
+      return;
     }
+    for (int i = 0; i < arguments.size(); i++) {
+      Optional<String> wanted = declared.parameters().get(i).className();
+      if (wanted.isPresent()) {
+        argument(arguments.get(i), wanted.get(), form(declared));
+      }
+    }
+  }
+
+  private static String form(PredicateDeclaration declared) {
+    return declared.parameters().stream()
+        .map(parameter -> " " + SlPrinter.print(parameter))
+        .collect(Collectors.joining("", "(" + declared.name(), ")"));
+  }
+
+  /** A class of the vocabulary has individuals; what is of a datatype is none. */
+  private void argument(Term term, String wanted, String form) {
+    if (term instanceof Term.Variable) {
+      return;
+    }
+    if (term instanceof Term.Name name) {
+      if (individuals.test(name.text()) && !instances.test(name.text(), wanted)) {
+        problems.accept(
+            "names %s where a %s is wanted, and it is none".formatted(name.text(), wanted),
+            "write " + form);
+      }
+    } else if (vocabulary.classes().containsKey(wanted)) {
+      problems.accept(
+          "gives %s where a %s is wanted, and that is no name"
+              .formatted(SlPrinter.print(term), wanted),
+          term instanceof Term.Text text && individuals.test(text.value())
+              ? "write " + text.value() + " without quotes"
+              : "write " + form);
+    }
+  }
+
+  /** What stands beside a number in a comparison is one too. */
+  private void alike(Expression number, Expression other) {
+    if (!(number instanceof Expression.OfTerm ofNumber && !isNumber(ofNumber.term()))
+        && other instanceof Expression.OfTerm ofTerm
+        && !(ofTerm.term() instanceof Term.Variable)
+        && !isNumber(ofTerm.term())) {
+      problems.accept(
+          "compares %s, a number, with %s"
+              .formatted(SlPrinter.print(number), SlPrinter.print(ofTerm.term())),
+          "write a number there");
+    }
+  }
+
+  private static boolean isNumber(Term term) {
+    return term instanceof Term.Number;
   }
 
   /** Effects set only what is neither derived nor computed. */

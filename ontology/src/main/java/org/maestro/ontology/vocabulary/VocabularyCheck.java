@@ -206,6 +206,7 @@ public final class VocabularyCheck {
           new NameCheck(
               vocabulary,
               individuals,
+              (individual, className) -> true,
               variables,
               (problem, cure) -> fault(node, property, problem, cure)));
     }

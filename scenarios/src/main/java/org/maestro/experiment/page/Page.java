@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
 import java.util.List;
+import org.maestro.display.VisibleText;
 import org.maestro.experiment.drawing.Figure;
 import org.maestro.experiment.setting.Settings;
 
@@ -129,7 +130,8 @@ public final class Page {
   }
 
   private static String escaped(String text) {
-    return text.replace("&", "&amp;")
+    return VisibleText.line(text)
+        .replace("&", "&amp;")
         .replace("<", "&lt;")
         .replace(">", "&gt;")
         .replace("\"", "&quot;");

@@ -1,0 +1,15 @@
+package org.maestro.display;
+
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.pattern.CompositeConverter;
+
+/**
+ * What a log's line is made of: {@code %visible(%msg){line}} is one line whatever the message
+ * holds, {@code %visible(%ex){lines}} as many as a stack trace has.
+ */
+public final class VisibleLog extends CompositeConverter<ILoggingEvent> {
+  @Override
+  protected String transform(ILoggingEvent event, String text) {
+    return "lines".equals(getFirstOption()) ? VisibleText.lines(text) : VisibleText.line(text);
+  }
+}
