@@ -206,6 +206,7 @@ public final class Coordinator {
    *     life are unknown to it
    */
   public void memberPresent(String member, Optional<String> life) {
+    rivals.experience().forget(member);
     roster.present(member, life);
     ports.journal().write(new JournalEntry.MemberCame(member, life));
     comeback.present(member);

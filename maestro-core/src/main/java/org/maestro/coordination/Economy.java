@@ -32,13 +32,21 @@ final class Economy {
   private final Formula goal;
   private final Ports ports;
   private final ExactPrices exactPrices;
+  private final Experience experience;
   private final OwnSettings settings;
 
-  Economy(String goalId, Formula goal, Ports ports, ExactPrices exactPrices, OwnSettings settings) {
+  Economy(
+      String goalId,
+      Formula goal,
+      Ports ports,
+      ExactPrices exactPrices,
+      Experience experience,
+      OwnSettings settings) {
     this.goalId = goalId;
     this.goal = goal;
     this.ports = ports;
     this.exactPrices = exactPrices;
+    this.experience = experience;
     this.settings = settings;
   }
 
@@ -64,6 +72,7 @@ final class Economy {
             ports,
             new Roster(),
             exactPrices,
+            experience,
             new PlanningRound.Subject(goalId, tight, Optional.empty(), false),
             Map.of(),
             Set.of(),

@@ -71,7 +71,8 @@ final class HeldPursuit implements Pursuit {
         new Saving(
             condition,
             working,
-            new Economy(wish.id(), condition.body(), working, exactPrices, settings),
+            new Economy(
+                wish.id(), condition.body(), working, exactPrices, rivals.experience(), settings),
             work,
             story,
             rivals,

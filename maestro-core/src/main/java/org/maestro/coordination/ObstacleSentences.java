@@ -49,7 +49,12 @@ public final class ObstacleSentences {
   private String need(Obstacle obstacle, String purpose) {
     return switch (obstacle.kind()) {
       case MEMBER ->
-          obstacle.condition() + " is needed and not there (" + obstacle.possible() + ")";
+          obstacle.condition()
+              + (isThere(obstacle)
+                  ? " is needed and cannot be counted on ("
+                  : " is needed and not there (")
+              + obstacle.possible()
+              + ")";
       case STEP ->
           step(obstacle.subject().orElseThrow())
               + ": that is needed, and not to be had ("
@@ -66,6 +71,11 @@ public final class ObstacleSentences {
       case UNKNOWN -> "it is not known that " + fact(obstacle) + purpose + "; nobody can find out";
       case NUMBER -> number(obstacle, purpose);
     };
+  }
+
+  /** What is said of a member that is there is said of what it does. */
+  private static boolean isThere(Obstacle member) {
+    return member.possible().startsWith("it ");
   }
 
   private String otherwise(Obstacle obstacle) {
@@ -171,7 +181,11 @@ public final class ObstacleSentences {
 
   private String cure(Obstacle wanted) {
     return switch (wanted.kind()) {
-      case MEMBER -> wanted.condition() + " were there (" + wanted.possible() + ")";
+      case MEMBER ->
+          wanted.condition()
+              + (isThere(wanted) ? " could be counted on (" : " were there (")
+              + wanted.possible()
+              + ")";
       case STEP ->
           wanted.subject().map(StepKey::member).orElse("somebody")
               + " did it after all ("

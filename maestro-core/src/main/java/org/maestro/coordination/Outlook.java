@@ -274,7 +274,12 @@ final class Outlook {
   }
 
   private boolean mayBeOvercome(PlanningResult.Obstacle obstacle) {
-    return isRefusal(obstacle) || isLeftOpen(obstacle);
+    return isRefusal(obstacle) || isLeftOpen(obstacle) || isOfUselessResults(obstacle);
+  }
+
+  private boolean isOfUselessResults(PlanningResult.Obstacle obstacle) {
+    return obstacle.kind() == PlanningResult.Obstacle.Kind.MEMBER
+        && rivals.experience().isDoubted(obstacle.condition());
   }
 
   private boolean isLeftOpen(PlanningResult.Obstacle obstacle) {

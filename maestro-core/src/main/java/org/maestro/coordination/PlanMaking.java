@@ -54,6 +54,7 @@ final class PlanMaking {
             ports,
             roster,
             exactPrices,
+            rivals.experience(),
             outlook.subject(),
             outlook.barred(),
             without,

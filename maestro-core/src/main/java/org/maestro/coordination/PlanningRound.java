@@ -108,6 +108,7 @@ final class PlanningRound {
   private final Ports ports;
   private final Roster roster;
   private final ExactPrices exactPrices;
+  private final Experience experience;
   private final Subject subject;
   private final Map<StepKey, String> barred;
   private final Set<String> without;
@@ -131,6 +132,7 @@ final class PlanningRound {
       Ports ports,
       Roster roster,
       ExactPrices exactPrices,
+      Experience experience,
       Subject subject,
       Map<StepKey, String> barred,
       Set<String> without,
@@ -140,6 +142,7 @@ final class PlanningRound {
     this.ports = ports;
     this.roster = roster;
     this.exactPrices = exactPrices;
+    this.experience = experience;
     this.subject = subject;
     this.barred = barred;
     this.reasons.putAll(barred);
@@ -174,7 +177,7 @@ final class PlanningRound {
   }
 
   private List<PricedFeature> features(Home home) {
-    return tenders.features(home, exactPrices).stream()
+    return experience.reliable(tenders.features(home, exactPrices)).stream()
         .map(feature -> subject.feature(feature, home))
         .toList();
   }
@@ -347,6 +350,9 @@ final class PlanningRound {
   /** Features that would count if their members were there, or took part. */
   private List<Unavailable> unavailable(Home home) {
     List<Unavailable> unavailable = new ArrayList<>();
+    for (Unavailable left : experience.unreliable(tenders.features(home, exactPrices))) {
+      unavailable.add(new Unavailable(subject.feature(left.feature(), home), left.reason()));
+    }
     for (String member : tenders.missing()) {
       Device device = home.devices().get(member);
       if (device != null) {

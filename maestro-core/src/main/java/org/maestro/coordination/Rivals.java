@@ -26,6 +26,7 @@ final class Rivals {
   private final Deque<Runnable> errands = new ArrayDeque<>();
   private final Set<String> woken = new LinkedHashSet<>();
   private final Rush rush;
+  private final Experience experience = new Experience();
   private boolean atWork;
 
   Rivals(Clock clock, Thinking thinking) {
@@ -38,6 +39,11 @@ final class Rivals {
 
   Rush rush() {
     return rush;
+  }
+
+  /** What the steps of all of them have shown of members. */
+  Experience experience() {
+    return experience;
   }
 
   void enter(Pursuit pursuit, Standing standing) {

@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.knowledge.ResultCheck;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
@@ -118,16 +119,42 @@ final class StepExecution {
     exactPrices.forget(step.member());
     String factsBefore = outlook.factsUnder(step.key());
     KnowledgeBase.Change change = ports.knowledge().learn(run(step, before, report));
+    Crew.Report judged = judged(step, report, performance);
     if (goalOver) {
       return;
     }
-    if (report.succeeded()) {
+    if (judged.succeeded()) {
       contention.done(step, before);
       if (step.feature().continuous()) {
         keepOrEnd(step, performance);
       }
     }
-    ended.accept(new Ended(step, report, calledOff, factsBefore, change));
+    ended.accept(new Ended(step, judged, calledOff, factsBefore, change));
+  }
+
+  /** A result that teaches nothing is none; what was sound in it is known all the same. */
+  private Crew.Report judged(Step step, Crew.Report report, Crew.Performance performance) {
+    if (!report.succeeded()) {
+      return report;
+    }
+    Experience experience = rivals.experience();
+    Optional<String> objection = objection(step, report);
+    if (objection.isEmpty()) {
+      experience.taught(step.member(), step.feature().name());
+      return report;
+    }
+    String problem =
+        step.member() + " reports a result that teaches nothing: " + objection.get() + ".";
+    experience.taughtNothing(step.member(), step.feature().name(), problem);
+    if (step.feature().continuous()) {
+      performance.cancel();
+    }
+    return new Crew.Report(false, Map.of(), Optional.of(problem), List.of());
+  }
+
+  private Optional<String> objection(Step step, Crew.Report report) {
+    return ResultCheck.objection(step.feature(), report.outputs())
+        .or(() -> Sensing.leftUnknown(step, ports.knowledge()));
   }
 
   /** Sight is kept until the goal ends; one reading of a number is enough while it is valid. */

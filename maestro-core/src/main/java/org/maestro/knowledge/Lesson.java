@@ -45,7 +45,7 @@ final class Lesson {
     Map<String, Term> bindings = new LinkedHashMap<>(run.bindings());
     bindings.put("self", new Term.Name(run.member()));
     if (run.succeeded()) {
-      bindings.putAll(run.outputs());
+      bindings.putAll(ResultCheck.sound(feature, run.outputs()));
       Snapshot read = feature.learns().isPresent() ? present : before;
       Effect effect = feature.learns().orElse(feature.effect());
       List<Fact> facts = new ArrayList<>();

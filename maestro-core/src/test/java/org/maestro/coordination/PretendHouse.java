@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.DoubleSupplier;
 import java.util.function.Predicate;
@@ -44,6 +45,10 @@ final class PretendHouse implements Market, Crew {
   final Set<String> heavy = new TreeSet<>();
   Predicate<String> declines = feature -> false;
   Consumer<String> beforeCall = call -> {};
+
+  /** What becomes of the report of a step on its way. */
+  BiFunction<Step, Report, Report> reporting = (step, report) -> report;
+
   Duration stepTakes = Duration.ofMillis(500);
   DoubleSupplier noise = () -> 1;
   private final JournalImage journal = new JournalImage(0);
@@ -247,7 +252,7 @@ final class PretendHouse implements Market, Crew {
           reported.accept(
               dead.contains(step.member())
                   ? failed(step.member() + " does not answer", List.of())
-                  : done(step));
+                  : reporting.apply(step, done(step)));
           if (step.feature().procedure().equals("measureIllumination")) {
             stream(step, ended);
           }

@@ -1,6 +1,8 @@
 package org.maestro.rats.protocol;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import com.fasterxml.jackson.databind.node.TextNode;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -118,6 +120,29 @@ final class Fields {
       throw broken(field, "an object", node);
     }
     return map(node, path + field);
+  }
+
+  /**
+   * The same for what a member tells: what has no value is left out, and a number that is none is
+   * told as a text, so that who knows what it should be can name it.
+   */
+  Map<String, Object> told(String field) {
+    JsonNode node = object.get(field);
+    if (node == null || !node.isObject()) {
+      return values(field);
+    }
+    ObjectNode readable = node.deepCopy();
+    readable.properties().removeIf(entry -> entry.getValue().isNull());
+    readable
+        .properties()
+        .forEach(
+            entry -> {
+              JsonNode value = entry.getValue();
+              if (value.isNumber() && !Double.isFinite(value.doubleValue())) {
+                entry.setValue(TextNode.valueOf(value.asText()));
+              }
+            });
+    return map(readable, path + field);
   }
 
   /** An absent list counts as empty. */

@@ -8,6 +8,7 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.core.json.JsonReadFeature;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.SerializationFeature;
@@ -63,6 +64,8 @@ public final class WireFormat {
                   .streamReadConstraints(
                       StreamReadConstraints.builder().maxNestingDepth(MOST_NESTING).build())
                   .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+                  // Some languages write what is no number so; a field that holds it is named.
+                  .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
                   .build())
           .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
           .enable(SerializationFeature.ORDER_MAP_ENTRIES_BY_KEYS)
@@ -212,7 +215,7 @@ public final class WireFormat {
         fields.text("from", Rule.NAME),
         outcome,
         fields.text("z", Rule.TEXT),
-        fields.values("values"),
+        fields.told("values"),
         error);
   }
 
@@ -232,7 +235,7 @@ public final class WireFormat {
         fields.text("from", Rule.NAME),
         fields.constantOr(Progress.Kind.RUNNING, "kind", Rule.WORD),
         fields.fraction("fraction"),
-        fields.values("values"));
+        fields.told("values"));
   }
 
   public byte[] encode(Observation observation) {
@@ -249,7 +252,7 @@ public final class WireFormat {
         fields.text("id", Rule.ID),
         fields.text("from", Rule.NAME),
         fields.text("f", Rule.FEATURE),
-        fields.values("values"));
+        fields.told("values"));
   }
 
   /** Of a member or of a controller. */

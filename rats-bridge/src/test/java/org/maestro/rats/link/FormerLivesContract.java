@@ -14,7 +14,7 @@ import org.maestro.rats.protocol.Progress;
 import org.maestro.rats.transport.Transport;
 
 /** What becomes of calls that a controller made in a life before this one. */
-abstract class FormerLivesContract extends LinkParty {
+abstract class FormerLivesContract extends ForeignDevicesContract {
 
   @Test
   void takesUpTheCallsOfItsFormerLife() {

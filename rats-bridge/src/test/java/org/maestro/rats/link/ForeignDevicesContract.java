@@ -1,0 +1,131 @@
+package org.maestro.rats.link;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.Test;
+import org.maestro.rats.protocol.Call;
+import org.maestro.rats.protocol.ErrorCode;
+import org.maestro.rats.protocol.Outcome;
+import org.maestro.rats.protocol.Topics;
+import org.maestro.rats.protocol.WireFormat;
+import org.maestro.rats.transport.Publication;
+import org.maestro.rats.transport.Transport;
+
+/** Devices that were not made with this project's runtime, and answer as they see fit. */
+abstract class ForeignDevicesContract extends LinkParty {
+  private static final String SITE = "abroad";
+
+  @Test
+  void aNumberThatIsNoneIsToldAsATextAndWhatHasNoValueIsLeftOut() {
+    Stranger stranger = new Stranger("odd");
+    RatsLink link = connect("cca", SITE);
+    await(() -> usable(link, "odd"));
+    Listener listener = new Listener();
+    link.call("odd", "measure", Map.of(), seconds(600), Optional.empty(), listener);
+    await(() -> !stranger.calls.isEmpty());
+    stranger.answer("\"outcome\":\"SUCCEEDED\",\"z\":\"on\",\"values\":{\"a\":NaN,\"b\":null}");
+
+    await(listener::ended);
+    assertThat(listener.only().outcome()).isEqualTo(Outcome.SUCCEEDED);
+    assertThat(listener.only().values()).isEqualTo(Map.of("a", "NaN"));
+  }
+
+  @Test
+  void aResultThatCannotBeReadEndsTheCallAndNamesTheField() {
+    Stranger stranger = new Stranger("odd");
+    RatsLink link = connect("cca", SITE);
+    await(() -> usable(link, "odd"));
+    Listener listener = new Listener();
+    link.call("odd", "measure", Map.of(), seconds(600), Optional.empty(), listener);
+    await(() -> !stranger.calls.isEmpty());
+    stranger.answer("\"outcome\":\"DONE\",\"z\":\"on\",\"values\":{}");
+
+    await(listener::ended);
+    assertFailed(listener.only(), ErrorCode.INTERNAL);
+    assertThat(listener.only().error().orElseThrow().message())
+        .startsWith("The answer of odd cannot be read: The message's outcome must be one of ");
+  }
+
+  /** A device that speaks for itself in JSON. */
+  final class Stranger {
+    final List<Call> calls = new CopyOnWriteArrayList<>();
+    private final String id;
+    private final Topics topics = new Topics(SITE);
+    private final WireFormat wire = new WireFormat();
+    private final Transport transport;
+
+    Stranger(String id) {
+      this.id = id;
+      this.transport = client(id);
+      opened.add(this::leave);
+      transport.subscribe(
+          topics.calls(),
+          Transport.RetainedMessages.IGNORE,
+          message -> {
+            Call call = wire.decodeCall(message.payload());
+            if (call.member().filter(id::equals).isPresent()) {
+              calls.add(call);
+            }
+          });
+      transport.open(
+          Optional.empty(),
+          new Transport.ConnectionListener() {
+            @Override
+            public void connected() {
+              say(topics.description(id), true, "\"label\":\"odd\"");
+              say(
+                  topics.state(id),
+                  true,
+                  "\"id\":\"%s\",\"boot\":\"b1\",\"z\":\"on\"".formatted(id)
+                      + ",\"values\":[],\"running\":[],\"queue\":[],\"disabled\":[]");
+              say(
+                  topics.status(id),
+                  true,
+                  "\"id\":\"%s\",\"status\":\"ready\",\"boot\":\"b1\"".formatted(id));
+            }
+
+            @Override
+            public void lost(String reason) {
+              // It is there again after the next connect.
+            }
+          });
+    }
+
+    /**
+     * @param rest of the result to its first call, after who speaks of what
+     */
+    void answer(String rest) {
+      say(topics.result("cca", id), false, of(0, rest));
+    }
+
+    void progress(String rest) {
+      say(topics.progress("cca", id), false, of(0, rest));
+    }
+
+    private void leave() {
+      for (String topic : List.of(topics.description(id), topics.state(id), topics.status(id))) {
+        transport.publish(Publication.clearing(topic), failure -> assertThat(failure).isEmpty());
+      }
+      transport.close();
+    }
+
+    private String of(int call, String rest) {
+      return "\"id\":\"%s\",\"from\":\"%s\",%s".formatted(calls.get(call).id(), id, rest);
+    }
+
+    private void say(String topic, boolean retain, String fields) {
+      byte[] payload = ("{\"v\":\"1.0\"," + fields + "}").getBytes(UTF_8);
+      transport.publish(
+          retain
+              ? Publication.retained(topic, payload)
+              : Publication.reliable(topic, payload, Optional.<Duration>empty()),
+          failure -> assertThat(failure).isEmpty());
+    }
+  }
+}
