@@ -229,7 +229,8 @@ final class OrderUnderway implements Crew.Performance {
                 Map.of(),
                 words.string("problem").or(() -> words.string("reason")).or(() -> NO_REASON),
                 refs(words),
-                words.string("begun").filter("false"::equals).isEmpty());
+                words.string("begun").filter("false"::equals).isEmpty(),
+                Orders.refusal(words));
         default -> misunderstood(reply);
       };
     } catch (SlSyntaxException | NoSuchElementException e) {
@@ -258,8 +259,9 @@ final class OrderUnderway implements Crew.Performance {
     List<FeatureRun.Learnt> refs = new ArrayList<>();
     for (Content.Argument.Named ref : words.find("refs").map(Words::all).orElse(List.of())) {
       List<Term> terms = Words.of(ref).terms();
-      if (terms.size() == 2) {
-        refs.add(new FeatureRun.Learnt(Words.plain(terms.get(0)), terms.get(1)));
+      if (terms.size() == 2 || terms.size() == 3) {
+        Optional<String> need = terms.stream().skip(2).map(Words::plain).findFirst();
+        refs.add(new FeatureRun.Learnt(Words.plain(terms.get(0)), terms.get(1), need));
       }
     }
     return refs;

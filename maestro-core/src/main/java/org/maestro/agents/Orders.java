@@ -1,8 +1,10 @@
 package org.maestro.agents;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -83,6 +85,18 @@ final class Orders {
             (property, values) ->
                 parts.add(Words.named(property, values.stream().map(Words::term).toList())));
     return Words.named(name, parts);
+  }
+
+  /** How long what is refused is refused. */
+  static String word(Crew.Refusal refusal) {
+    return refusal.name().toLowerCase(Locale.ROOT).replace('_', '-');
+  }
+
+  static Optional<Crew.Refusal> refusal(Words words) {
+    Optional<String> told = words.string("refused");
+    return Arrays.stream(Crew.Refusal.values())
+        .filter(kind -> told.filter(word(kind)::equals).isPresent())
+        .findFirst();
   }
 
   /** What {@link #parameters} wrote. */

@@ -273,17 +273,24 @@ final class Performances {
     }
     List<Content.Argument> refs = new ArrayList<>();
     for (FeatureRun.Learnt ref : report.refs()) {
-      refs.add(Words.named("fact", Words.text(ref.fact()), Words.term(ref.value())));
+      refs.add(
+          ref.need().isEmpty()
+              ? Words.named("fact", Words.text(ref.fact()), Words.term(ref.value()))
+              : Words.named(
+                  "fact",
+                  Words.text(ref.fact()),
+                  Words.term(ref.value()),
+                  Words.text(ref.need().get())));
     }
-    agent.reply(
-        order,
-        ACLMessage.FAILURE,
-        Words.content(
-            "inform",
-            Words.named("outcome", Words.name(outcome.name().toLowerCase())),
-            Words.named("begun", Words.name(String.valueOf(report.begun()))),
-            Words.named("problem", Words.text(report.problem().orElse("no reason given"))),
-            Words.named("refs", refs)));
+    List<Content.Argument> words = new ArrayList<>();
+    words.add(Words.named("outcome", Words.name(outcome.name().toLowerCase())));
+    words.add(Words.named("begun", Words.name(String.valueOf(report.begun()))));
+    report
+        .refusal()
+        .ifPresent(kind -> words.add(Words.named("refused", Words.name(Orders.word(kind)))));
+    words.add(Words.named("problem", Words.text(report.problem().orElse("no reason given"))));
+    words.add(Words.named("refs", refs));
+    agent.reply(order, ACLMessage.FAILURE, new Content("inform", words));
   }
 
   /** The member raises an alarm: the coordinator is told, for people to hear. */

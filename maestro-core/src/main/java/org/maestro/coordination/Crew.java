@@ -59,6 +59,14 @@ public interface Crew {
     void cancel();
   }
 
+  /** How long the same step would be refused again. */
+  enum Refusal {
+    /** As long as the facts are as they are that the step relies on. */
+    AS_THINGS_ARE,
+    /** The same, unless something passes by that no fact tells of, such as who stands in a way. */
+    FOR_NOW
+  }
+
   /**
    * How a step ended; for a continuous feature, that it is established.
    *
@@ -66,13 +74,24 @@ public interface Crew {
    * @param problem one sentence unless it succeeded
    * @param refs facts that a failure teaches
    * @param begun false when the member did not even start, so that all is as it was
+   * @param refusal the member says that it cannot be done as things are
    */
   record Report(
       boolean succeeded,
       Map<String, Term> outputs,
       Optional<String> problem,
       List<FeatureRun.Learnt> refs,
-      boolean begun) {
+      boolean begun,
+      Optional<Refusal> refusal) {
+
+    public Report(
+        boolean succeeded,
+        Map<String, Term> outputs,
+        Optional<String> problem,
+        List<FeatureRun.Learnt> refs,
+        boolean begun) {
+      this(succeeded, outputs, problem, refs, begun, Optional.empty());
+    }
 
     public Report(
         boolean succeeded,

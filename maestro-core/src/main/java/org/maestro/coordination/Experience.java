@@ -5,13 +5,18 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.maestro.knowledge.FeatureRun;
+import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.planning.PricedFeature;
+import org.maestro.planning.StepKey;
 import org.maestro.planning.Unavailable;
+import org.maestro.sl.Facts;
+import org.maestro.sl.Formula;
 
 /**
  * What steps have shown of members beyond their descriptions, for all goals of a coordinator:
- * features of which the results teach nothing again and again. Forgotten when the member describes
- * itself anew. The coordinator's thread only.
+ * features of which the results teach nothing again and again, and conditions that members insist
+ * on. Forgotten when the member describes itself anew. The coordinator's thread only.
  */
 final class Experience {
   /** So many results in a row may teach nothing. */
@@ -22,6 +27,7 @@ final class Experience {
   private record Useless(int inARow, String latest) {}
 
   private final Map<Key, Useless> useless = new HashMap<>();
+  private final Map<Key, List<Insistence>> insisted = new HashMap<>();
 
   /**
    * A result taught nothing.
@@ -40,9 +46,38 @@ final class Experience {
     useless.remove(new Key(member, feature));
   }
 
+  /**
+   * A step was refused, or failed, and its member named what it needs.
+   *
+   * @param known for the limits that the description names
+   * @return what was not known before
+   */
+  List<Insistence> refused(
+      StepKey step, FeatureType feature, List<FeatureRun.Learnt> refs, Facts known) {
+    List<Insistence> news = new ArrayList<>();
+    for (FeatureRun.Learnt ref : refs) {
+      Insistence.of(step, feature, ref, known).ifPresent(news::add);
+    }
+    List<Insistence> all =
+        insisted.computeIfAbsent(new Key(step.member(), step.feature()), key -> new ArrayList<>());
+    news.removeIf(
+        insistence -> all.stream().anyMatch(k -> k.condition().equals(insistence.condition())));
+    for (Insistence insistence : news) {
+      all.removeIf(former -> former.isRenewedBy(insistence));
+      all.add(insistence);
+    }
+    return news;
+  }
+
+  /** Whether the member insists on more for the feature than it has described. */
+  boolean isInsistedOn(String member, String feature) {
+    return !insisted.getOrDefault(new Key(member, feature), List.of()).isEmpty();
+  }
+
   /** The member has described itself anew; what was before says nothing any more. */
   void forget(String member) {
     useless.keySet().removeIf(key -> key.member().equals(member));
+    insisted.keySet().removeIf(key -> key.member().equals(member));
   }
 
   /** Why the feature is left alone; empty when it is not. */
@@ -62,9 +97,28 @@ final class Experience {
         .anyMatch(key -> leftAlone(member, key.feature()).isPresent());
   }
 
-  /** What of this can be counted on. */
+  /** What of this can be counted on, with what is insisted on. */
   List<PricedFeature> reliable(List<PricedFeature> offered) {
-    return offered.stream().filter(f -> leftAlone(f.member(), f.type().name()).isEmpty()).toList();
+    return offered.stream()
+        .filter(f -> leftAlone(f.member(), f.type().name()).isEmpty())
+        .map(this::withWhatIsInsistedOn)
+        .toList();
+  }
+
+  private PricedFeature withWhatIsInsistedOn(PricedFeature offered) {
+    FeatureType type = offered.type();
+    List<Insistence> more =
+        insisted.getOrDefault(new Key(offered.member(), type.name()), List.of());
+    if (more.isEmpty()) {
+      return offered;
+    }
+    List<Formula> conditions = new ArrayList<>(List.of(type.precondition()));
+    more.forEach(insistence -> conditions.add(insistence.condition()));
+    return new PricedFeature(
+        offered.member(),
+        type.withPrecondition(new Formula.And(conditions)),
+        offered.price(),
+        offered.exact());
   }
 
   /** What of this cannot be counted on, each with its reason. */

@@ -3,17 +3,22 @@ package org.maestro.coordination;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.planning.StepKey;
+import org.maestro.sl.Formula;
 
 /**
  * Remembers failed steps with the facts under their preconditions. A step that failed twice with
- * the same facts is barred until one of them changes: so that a goal never tries the same in vain
- * for ever. Before the goal is given up each has one chance more.
+ * the same facts, or was refused once, is barred until one of them changes: so that a goal never
+ * tries the same in vain for ever. Before the goal is given up each has one chance more, unless its
+ * member says that it would be refused again.
  */
 final class FailureMemory {
   private static final int CHANCES = 2;
+  private static final int WITH_THE_LAST = CHANCES + 1;
 
   private final String goalId;
   private final Journal journal;
@@ -35,15 +40,40 @@ final class FailureMemory {
   /**
    * @param problem what its member says
    * @param taught what it teaches
+   * @param refusal its member says that it cannot be done as things are
    */
-  void note(StepKey step, String facts, String problem, List<FeatureRun.Learnt> taught) {
-    String said = Sentences.withoutFullStop(problem);
-    JournalEntry.Failed before = failures.get(step);
+  void note(
+      StepKey step,
+      String facts,
+      String problem,
+      List<FeatureRun.Learnt> taught,
+      Optional<Crew.Refusal> refusal) {
+    Optional<JournalEntry.Failed> before =
+        Optional.ofNullable(failures.get(step))
+            .filter(failed -> FactsUnder.areSame(failed.facts(), facts));
+    int count = before.map(failed -> failed.count() + 1).orElse(1);
+    int chances = before.map(JournalEntry.Failed::chances).orElse(CHANCES);
+    if (refusal.isPresent() && chances < WITH_THE_LAST) {
+      chances = refusal.get() == Crew.Refusal.FOR_NOW ? 1 : WITH_THE_LAST;
+      count = Math.max(count, chances);
+    }
     remember(
-        before != null && before.facts().equals(facts)
-            ? new JournalEntry.Failed(
-                goalId, step, facts, before.count() + 1, before.chances(), said, taught)
-            : new JournalEntry.Failed(goalId, step, facts, 1, CHANCES, said, taught));
+        new JournalEntry.Failed(
+            goalId,
+            step,
+            facts,
+            count,
+            chances,
+            refusal.isPresent(),
+            Sentences.withoutFullStop(problem),
+            taught));
+  }
+
+  /** What the step's failure has taught of. */
+  Set<Formula.Atom> taught(StepKey step) {
+    return Optional.ofNullable(failures.get(step))
+        .map(failed -> Insistence.facts(failed.taught()))
+        .orElse(Set.of());
   }
 
   private void remember(JournalEntry.Failed failed) {
@@ -62,8 +92,11 @@ final class FailureMemory {
           if (isBarred(step, failed, factsUnder)) {
             barred.put(
                 step,
-                "it failed %d times with the same facts: %s"
-                    .formatted(failed.count(), failed.problem()));
+                failed.refused()
+                    ? "it was refused, and nothing that it rests on has changed: "
+                        + failed.problem()
+                    : "it failed %d times with the same facts: %s"
+                        .formatted(failed.count(), failed.problem()));
           }
         });
     return barred;
@@ -71,7 +104,8 @@ final class FailureMemory {
 
   private static boolean isBarred(
       StepKey step, JournalEntry.Failed failed, Function<StepKey, String> factsUnder) {
-    return failed.count() >= failed.chances() && failed.facts().equals(factsUnder.apply(step));
+    return failed.count() >= failed.chances()
+        && FactsUnder.areSame(failed.facts(), factsUnder.apply(step));
   }
 
   /** The member says that it can do the feature now, whatever was before. */
@@ -81,17 +115,7 @@ final class FailureMemory {
             .filter(failed -> failed.step().member().equals(member))
             .filter(failed -> failed.step().feature().equals(feature))
             .toList();
-    for (JournalEntry.Failed failed : pardoned) {
-      remember(
-          new JournalEntry.Failed(
-              goalId,
-              failed.step(),
-              failed.facts(),
-              0,
-              failed.chances(),
-              failed.problem(),
-              failed.taught()));
-    }
+    pardoned.forEach(failed -> remember(failed.with(0, failed.chances())));
   }
 
   /** Gives each barred step that had none its last chance; returns whether there was any. */
@@ -101,17 +125,7 @@ final class FailureMemory {
             .filter(failed -> failed.chances() <= CHANCES)
             .filter(failed -> isBarred(failed.step(), failed, factsUnder))
             .toList();
-    for (JournalEntry.Failed failed : given) {
-      remember(
-          new JournalEntry.Failed(
-              goalId,
-              failed.step(),
-              failed.facts(),
-              failed.count(),
-              CHANCES + 1,
-              failed.problem(),
-              failed.taught()));
-    }
+    given.forEach(failed -> remember(failed.with(CHANCES, WITH_THE_LAST)));
     return !given.isEmpty();
   }
 }

@@ -19,13 +19,19 @@ import org.maestro.sl.Term;
  */
 final class FormerLessons {
   private final KnowledgeBase knowledge;
+  private final Experience experience;
 
-  FormerLessons(KnowledgeBase knowledge) {
+  FormerLessons(KnowledgeBase knowledge, Experience experience) {
     this.knowledge = knowledge;
+    this.experience = experience;
   }
 
   void learnAgain(List<JournalEntry.Failed> failures) {
     for (JournalEntry.Failed failed : failures) {
+      feature(failed.step())
+          .ifPresent(
+              type ->
+                  experience.refused(failed.step(), type, failed.taught(), knowledge.snapshot()));
       List<FeatureRun.Learnt> lasting = failed.taught().stream().filter(this::lasts).toList();
       if (!lasting.isEmpty()) {
         feature(failed.step()).ifPresent(type -> learn(failed.step(), type, lasting));

@@ -62,7 +62,8 @@ final class GoalPursuit implements Pursuit, Course {
       return;
     }
     parts.story().takenUp(goal);
-    new FormerLessons(parts.ports().knowledge()).learnAgain(goal.memory().failures());
+    new FormerLessons(parts.ports().knowledge(), parts.rivals().experience())
+        .learnAgain(goal.memory().failures());
     for (Recovery.UnfinishedCall call : goal.calls()) {
       Optional<String> obstacle = former.obstacle(call);
       parts.story().takenUp(call, obstacle);

@@ -220,6 +220,20 @@ final class GoalStory {
             + ".");
   }
 
+  /** From now on its member is asked only when this is so, too. */
+  void insists(Step step, List<Insistence> insisted) {
+    if (!insisted.isEmpty()) {
+      tell(
+          StoryEntry.Kind.FAILED,
+          "%s insists on more than it has described, which counts from now on: %s."
+              .formatted(
+                  step.member(),
+                  insisted.stream()
+                      .map(insistence -> sentences().fact(insistence.here()))
+                      .collect(Collectors.joining(", "))));
+    }
+  }
+
   void cancelled(Step step) {
     tell(StoryEntry.Kind.STEP, "No longer wanted: " + sentences().step(step) + ".");
   }

@@ -83,6 +83,7 @@ public sealed interface JournalEntry {
    * @param facts under its precondition, as they were
    * @param count how often it failed with these facts
    * @param chances how often it may
+   * @param refused its member said the last time that it cannot be done as things are
    * @param problem what its member said last
    * @param taught what the failure has taught
    */
@@ -92,9 +93,27 @@ public sealed interface JournalEntry {
       String facts,
       int count,
       int chances,
+      boolean refused,
       String problem,
       List<FeatureRun.Learnt> taught)
-      implements OfGoal {}
+      implements OfGoal {
+
+    /** One that was tried, and not refused. */
+    public Failed(
+        String goalId,
+        StepKey step,
+        String facts,
+        int count,
+        int chances,
+        String problem,
+        List<FeatureRun.Learnt> taught) {
+      this(goalId, step, facts, count, chances, false, problem, taught);
+    }
+
+    Failed with(int otherCount, int otherChances) {
+      return new Failed(goalId, step, facts, otherCount, otherChances, refused, problem, taught);
+    }
+  }
 
   /**
    * A look of a goal did not show what it was to show.

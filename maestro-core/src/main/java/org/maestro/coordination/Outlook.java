@@ -9,7 +9,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import org.maestro.knowledge.FeatureRun;
+import org.maestro.knowledge.Snapshot;
 import org.maestro.ontology.home.Device;
+import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.Plan;
 import org.maestro.planning.PlanningResult;
@@ -199,11 +202,24 @@ final class Outlook {
         ports.knowledge().snapshot(), ports.knowledge().home().vocabulary());
   }
 
-  void failed(StepExecution.Ended ended, String problem) {
-    failures.note(ended.step().key(), ended.factsBefore(), problem, ended.report().refs());
+  /** Returns what is known only now of the conditions on which the step's member insists. */
+  List<Insistence> failed(StepExecution.Ended ended, String problem) {
+    StepKey step = ended.step().key();
+    List<FeatureRun.Learnt> refs = ended.report().refs();
+    Set<Formula.Atom> taught = Insistence.facts(refs);
+    String after = FactsUnder.with(factsUnder(step), taught, ports.knowledge().snapshot());
+    failures.note(
+        step,
+        FactsUnder.asTaught(ended.factsBefore(), after, taught),
+        problem,
+        refs,
+        ended.report().refusal());
     List<String> lost =
         ended.change().facts().stream().filter(fact -> fact.startsWith("(unknown ")).toList();
     leftOpen.addAll(Interest.of(lost, vocabulary()));
+    return describedFeature(step)
+        .map(type -> rivals.experience().refused(step, type, refs, ports.knowledge().snapshot()))
+        .orElse(List.of());
   }
 
   /** Returns whether any barred step had no last chance before. */
@@ -264,7 +280,8 @@ final class Outlook {
    */
   boolean restsOnRefusals(PlanningResult result) {
     return result instanceof PlanningResult.Impossible impossible
-        && impossible.explanation().obstacles().stream().anyMatch(this::isOrWouldDoInstead);
+        && (impossible.explanation().obstacles().stream().anyMatch(this::isOrWouldDoInstead)
+            || features.stream().anyMatch(this::isInsistedOn));
   }
 
   private boolean isOrWouldDoInstead(PlanningResult.Obstacle obstacle) {
@@ -275,6 +292,11 @@ final class Outlook {
 
   private boolean mayBeOvercome(PlanningResult.Obstacle obstacle) {
     return isRefusal(obstacle) || isLeftOpen(obstacle) || isOfUselessResults(obstacle);
+  }
+
+  /** That it insists on the same elsewhere is not what it said. */
+  private boolean isInsistedOn(PricedFeature feature) {
+    return rivals.experience().isInsistedOn(feature.member(), feature.type().name());
   }
 
   private boolean isOfUselessResults(PlanningResult.Obstacle obstacle) {
@@ -326,17 +348,23 @@ final class Outlook {
 
   /** The facts on which the step's precondition rests, as text to be compared. */
   String factsUnder(StepKey key) {
-    return Optional.ofNullable(ports.knowledge().home().devices().get(key.member())).stream()
-        .flatMap(device -> device.features().stream())
-        .filter(feature -> feature.name().equals(key.feature()))
-        .findFirst()
+    return describedFeature(key)
         .map(
             feature -> {
               Map<String, Term> bindings = new TreeMap<>(key.bindings());
               bindings.put("self", new Term.Name(key.member()));
-              return FactsUnder.of(feature.precondition(), bindings, ports.knowledge().snapshot());
+              Snapshot now = ports.knowledge().snapshot();
+              return FactsUnder.with(
+                  FactsUnder.of(feature.precondition(), bindings, now), failures.taught(key), now);
             })
         .orElse("");
+  }
+
+  private Optional<FeatureType> describedFeature(StepKey key) {
+    return Optional.ofNullable(ports.knowledge().home().devices().get(key.member())).stream()
+        .flatMap(device -> device.features().stream())
+        .filter(feature -> feature.name().equals(key.feature()))
+        .findFirst();
   }
 
   private PlanningTask task() {

@@ -222,8 +222,9 @@ final class PlanFollowing {
       story.done(ended.step(), ended.change());
     } else if (!ended.calledOff()) {
       String problem = ended.report().problem().orElse("no reason given");
-      outlook.failed(ended, problem);
+      List<Insistence> insisted = outlook.failed(ended, problem);
       story.failed(ended.step(), problem, ended.change());
+      story.insists(ended.step(), insisted);
     }
     parts.contention().letGoOfWhatIsDone();
     if (course.isPlanning()) {

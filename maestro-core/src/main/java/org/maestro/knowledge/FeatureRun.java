@@ -37,6 +37,17 @@ public record FeatureRun(
     this(member, feature, bindings, succeeded, outputs, refs, Optional.empty(), true);
   }
 
-  /** A fluent or atom in MAESTRO-SL and the value found: a number, or a truth value. */
-  public record Learnt(String fact, Term value) {}
+  /**
+   * A fluent or atom in MAESTRO-SL and the value found: a number, or a truth value.
+   *
+   * @param need what its member insists on, such as {@code >= 72} or {@code false}; absent: it does
+   *     not say
+   */
+  public record Learnt(String fact, Term value, Optional<String> need) {
+
+    /** Of which nothing is insisted on. */
+    public Learnt(String fact, Term value) {
+      this(fact, value, Optional.empty());
+    }
+  }
 }

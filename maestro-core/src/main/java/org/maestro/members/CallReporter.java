@@ -113,7 +113,11 @@ public final class CallReporter implements RatsLink.CallListener {
   private static Crew.Report failed(Result result) {
     List<FeatureRun.Learnt> refs = new ArrayList<>();
     for (RatsError.Reference ref : result.error().map(RatsError::refs).orElse(List.of())) {
-      refs.add(new FeatureRun.Learnt(ref.fact(), JsonTerms.term(ref.have())));
+      refs.add(
+          new FeatureRun.Learnt(
+              ref.fact(),
+              JsonTerms.term(ref.have()),
+              Optional.of(ref.need()).filter(need -> !need.isBlank())));
     }
     return new Crew.Report(
         false,
@@ -123,7 +127,17 @@ public final class CallReporter implements RatsLink.CallListener {
             .map(RatsError::message)
             .or(() -> Optional.of(result.outcome().name().toLowerCase())),
         refs,
-        result.error().map(RatsError::code).filter(CallReporter::isOfTheCallItself).isEmpty());
+        result.error().map(RatsError::code).filter(CallReporter::isOfTheCallItself).isEmpty(),
+        result.error().flatMap(CallReporter::refusal));
+  }
+
+  /** Whether it says that the same again is refused again as long as things are as they are. */
+  private static Optional<Crew.Refusal> refusal(RatsError error) {
+    return switch (error.code()) {
+      case PRECONDITION_NOT_MET, INVALID_PARAMETERS, UNKNOWN_FEATURE, NOT_AUTHORISED ->
+          Optional.of(error.retriable() ? Crew.Refusal.FOR_NOW : Crew.Refusal.AS_THINGS_ARE);
+      default -> Optional.empty();
+    };
   }
 
   /** Whether it says that the call as it stands could not be started. */

@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Predicate;
 import org.maestro.coordination.JournalEntry;
@@ -32,16 +33,15 @@ final class MemoryCodec {
       line.put("facts", failed.facts());
       line.put("count", failed.count());
       line.put("chances", failed.chances());
+      line.put("refused", failed.refused());
       line.put("problem", failed.problem());
       ArrayNode taught = line.putArray("taught");
-      failed
-          .taught()
-          .forEach(
-              learnt ->
-                  taught
-                      .addObject()
-                      .put("fact", learnt.fact())
-                      .put("value", SlPrinter.print(learnt.value())));
+      for (FeatureRun.Learnt learnt : failed.taught()) {
+        ObjectNode node = taught.addObject();
+        node.put("fact", learnt.fact());
+        node.put("value", SlPrinter.print(learnt.value()));
+        learnt.need().ifPresent(need -> node.put("need", need));
+      }
     } else if (entry instanceof JournalEntry.LookedInVain vain) {
       JournalCodec.step(JournalCodec.event(line, "looked-in-vain", vain.goalId()), vain.step());
       line.put("sought", SlPrinter.print(vain.atom()));
@@ -81,6 +81,7 @@ final class MemoryCodec {
               line.path("facts").asText(),
               line.path("count").asInt(),
               line.path("chances").asInt(),
+              line.path("refused").asBoolean(),
               line.path("problem").asText(),
               taught(line.path("taught")));
       case "looked-in-vain" ->
@@ -111,7 +112,9 @@ final class MemoryCodec {
     for (JsonNode node : list) {
       taught.add(
           new FeatureRun.Learnt(
-              node.path("fact").asText(), SlParser.term(node.path("value").asText())));
+              node.path("fact").asText(),
+              SlParser.term(node.path("value").asText()),
+              node.has("need") ? Optional.of(node.path("need").asText()) : Optional.empty()));
     }
     return taught;
   }

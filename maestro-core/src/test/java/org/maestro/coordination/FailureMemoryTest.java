@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.maestro.planning.StepKey;
 import org.maestro.sl.Term;
@@ -14,7 +15,7 @@ class FailureMemoryTest {
       new StepKey("cam-b", "observeObject", Map.of("object", new Term.Name("Cup")));
 
   private void failsWith(String facts) {
-    memory.note(look, facts, "It cannot see.", List.of());
+    memory.note(look, facts, "It cannot see.", List.of(), Optional.empty());
   }
 
   @Test

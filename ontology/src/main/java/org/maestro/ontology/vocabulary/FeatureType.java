@@ -67,6 +67,15 @@ public record FeatureType(
 
   /** The same feature with another effect. */
   public FeatureType withEffect(Effect other) {
+    return with(precondition, other);
+  }
+
+  /** The same feature with another precondition. */
+  public FeatureType withPrecondition(Formula other) {
+    return with(other, effect);
+  }
+
+  private FeatureType with(Formula needed, Effect done) {
     return new FeatureType(
         name,
         iri,
@@ -75,8 +84,8 @@ public record FeatureType(
         inputs,
         binds,
         outputs,
-        precondition,
-        other,
+        needed,
+        done,
         learns,
         continuous,
         endedBy,

@@ -1,0 +1,159 @@
+package org.maestro.coordination;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.maestro.knowledge.FeatureRun;
+import org.maestro.knowledge.Source;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+import org.maestro.sl.Term;
+
+/** What is refused is not asked for again on unchanged facts, and what refusals say is learnt. */
+class RefusalsTest {
+  private static final double INSISTED_LUX = 100;
+  private static Home home;
+
+  @BeforeAll
+  static void loadHome() throws IOException {
+    try (InputStream turtle = RefusalsTest.class.getResourceAsStream("/bob.ttl")) {
+      home =
+          new HomeLoader()
+              .load(new String(turtle.readAllBytes(), StandardCharsets.UTF_8), "bob.ttl");
+    }
+  }
+
+  private final PretendHouse house = new PretendHouse(home);
+
+  /** It has described that 72 lux do. */
+  @Test
+  void aCameraThatInsistsOnMoreLightThanItDescribedGetsIt() {
+    double[] wobble = {1};
+    house.noise = () -> wobble[0] = 2 - wobble[0] + 0.01;
+    cameraInsistsOn(">= 100");
+
+    GoalOutcome outcome = house.achieve("(nextTo Cup Bob)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(house.lux("zone-b")).isGreaterThanOrEqualTo(INSISTED_LUX);
+    assertThat(refusedLooks("cam-b")).isEqualTo(1);
+    assertThat(house.story)
+        .anyMatch(
+            told ->
+                told.contains(
+                    "cam-b insists on more than it has described, which counts from now on:"
+                        + " the illuminance of zone-b >= 100 lux."));
+  }
+
+  @Test
+  void whatNobodyCanReachIsNotTriedAgainAndNotCalledImpossible() {
+    cameraInsistsOn(">= 5000");
+    house.ambientLux.put("zone-b", 80.0);
+
+    GoalOutcome outcome = house.achieve("(exists (?z - Zone) (in Cup ?z))");
+
+    assertThat(outcome.reached()).isFalse();
+    assertThat(refusedLooks("cam-b")).as(String.join("\n", house.story)).isEqualTo(1);
+    assertThat(outcome.reasons()).anyMatch(reason -> reason.contains("not proven"));
+  }
+
+  @Test
+  void whatIsInsistedOnCountsForTheNextGoalUntilTheDeviceDescribesItselfAnew() {
+    cameraInsistsOn(">= 5000");
+    house.ambientLux.put("zone-b", 80.0);
+    house.achieve("(exists (?z - Zone) (in Cup ?z))");
+    house.achieve("(exists (?z - Zone) (in Cup ?z))");
+    assertThat(refusedLooks("cam-b")).isEqualTo(1);
+
+    house.coordinator.memberPresent("cam-b");
+    house.achieve("(exists (?z - Zone) (in Cup ?z))");
+
+    assertThat(refusedLooks("cam-b")).isEqualTo(2);
+  }
+
+  /** It says no more than that, and the light changes by less than sensors err. */
+  @Test
+  void aRefusalWithoutFactsIsNotRepeatedUntilOneOfThemHasChanged() {
+    refuse("observeObject", Crew.Refusal.AS_THINGS_ARE, List.of());
+    house.ambientLux.put("zone-b", 80.0);
+
+    GoalOutcome outcome = house.achieve("(in Cup zone-b)");
+
+    assertThat(outcome.reached()).isFalse();
+    assertThat(looks("cam-b")).as(String.join("\n", house.story)).isEqualTo(1);
+    assertThat(outcome.reasons())
+        .anyMatch(
+            reason ->
+                reason.contains("it was refused, and nothing that it rests on has changed: No"));
+  }
+
+  /** Such as for somebody who stands in the way. */
+  @Test
+  void whatIsRefusedForNowIsTriedOnceMoreAfterAWhile() {
+    refuse("observeObject", Crew.Refusal.FOR_NOW, List.of());
+    house.ambientLux.put("zone-b", 80.0);
+
+    house.achieve("(in Cup zone-b)");
+
+    assertThat(looks("cam-b")).as(String.join("\n", house.story)).isEqualTo(2);
+  }
+
+  @Test
+  void noMoreThanWasDescribedIsNoNews() {
+    cameraInsistsOn(">= 72");
+    house.knowledge.state(
+        new Source(Source.Kind.OBSERVED, "lux-b"), List.of("(= (illuminance zone-b) 90)"));
+
+    house.achieve("(nextTo Cup Bob)");
+
+    assertThat(house.story).noneMatch(told -> told.contains("insists"));
+  }
+
+  private void cameraInsistsOn(String need) {
+    double least = Double.parseDouble(need.substring(3));
+    house.reporting =
+        (step, report) -> {
+          if (!step.feature().procedure().equals("observeObject")
+              || !step.member().equals("cam-b")) {
+            return report;
+          }
+          double lux = house.lux("zone-b");
+          return lux >= least
+              ? report
+              : refused(
+                  Crew.Refusal.FOR_NOW,
+                  List.of(
+                      new FeatureRun.Learnt(
+                          "(illuminance zone-b)", new Term.Number(lux), Optional.of(need))));
+        };
+  }
+
+  private void refuse(String feature, Crew.Refusal refusal, List<FeatureRun.Learnt> refs) {
+    house.reporting =
+        (step, report) ->
+            step.feature().procedure().equals(feature) ? refused(refusal, refs) : report;
+  }
+
+  private Crew.Report refused(Crew.Refusal refusal, List<FeatureRun.Learnt> refs) {
+    refusals++;
+    return new Crew.Report(false, Map.of(), Optional.of("No."), refs, true, Optional.of(refusal));
+  }
+
+  private int refusals;
+
+  private int refusedLooks(String camera) {
+    assertThat(looks(camera)).isPositive();
+    return refusals;
+  }
+
+  private long looks(String camera) {
+    return house.calls.stream().filter(("observeObject " + camera)::equals).count();
+  }
+}
