@@ -59,6 +59,7 @@ final class GoalWords {
         "inform",
         Words.named("goal", Words.name(news.goalId())),
         Words.named("state", Words.name(word(news.kind()))),
+        Words.named("confirmed", Words.name(String.valueOf(news.confirmed()))),
         Words.named("reasons", news.reasons().stream().map(Words::text).toList()));
   }
 

@@ -37,16 +37,20 @@ final class Confirmation {
   private static final String TOUCHED = "touched%";
 
   private final SortedSet<String> things;
+  private final List<Formula.Atom> facts;
   private final List<Expression.Fluent> numbers;
   private final SortedSet<String> reporters;
   private final List<Belief> objections;
+  private final List<Belief> denials;
   private final Optional<Instant> oldest;
 
   private Confirmation(OnlyExpected expected) {
     this.things = expected.things();
-    this.numbers = List.copyOf(expected.numbers());
+    this.facts = expected.facts();
+    this.numbers = expected.numbers();
     this.reporters = expected.reporters();
     this.objections = expected.objections();
+    this.denials = expected.denials();
     this.oldest = expected.oldest();
   }
 
@@ -57,7 +61,7 @@ final class Confirmation {
       Formula goal, Map<String, Term> binding, Snapshot snapshot, Home home, Instant notBefore) {
     OnlyExpected expected = new OnlyExpected(snapshot, home, notBefore);
     expected.collect(new Substitution(binding).apply(goal));
-    return expected.things().isEmpty() && expected.numbers().isEmpty()
+    return expected.things().isEmpty() && expected.facts().isEmpty() && expected.numbers().isEmpty()
         ? Optional.empty()
         : Optional.of(new Confirmation(expected));
   }
@@ -66,7 +70,7 @@ final class Confirmation {
     return things;
   }
 
-  /** Who says by the deeds reported that it is so; nobody else does. */
+  /** Who says by the deeds reported, or of itself, that it is so; nobody else does. */
   SortedSet<String> reporters() {
     return reporters;
   }
@@ -74,6 +78,11 @@ final class Confirmation {
   /** What others say against it, who are less sure. */
   List<Belief> objections() {
     return objections;
+  }
+
+  /** What was observed since its doer said that it is so, and does not agree. */
+  List<Belief> denials() {
+    return denials;
   }
 
   /** It was seen; but others go on to say otherwise. */
@@ -86,12 +95,19 @@ final class Confirmation {
     return oldest;
   }
 
+  /** What is to be looked at though no position tells it. */
+  List<Formula.Atom> facts() {
+    return facts;
+  }
+
   /** Numbers to be measured. */
   List<Expression.Fluent> numbers() {
     return numbers;
   }
 
-  /** The goal, and to have seen the things and measured the numbers of which it speaks. */
+  /**
+   * The goal, and to have seen the things and observed the facts and numbers of which it speaks.
+   */
   Formula goal(Formula original) {
     List<Formula> parts = new ArrayList<>();
     parts.add(original);
@@ -99,7 +115,8 @@ final class Confirmation {
       parts.add(seen(new Term.Name(thing)));
       parts.add(new Formula.Not(new Formula.Atom(TOUCHED, List.of(new Term.Name(thing)))));
     }
-    numbers.forEach(number -> parts.add(measured(number)));
+    facts.forEach(fact -> parts.add(measured(fact.predicate(), fact.arguments())));
+    numbers.forEach(number -> parts.add(measured(number.name(), number.arguments())));
     return new Formula.And(parts);
   }
 
@@ -112,8 +129,14 @@ final class Confirmation {
     return atom.predicate().equals(SEEN);
   }
 
-  private static Formula.Atom measured(Expression.Fluent number) {
-    return new Formula.Atom(MEASURED + number.name(), number.arguments());
+  /** That it has been looked at, or measured, what the predicate or number is. */
+  private static Formula.Atom measured(String name, List<Term> arguments) {
+    return new Formula.Atom(MEASURED + name, arguments);
+  }
+
+  /** Whether the predicate is no matter of positions: these are seen with their things. */
+  private static boolean isPlain(PredicateDeclaration declared) {
+    return declared.observedWhen().isEmpty() && declared.derivedWhen().isEmpty();
   }
 
   static Vocabulary extend(Vocabulary vocabulary) {
@@ -122,7 +145,7 @@ final class Confirmation {
     predicates.put(SEEN, synthetic(SEEN, "has been seen", thing));
     predicates.put(TOUCHED, synthetic(TOUCHED, "is not as it was", thing));
     vocabulary.predicates().values().stream()
-        .filter(declared -> declared.fluent() && declared.observable())
+        .filter(Confirmation::isPlain)
         .forEach(
             declared ->
                 predicates.put(
@@ -171,12 +194,16 @@ final class Confirmation {
     } else if (effect instanceof Effect.Forall forall) {
       return new Effect.Forall(forall.variables(), extend(forall.effect(), vocabulary));
     } else if (effect instanceof Effect.SenseAtom sense) {
-      Formula.Atom seen = new Formula.Atom(SEEN, sense.atom().arguments().subList(0, 1));
-      return new Effect.All(List.of(effect, new Effect.Add(seen)));
+      return looking(effect, sense.atom(), vocabulary);
     } else if (effect instanceof Effect.SenseNumber sense) {
-      return new Effect.All(List.of(effect, new Effect.Add(measured(sense.fluent()))));
+      return new Effect.All(
+          List.of(
+              effect, new Effect.Add(measured(sense.fluent().name(), sense.fluent().arguments()))));
     } else if (effect instanceof Effect.Change change) {
-      return new Effect.All(List.of(effect, new Effect.Delete(measured(change.fluent()))));
+      return new Effect.All(
+          List.of(
+              effect,
+              new Effect.Delete(measured(change.fluent().name(), change.fluent().arguments()))));
     } else if (effect instanceof Effect.Add add) {
       return touching(effect, add.atom(), vocabulary);
     } else if (effect instanceof Effect.Delete delete) {
@@ -185,17 +212,28 @@ final class Confirmation {
     return effect;
   }
 
-  /** What a step says of a thing that an observation could say too. */
+  private static Effect looking(Effect effect, Formula.Atom atom, Vocabulary vocabulary) {
+    List<Effect> all = new ArrayList<>();
+    all.add(effect);
+    if (!atom.arguments().isEmpty()) {
+      all.add(new Effect.Add(new Formula.Atom(SEEN, atom.arguments().subList(0, 1))));
+    }
+    if (vocabulary.predicate(atom.predicate()).filter(Confirmation::isPlain).isPresent()) {
+      all.add(new Effect.Add(measured(atom.predicate(), atom.arguments())));
+    }
+    return new Effect.All(all);
+  }
+
+  /** What a step says of something that an observation could say too. */
   private static Effect touching(Effect effect, Formula.Atom atom, Vocabulary vocabulary) {
-    boolean seeable =
-        vocabulary
-            .predicate(atom.predicate())
-            .flatMap(PredicateDeclaration::observedWhen)
-            .isPresent();
-    return seeable
+    Optional<PredicateDeclaration> declared = vocabulary.predicate(atom.predicate());
+    if (declared.flatMap(PredicateDeclaration::observedWhen).isPresent()) {
+      Formula.Atom touched = new Formula.Atom(TOUCHED, atom.arguments().subList(0, 1));
+      return new Effect.All(List.of(effect, new Effect.Add(touched)));
+    }
+    return declared.filter(Confirmation::isPlain).isPresent()
         ? new Effect.All(
-            List.of(
-                effect, new Effect.Add(new Formula.Atom(TOUCHED, atom.arguments().subList(0, 1)))))
+            List.of(effect, new Effect.Delete(measured(atom.predicate(), atom.arguments()))))
         : effect;
   }
 }

@@ -17,7 +17,7 @@ import org.maestro.sl.Term;
  */
 final class GoalEnding {
   /** A way that is blocked now is no proof; nobody knows for how long. */
-  private static final String NOT_PROVEN =
+  static final String NOT_PROVEN =
       "It is given up, and not proven to be impossible: what was refused or failed now may be"
           + " possible later.";
 
@@ -71,8 +71,8 @@ final class GoalEnding {
       story.confirming(needed.get());
       course.makePlan(Optional.empty());
     } else if (parts.underway().isEmpty() && parts.plan().remaining().isEmpty()) {
-      if (needed.get().isOnlyDisputed()) {
-        end(GoalState.ACHIEVED, false, binding, List.of(story.unconfirmed(needed.get())));
+      if (needed.get().isOnlyDisputed() || !needed.get().denials().isEmpty()) {
+        endUnseen(needed.get(), binding);
         return;
       }
       outlook.confirm(needed);
@@ -190,12 +190,19 @@ final class GoalEnding {
       Map<String, Term> binding = reached.get().goalBinding();
       outlook
           .toBeSeen(binding)
-          .ifPresentOrElse(
-              needed -> end(GoalState.ACHIEVED, false, binding, List.of(story.unconfirmed(needed))),
-              () -> settle(binding));
+          .ifPresentOrElse(needed -> endUnseen(needed, binding), () -> settle(binding));
     } else {
       outlook.confirm(Optional.empty());
       course.makePlan(Optional.of("it cannot be seen any more that the goal is reached"));
+    }
+  }
+
+  /** Whoever did it is believed where nobody can look, and not against who has looked. */
+  private void endUnseen(Confirmation needed, Map<String, Term> binding) {
+    if (needed.denials().isEmpty()) {
+      end(GoalState.ACHIEVED, false, binding, List.of(story.unconfirmed(needed)));
+    } else {
+      giveUp(List.of(story.denied(needed), NOT_PROVEN));
     }
   }
 

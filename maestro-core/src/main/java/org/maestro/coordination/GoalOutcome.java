@@ -8,7 +8,8 @@ import org.maestro.sl.Term;
 /**
  * How a goal ended.
  *
- * @param confirmed a sensor has seen it, where its predicate can be seen at all
+ * @param confirmed a witness has seen it; false when only its doer says so, or nobody can look
+ *     again
  * @param binding values of the goal's free variables
  * @param reasons why it failed, in sentences; empty when reached
  * @param calls feature calls started

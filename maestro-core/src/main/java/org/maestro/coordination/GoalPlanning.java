@@ -63,7 +63,7 @@ final class GoalPlanning {
     boolean confirming = parts.outlook().isConfirming();
     if (confirming && life.confirmingPlans() >= MOST_CONFIRMATIONS) {
       parts.plan().drop();
-      course.noPlanToSeeIt();
+      lookedInVain();
       return;
     }
     if (life.plans() >= MOST_PLANS) {
@@ -93,6 +93,19 @@ final class GoalPlanning {
             parts.story(),
             round -> parts.rivals().run(() -> planned(round)))
         .start();
+  }
+
+  /** Who says again and again that it is done, and it is never seen, is not believed. */
+  private void lookedInVain() {
+    if (parts.outlook().holds().isPresent()) {
+      course.giveUp(
+          List.of(
+              "It is said to be so, and was to be seen %d times, and never was."
+                  .formatted(parts.life().confirmingPlans()),
+              GoalEnding.NOT_PROVEN));
+    } else {
+      course.noPlanToSeeIt();
+    }
   }
 
   private GoalState stateWhilePlanning(Optional<String> why) {

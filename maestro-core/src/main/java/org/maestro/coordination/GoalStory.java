@@ -243,6 +243,11 @@ final class GoalStory {
     if (!needed.things().isEmpty()) {
       wanted.add("it is to be seen: " + String.join(", ", needed.things()));
     }
+    if (!needed.facts().isEmpty()) {
+      wanted.add(
+          "it is to be looked at whether "
+              + needed.facts().stream().map(sentences()::fact).collect(Collectors.joining(", ")));
+    }
     if (!needed.numbers().isEmpty()) {
       wanted.add(
           "it is to be measured: "
@@ -291,24 +296,33 @@ final class GoalStory {
     return told;
   }
 
+  /** Its doer says that it is so, and who has looked says otherwise: a reason to give it up. */
+  String denied(Confirmation needed) {
+    return "It is not so, though %s says that it is: %s."
+        .formatted(
+            needed.reporters().isEmpty() ? "its doer" : String.join(" or ", needed.reporters()),
+            told(needed.denials()));
+  }
+
   private String seenLongAgo(Instant oldest) {
     return "It was so when it was observed %d s ago; nobody can observe it again."
         .formatted(Duration.between(oldest, clock.instant()).toSeconds());
   }
 
   private String disputed(List<Belief> objections) {
-    return "It is so by the surer source; it is not certain: "
-        + objections.stream()
-            .map(
-                said ->
-                    said.source().agent()
-                        + " has said since: "
-                        + sentences()
-                            .fact(
-                                SlParser.formula(
-                                    said.fact(), knowledge.home().vocabulary()::isFluent)))
-            .collect(Collectors.joining("; "))
-        + ".";
+    return "It is so by the surer source; it is not certain: " + told(objections) + ".";
+  }
+
+  private String told(List<Belief> since) {
+    return since.stream()
+        .map(
+            said ->
+                said.source().agent()
+                    + " has said since: "
+                    + sentences()
+                        .fact(
+                            SlParser.formula(said.fact(), knowledge.home().vocabulary()::isFluent)))
+        .collect(Collectors.joining("; "));
   }
 
   void ended(GoalOutcome outcome) {

@@ -5,9 +5,10 @@ import java.util.List;
 /**
  * What the requester of a held goal is told while the goal lives.
  *
+ * @param confirmed it is so, and that does not rest on the word of those alone who did it
  * @param reasons why it is not so and cannot be made so, in sentences; empty unless that is known
  */
-public record HeldNews(String goalId, Kind kind, List<String> reasons) {
+public record HeldNews(String goalId, Kind kind, boolean confirmed, List<String> reasons) {
 
   public HeldNews {
     reasons = List.copyOf(reasons);

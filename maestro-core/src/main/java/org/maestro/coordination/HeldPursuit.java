@@ -1,6 +1,7 @@
 package org.maestro.coordination;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -274,13 +275,24 @@ final class HeldPursuit implements Pursuit {
     }
     if (condition.isSo(working.knowledge())) {
       if (work.isNone()) {
-        holding.begins(unobserved);
+        holding.begins(unobserved, isWitnessed());
         saveIfDue();
       }
     } else {
       work.stop();
       loses();
     }
+  }
+
+  /** What is observed all the time is not too old, however long nothing was told. */
+  private boolean isWitnessed() {
+    return Confirmation.needed(
+            Assured.of(condition.closed(), ports.knowledge().home().vocabulary()),
+            Map.of(),
+            ports.knowledge().snapshot(),
+            ports.knowledge().home(),
+            Instant.MIN)
+        .isEmpty();
   }
 
   private void loses() {
@@ -312,7 +324,7 @@ final class HeldPursuit implements Pursuit {
     }
     if (outcome.reached() && condition.isSo(working.knowledge())) {
       saving.settled();
-      holding.begins(unobserved);
+      holding.begins(unobserved, outcome.confirmed() || isWitnessed());
     } else if (!unobserved && !outcome.reached()) {
       // Perhaps nobody can observe it all the time; then what is known has to do.
       unobserved = true;

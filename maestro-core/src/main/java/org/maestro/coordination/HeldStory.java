@@ -60,12 +60,13 @@ final class HeldStory {
     }
   }
 
-  void holds(Formula condition, boolean again, boolean unobserved) {
+  void holds(Formula condition, boolean again, boolean unobserved, boolean confirmed) {
     tell(
         StoryEntry.Kind.HELD,
         "It is so"
             + (again ? " again" : ", and is kept so")
             + quantities(condition)
+            + (confirmed ? "" : "; nobody has seen it but who says so")
             + (unobserved
                 ? "; nobody can observe it all the time, it is so by what is known."
                 : "."));

@@ -60,14 +60,15 @@ final class Holding {
    * It is so.
    *
    * @param unobserved by what is known only
+   * @param confirmed not only by the word of who did it
    */
-  void begins(boolean unobserved) {
+  void begins(boolean unobserved, boolean confirmed) {
     if (!holding) {
       holding = true;
       patience.held(clock.now());
       lastReasons = "";
-      story.holds(condition, everHeld, unobserved);
-      tell(everHeld ? HeldNews.Kind.HELD_AGAIN : HeldNews.Kind.HELD, List.of());
+      story.holds(condition, everHeld, unobserved, confirmed);
+      tell(everHeld ? HeldNews.Kind.HELD_AGAIN : HeldNews.Kind.HELD, confirmed, List.of());
       everHeld = true;
     }
     become(GoalState.HOLDING, unobserved ? "nobody can observe it all the time" : "");
@@ -78,7 +79,7 @@ final class Holding {
       holding = false;
       patience.lost(clock.now());
       story.lost(condition);
-      tell(HeldNews.Kind.LOST, List.of());
+      tell(HeldNews.Kind.LOST, false, List.of());
     }
   }
 
@@ -89,7 +90,7 @@ final class Holding {
     if (!text.equals(lastReasons)) {
       lastReasons = text;
       story.cannotBeHeld(reasons);
-      tell(HeldNews.Kind.LOST, reasons);
+      tell(HeldNews.Kind.LOST, false, reasons);
     }
     awaits();
   }
@@ -108,7 +109,7 @@ final class Holding {
     }
   }
 
-  private void tell(HeldNews.Kind kind, List<String> reasons) {
-    news.accept(new HeldNews(life.id(), kind, reasons));
+  private void tell(HeldNews.Kind kind, boolean confirmed, List<String> reasons) {
+    news.accept(new HeldNews(life.id(), kind, confirmed, reasons));
   }
 }

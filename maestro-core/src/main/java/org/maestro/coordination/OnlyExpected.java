@@ -15,7 +15,6 @@ import org.maestro.knowledge.Belief;
 import org.maestro.knowledge.Dispute;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.knowledge.Source;
-import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
@@ -30,22 +29,24 @@ import org.maestro.sl.Truth;
 import org.maestro.sl.TypedVariable;
 
 /**
- * What a goal that holds rests on without anybody having observed it of late, or though somebody
- * has said otherwise since: things whose place is only expected, disputed or was seen too long ago,
- * and observable numbers that are only reckoned or were measured too long ago. Sources of numbers
- * differ always a little; of these the surer counts.
+ * What a goal that holds rests on without any witness of late, or though a witness says otherwise:
+ * things whose place is only expected, disputed or was seen too long ago, other facts of which only
+ * their doer tells, and numbers that are only reckoned, told by who made them, or were measured too
+ * long ago. Sources of numbers differ always a little; of these the surer counts.
  */
 final class OnlyExpected {
-  private static final String POSITION = "position";
+  static final String POSITION = "position";
 
   private final Snapshot snapshot;
   private final Home home;
   private final Vocabulary vocabulary;
+  private final Testimony testimony;
   private final SortedSet<String> things = new TreeSet<>();
-  private final List<Expression.Fluent> numbers = new ArrayList<>();
+  private final Set<Formula.Atom> facts = new LinkedHashSet<>();
+  private final Set<Expression.Fluent> numbers = new LinkedHashSet<>();
   private final SortedSet<String> reporters = new TreeSet<>();
   private final Set<Belief> objections = new LinkedHashSet<>();
-  private final Instant notBefore;
+  private final Set<Belief> denials = new LinkedHashSet<>();
   private Optional<Instant> oldest = Optional.empty();
 
   /**
@@ -55,19 +56,24 @@ final class OnlyExpected {
   OnlyExpected(Snapshot snapshot, Home home, Instant notBefore) {
     this.snapshot = snapshot;
     this.home = home;
-    this.notBefore = notBefore;
     this.vocabulary = home.vocabulary();
+    this.testimony = new Testimony(snapshot, home, notBefore);
   }
 
   SortedSet<String> things() {
     return things;
   }
 
-  List<Expression.Fluent> numbers() {
-    return numbers;
+  /** Of which no position tells whether they hold. */
+  List<Formula.Atom> facts() {
+    return List.copyOf(facts);
   }
 
-  /** Whose deeds let it be expected. */
+  List<Expression.Fluent> numbers() {
+    return List.copyOf(numbers);
+  }
+
+  /** Whose deeds, or whose word of themselves, let it be expected. */
   SortedSet<String> reporters() {
     return reporters;
   }
@@ -75,6 +81,11 @@ final class OnlyExpected {
   /** What others have said since what is believed, and what contradicts it. */
   List<Belief> objections() {
     return List.copyOf(objections);
+  }
+
+  /** What witnesses say against what only its doer says. */
+  List<Belief> denials() {
+    return List.copyOf(denials);
   }
 
   /** When the oldest of what was observed too long ago was observed. */
@@ -93,95 +104,101 @@ final class OnlyExpected {
     } else if (formula instanceof Formula.Forall forall) {
       instances(forall.variables(), forall.body()).forEach(this::collect);
     } else if (formula instanceof Formula.Comparison comparison) {
-      Leaves.of(comparison, atom -> {}, this::collect);
+      Leaves.of(comparison, atom -> {}, number -> collect(number, comparison));
     } else if (formula instanceof Formula.Atom atom && atom.isGround()) {
-      Optional<Formula> derivation = derivation(atom);
-      derivation.ifPresentOrElse(this::collect, () -> collectThings(atom));
+      derivation(atom).ifPresentOrElse(this::collect, () -> collect(atom, atom));
     } else if (formula instanceof Formula.Not not
         && not.operand() instanceof Formula.Atom atom
         && atom.isGround()) {
-      collectSeenLongAgo(atom);
+      derivation(atom)
+          .map(derived -> Assured.of(new Formula.Not(derived), vocabulary))
+          .ifPresentOrElse(this::collect, () -> collect(atom, not));
     }
   }
 
-  private void collect(Expression.Fluent number) {
-    Optional<Belief> belief = snapshot.belief(number);
-    Optional<Belief> expected = expected(belief);
-    boolean observable =
-        vocabulary.predicate(number.name()).filter(PredicateDeclaration::observable).isPresent();
-    boolean measured =
-        expected.isEmpty() && belief.filter(said -> !isMeasured(number, said)).isEmpty();
-    if (observable && !numbers.contains(number) && (!measured || isOld(belief))) {
-      expected.ifPresent(reckoned -> reporters.add(reckoned.source().agent()));
+  private void collect(Expression.Fluent number, Formula comparison) {
+    List<Belief> claims = snapshot.claims(number);
+    if (claims.isEmpty()) {
+      collectThings(number.arguments(), List.of(), number.name(), comparison);
+    } else if (!isSure(snapshot.belief(number), number.name())
+        && !testimony.isWitnessed(claims, number.name(), comparison)) {
       numbers.add(number);
+      note(snapshot.belief(number), claims, number.name(), comparison);
     }
   }
 
-  /** Who only declined a step for its sake is no witness of a number. */
-  private boolean isMeasured(Expression.Fluent number, Belief belief) {
-    Device device = home.devices().get(belief.source().agent());
-    return belief.source().kind() != Source.Kind.OBSERVED
-        || device == null
-        || device.features().stream()
-            .anyMatch(feature -> Sensing.names(feature.effect()).contains(number.name()));
-  }
-
-  private void collectThings(Formula.Atom atom) {
+  /**
+   * @param condition the atom, or that it does not hold
+   */
+  private void collect(Formula.Atom atom, Formula condition) {
+    String name = atom.predicate();
+    List<Belief> claims = snapshot.claims(atom);
     Optional<PredicateDeclaration> seeable =
-        vocabulary
-            .predicate(atom.predicate())
-            .filter(declared -> declared.observedWhen().isPresent());
-    Optional<Belief> expected = expected(snapshot.belief(atom));
-    if (seeable.isPresent() && expected.isPresent()) {
-      reporters.add(expected.get().source().agent());
+        vocabulary.predicate(name).filter(declared -> declared.observedWhen().isPresent());
+    if (seeable.isPresent() && testimony.isWitnessed(claims, name, condition)) {
+      collectObjections(atom, condition);
+    } else if (seeable.isPresent()) {
       // Where a thing is, the thing tells when it is seen; nobody can see the place.
       int seen = seeable.get().functional() ? 1 : atom.arguments().size();
-      for (Term argument : atom.arguments().subList(0, seen)) {
-        if (argument instanceof Term.Name name && !isSeen(name)) {
-          things.add(name.text());
+      collectThings(atom.arguments().subList(0, seen), claims, name, condition);
+      note(snapshot.belief(atom), claims, name, condition);
+      collectObjections(atom, condition);
+    } else if (claims.isEmpty()) {
+      collectThings(atom.arguments(), claims, name, condition);
+    } else if (!isSure(snapshot.belief(atom), name)
+        && !testimony.isWitnessed(claims, name, condition)) {
+      facts.add(atom);
+      note(snapshot.belief(atom), claims, name, condition);
+    }
+  }
+
+  /** Those of which something is said, and no witness has seen of late that it is so. */
+  private void collectThings(
+      List<Term> arguments, List<Belief> claims, String name, Formula condition) {
+    for (Term argument : arguments) {
+      if (argument instanceof Term.Name thing) {
+        List<Belief> places = testimony.ofPlace(thing);
+        if (!(places.isEmpty() && claims.stream().allMatch(said -> isSure(said, name)))
+            && !testimony.isSeen(places, condition)) {
+          things.add(thing.text());
+          note(position(thing), places, POSITION, condition);
         }
       }
-    } else if (seeable.isPresent()) {
-      collectObjections(atom);
-      collectSeenLongAgo(atom);
     }
   }
 
-  /** Where a thing is was seen as long ago as the thing. */
-  private void collectSeenLongAgo(Formula.Atom atom) {
-    Optional<PredicateDeclaration> seeable =
-        vocabulary
-            .predicate(atom.predicate())
-            .filter(declared -> declared.observedWhen().isPresent());
-    if (seeable.isEmpty()) {
-      return;
-    }
-    int seen = seeable.get().functional() ? 1 : atom.arguments().size();
-    for (Term argument : atom.arguments().subList(0, seen)) {
-      if (argument instanceof Term.Name name
-          && isOld(position(name).or(() -> snapshot.belief(atom)))) {
-        things.add(name.text());
-      }
-    }
+  private boolean isSure(Optional<Belief> believed, String name) {
+    return believed.filter(said -> !isSure(said, name)).isEmpty();
   }
 
-  private boolean isOld(Optional<Belief> belief) {
-    Optional<Instant> since =
-        belief
-            .filter(b -> b.source().kind() == Source.Kind.OBSERVED)
-            .map(Belief::since)
-            .filter(notBefore::isAfter);
-    since
+  private boolean isSure(Belief believed, String name) {
+    return testimony.isWitness(believed, name) && !testimony.isOld(believed, name);
+  }
+
+  /** Who says so without being a witness, who says otherwise, and how long ago it was seen. */
+  private void note(
+      Optional<Belief> believed, List<Belief> claims, String name, Formula condition) {
+    believed
+        .filter(said -> !testimony.isWitness(said, name))
+        .ifPresent(said -> reporters.add(said.source().agent()));
+    believed
+        .filter(said -> testimony.isOld(said, name))
+        .map(Belief::since)
         .filter(then -> oldest.filter(o -> !o.isAfter(then)).isEmpty())
         .ifPresent(then -> oldest = Optional.of(then));
-    return since.isPresent();
+    believed
+        .map(said -> testimony.denials(claims, name, condition, said.since()))
+        .ifPresent(denials::addAll);
   }
 
   /**
    * A surer source counts, also when another says otherwise since: but then it is time to look
    * again. Of equally sure sources the later one is believed, and nothing is said since.
    */
-  private void collectObjections(Formula.Atom atom) {
+  private void collectObjections(Formula.Atom atom, Formula condition) {
+    if (!atom.equals(condition)) {
+      return;
+    }
     for (Dispute dispute : snapshot.disputes()) {
       for (Dispute.Loser loser : dispute.losers()) {
         Belief said = loser.belief();
@@ -259,17 +276,8 @@ final class OnlyExpected {
             });
   }
 
-  private static Optional<Belief> expected(Optional<Belief> belief) {
-    return belief.filter(OnlyExpected::isExpected);
-  }
-
   private static boolean isExpected(Belief belief) {
     return belief.source().kind() == Source.Kind.EXPECTED;
-  }
-
-  private boolean isSeen(Term.Name thing) {
-    Optional<Belief> position = position(thing).filter(belief -> !isExpected(belief));
-    return position.isPresent() && !isOld(position);
   }
 
   private Optional<Belief> position(Term.Name thing) {

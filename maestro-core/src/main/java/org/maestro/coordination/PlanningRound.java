@@ -51,7 +51,8 @@ final class PlanningRound {
     }
 
     Formula relevant(Home home) {
-      return findingOut ? FindingOut.relevant(goal, home.vocabulary()) : goal;
+      boolean ofPlaces = confirmation.filter(c -> !c.things().isEmpty()).isPresent();
+      return findingOut || ofPlaces ? FindingOut.relevant(goal, home.vocabulary()) : goal;
     }
 
     /** Whether it matters who has seen what. */

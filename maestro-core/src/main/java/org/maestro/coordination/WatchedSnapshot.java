@@ -96,6 +96,16 @@ final class WatchedSnapshot implements Snapshot {
   }
 
   @Override
+  public List<Belief> claims(Formula.Atom atom) {
+    return isHidden(atom) ? List.of() : now.claims(atom);
+  }
+
+  @Override
+  public List<Belief> claims(Expression.Fluent fluent) {
+    return isHidden(fluent) ? List.of() : now.claims(fluent);
+  }
+
+  @Override
   public Optional<Term> value(String predicate, List<Term> arguments) {
     return now.value(predicate, arguments);
   }

@@ -54,12 +54,35 @@ public final class AsClaimed implements Facts {
         .orElse(false);
   }
 
+  /**
+   * What the claim makes of the ground atom, directly or by what it is observed from; unknown when
+   * it says nothing of it.
+   */
+  public Truth tells(Formula.Atom atom) {
+    if (claimed.equals(atom)) {
+      return Truth.TRUE;
+    }
+    if (claimed.equals(new Formula.Not(atom)) || isAnotherValue(atom)) {
+      return Truth.FALSE;
+    }
+    return vocabulary
+        .predicate(atom.predicate())
+        .filter(declared -> declared.parameters().size() == atom.arguments().size())
+        .filter(declared -> claims(Declarations.POSITION).isPresent())
+        .flatMap(declared -> declared.observedWhen().map(when -> observed(declared, when, atom)))
+        .orElse(Truth.UNKNOWN);
+  }
+
   private boolean isFalse(PredicateDeclaration declared, Formula when, Formula.Atom atom) {
+    return observed(declared, when, atom) == Truth.FALSE;
+  }
+
+  private Truth observed(PredicateDeclaration declared, Formula when, Formula.Atom atom) {
     Map<String, Term> bindings = new TreeMap<>();
     for (int n = 0; n < atom.arguments().size(); n++) {
       bindings.put(declared.parameters().get(n).name(), atom.arguments().get(n));
     }
-    return new Evaluation(this).truth(when, bindings) == Truth.FALSE;
+    return new Evaluation(this).truth(when, bindings);
   }
 
   /** The atom that is said to hold, if it is of that predicate. */
@@ -109,6 +132,9 @@ public final class AsClaimed implements Facts {
 
   @Override
   public OptionalDouble number(Expression.Fluent fluent) {
+    if (claimed instanceof Formula.Comparison equation && equation.left().equals(fluent)) {
+      return new Evaluation(now).number(equation.right(), Map.of());
+    }
     Optional<String> function =
         vocabulary.predicate(fluent.name()).flatMap(PredicateDeclaration::computedBy);
     return function.filter(Geometry::isNumber).isPresent()

@@ -35,13 +35,25 @@ record Claim(Held held, boolean has) {
   /**
    * Whether the other, older one need not be kept: within a source the newer counts, across sources
    * the surer, and of equally sure ones the newer. What a step brings about is no opinion on what
-   * was before it, and outdates it all.
+   * was before it, and outdates it all. What another saw is kept beside a member's own word to the
+   * same effect: it is the better witness.
    */
   boolean outdates(Claim other) {
+    if (isOwnWordFor(other)) {
+      return false;
+    }
     boolean speaksOfIt = has || other.value().equals(value());
     boolean mayOverrule =
         isOf(other.held.source().agent()) || held.isExpected() || weight() >= other.weight();
     return speaksOfIt && mayOverrule;
+  }
+
+  private boolean isOwnWordFor(Claim other) {
+    return held.source().kind() == Source.Kind.STATED
+        && other.held.source().kind() == Source.Kind.OBSERVED
+        && !isOf(other.held.source().agent())
+        && has == other.has
+        && value().equals(other.value());
   }
 
   /** Whether that is a matter of two sources that do not agree. */

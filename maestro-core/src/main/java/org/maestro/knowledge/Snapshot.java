@@ -23,6 +23,15 @@ public interface Snapshot extends Facts {
   Optional<Belief> belief(Expression.Fluent fluent);
 
   /**
+   * All that sources say now of what the atom speaks of, also what is not believed; what stands in
+   * the home is left out.
+   */
+  List<Belief> claims(Formula.Atom atom);
+
+  /** All that sources say now of the number, also what is not believed. */
+  List<Belief> claims(Expression.Fluent fluent);
+
+  /**
    * The value of a functional predicate, {@code (position Cup ?)}: a name, or a text for a
    * position; empty when unknown.
    */

@@ -39,8 +39,9 @@ final class Statements {
   private static boolean isOnItsWord(World world, StateVariable variable, Source source) {
     return world
         .cell(variable)
-        .flatMap(Cell::value)
-        .filter(held -> held.source().equals(source))
+        .filter(
+            cell ->
+                cell.standing().stream().anyMatch(claim -> claim.held().source().equals(source)))
         .isPresent();
   }
 }

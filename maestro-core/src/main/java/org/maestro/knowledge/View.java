@@ -12,6 +12,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.stream.Stream;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
@@ -222,6 +224,33 @@ final class View implements Snapshot {
         ? Optional.of(
             describedBelief(Wording.equation(variable, new Term.Number(stated.getAsDouble()))))
         : Optional.empty();
+  }
+
+  @Override
+  public List<Belief> claims(Formula.Atom asked) {
+    Formula.Atom atom = world.declarations().canonical(asked);
+    StateVariable variable = world.declarations().variable(atom);
+    boolean functional = world.declarations().isFunctional(atom.predicate());
+    return claims(
+        variable,
+        claim ->
+            functional
+                ? Wording.value(variable, claim.held(), claim.has())
+                : Wording.holds(asked, claim.value().equals(new Term.Truth(true))));
+  }
+
+  @Override
+  public List<Belief> claims(Expression.Fluent fluent) {
+    StateVariable variable = new StateVariable(fluent.name(), fluent.arguments());
+    return claims(variable, claim -> Wording.value(variable, claim.held(), true));
+  }
+
+  private List<Belief> claims(StateVariable variable, Function<Claim, String> wording) {
+    return world.cell(variable).stream()
+        .flatMap(cell -> Stream.concat(cell.standing().stream(), cell.overruled().stream()))
+        .filter(claim -> counts(claim.held()))
+        .map(claim -> belief(wording.apply(claim), claim.held()))
+        .toList();
   }
 
   @Override

@@ -15,7 +15,7 @@ import org.maestro.sl.Term;
  * How a goal ended, as its requester is told.
  *
  * @param id empty when the CCA refused the goal
- * @param confirmed a sensor has seen it
+ * @param confirmed somebody has seen it who did not do it; false when only its doer says so
  * @param binding values of the goal's free variables
  * @param reasons why it failed or was refused, in sentences; empty when reached
  * @param calls feature calls started

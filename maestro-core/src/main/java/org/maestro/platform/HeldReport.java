@@ -7,9 +7,10 @@ import org.maestro.agents.Words;
  * How a held goal fares, as its requester is told.
  *
  * @param isSo whether it is so from now on
+ * @param confirmed whether that does not rest on the word of those alone who did it
  * @param reasons why it cannot be made so, in sentences; empty unless that is known
  */
-public record HeldReport(boolean isSo, List<String> reasons) {
+public record HeldReport(boolean isSo, boolean confirmed, List<String> reasons) {
   public HeldReport {
     reasons = List.copyOf(reasons);
   }
@@ -18,6 +19,7 @@ public record HeldReport(boolean isSo, List<String> reasons) {
     Words words = Words.of(Words.parse(content).get(0));
     return new HeldReport(
         isSo,
+        words.string("confirmed").filter("true"::equals).isPresent(),
         words.find("reasons").map(Words::terms).orElse(List.of()).stream()
             .map(Words::plain)
             .toList());

@@ -12,5 +12,11 @@ final class ExitCode {
   /** Something outside failed: a port, a broker, a display, the disk. */
   static final int OUTSIDE = 3;
 
+  /**
+   * A goal was reached as far as those say who did it; nobody could look, or look again. It is no
+   * plain success: a script that does not mind takes it as one.
+   */
+  static final int NOT_SEEN = 4;
+
   private ExitCode() {}
 }

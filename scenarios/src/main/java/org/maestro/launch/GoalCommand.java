@@ -300,23 +300,34 @@ final class GoalCommand implements Callable<Integer> {
   /** A goal that is kept has no end to wait for: it is told that it is so, and how to end it. */
   private int tellHeld(Words words) {
     String id = words.string("goal").orElse("");
+    boolean confirmed = isConfirmed(words);
     PrintWriter out = spec.commandLine().getOut();
     if (json) {
       ObjectNode node = new ObjectMapper().createObjectNode();
       node.put("id", id);
       node.put("goal", goal);
       node.put("reached", true);
+      node.put("confirmed", confirmed);
       node.put("held", true);
       out.println(node);
     } else {
-      out.println("It is kept so until ./maestro cancel " + id + ".");
+      out.println(
+          (confirmed ? "It is kept so" : "It is kept so, as far as is known but not confirmed,")
+              + " until ./maestro cancel "
+              + id
+              + ".");
     }
-    return ExitCode.DONE;
+    return confirmed ? ExitCode.DONE : ExitCode.NOT_SEEN;
+  }
+
+  private static boolean isConfirmed(Words words) {
+    return words.string("confirmed").filter("true"::equals).isPresent();
   }
 
   private int tell(ACLMessage reply) {
     Words words = Reply.words(reply).get(0);
     boolean reached = reply.getPerformative() == ACLMessage.INFORM;
+    boolean confirmed = isConfirmed(words);
     List<String> reasons =
         words.find("reasons").map(Words::terms).orElse(List.of()).stream()
             .map(Words::plain)
@@ -327,6 +338,7 @@ final class GoalCommand implements Callable<Integer> {
       node.put("id", words.string("goal").orElse(""));
       node.put("goal", goal);
       node.put("reached", reached);
+      node.put("confirmed", confirmed);
       ObjectNode binding = node.putObject("binding");
       words.termsOf("binding").forEach((name, term) -> binding.put(name, Words.plain(term)));
       node.put("simulated_s", words.number("seconds", 0));
@@ -339,7 +351,7 @@ final class GoalCommand implements Callable<Integer> {
       out.printf(
           Locale.ROOT,
           "%s in %.1f simulated seconds; calls: %d, replans: %d.%n",
-          reached ? "Reached" : "Not reached",
+          !reached ? "Not reached" : confirmed ? "Reached" : "Reached, but not confirmed,",
           words.number("seconds", 0),
           (int) words.number("calls", 0),
           (int) words.number("replans", 0));
@@ -348,7 +360,7 @@ final class GoalCommand implements Callable<Integer> {
           .forEach((name, term) -> out.println("  ?" + name + " is " + Words.plain(term)));
       reasons.forEach(reason -> out.println("  " + reason));
     }
-    return reached ? ExitCode.DONE : ExitCode.NOT_REACHED;
+    return !reached ? ExitCode.NOT_REACHED : confirmed ? ExitCode.DONE : ExitCode.NOT_SEEN;
   }
 
   /** Prints the lines of a story, with the first one's time as zero. */

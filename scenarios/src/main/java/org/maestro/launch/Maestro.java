@@ -43,7 +43,8 @@ import picocli.CommandLine.Spec;
       "0:done",
       "1:goal not reached, or faults found",
       "2:bad input or usage",
-      "3:something outside failed (port, broker, display, disk)"
+      "3:something outside failed (port, broker, display, disk)",
+      "4:goal reached as far as is known, but nobody could confirm it"
     },
     footer = {"", "Start with: ./maestro demo"})
 public final class Maestro implements Runnable {

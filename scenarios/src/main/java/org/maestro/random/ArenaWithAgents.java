@@ -82,7 +82,10 @@ final class ArenaWithAgents implements Arena {
             parsed(goal),
             report ->
                 reports.add(
-                    () -> told.accept(Claim.ofHeld(goal, report.isSo(), report.reasons()))));
+                    () ->
+                        told.accept(
+                            Claim.ofHeld(
+                                goal, report.isSo(), report.confirmed(), report.reasons()))));
   }
 
   @Override

@@ -50,7 +50,10 @@ record ArenaWithoutAgents(AgentlessSite site) implements Arena {
 
   @Override
   public void hold(String goal, Consumer<Claim> told) {
-    site.hold(goal, news -> told.accept(Claim.ofHeld(goal, news.kind().isSo(), news.reasons())));
+    site.hold(
+        goal,
+        news ->
+            told.accept(Claim.ofHeld(goal, news.kind().isSo(), news.confirmed(), news.reasons())));
   }
 
   @Override

@@ -13,8 +13,8 @@ record Claim(
     List<String> reasons) {
 
   /** News of a goal that is to be held: it is so, or cannot be, or merely is not for a while. */
-  static Claim ofHeld(String goal, boolean isSo, List<String> reasons) {
-    return new Claim(goal, isSo, true, Map.of(), reasons);
+  static Claim ofHeld(String goal, boolean isSo, boolean confirmed, List<String> reasons) {
+    return new Claim(goal, isSo, confirmed, Map.of(), reasons);
   }
 
   /** Whether it says no more than that it is not so now. */
