@@ -42,6 +42,7 @@ final class Confirmation {
   private final SortedSet<String> reporters;
   private final List<Belief> objections;
   private final List<Belief> denials;
+  private final SortedSet<String> tellers;
   private final Optional<Instant> oldest;
 
   private Confirmation(OnlyExpected expected) {
@@ -51,6 +52,7 @@ final class Confirmation {
     this.reporters = expected.reporters();
     this.objections = expected.objections();
     this.denials = expected.denials();
+    this.tellers = expected.tellers();
     this.oldest = expected.oldest();
   }
 
@@ -83,6 +85,11 @@ final class Confirmation {
   /** What was observed since its doer said that it is so, and does not agree. */
   List<Belief> denials() {
     return denials;
+  }
+
+  /** Who tells of it of its own accord, and may yet have to. */
+  SortedSet<String> tellers() {
+    return tellers;
   }
 
   /** It was seen; but others go on to say otherwise. */

@@ -32,6 +32,7 @@ final class GoalEnding {
   private List<String> whyNot = List.of();
   private Optional<PlanningRound.Ended> hopeless = Optional.empty();
   private boolean awaitsCertainty;
+  private boolean hasListened;
 
   /**
    * @param release of all that runs for the goal
@@ -72,7 +73,7 @@ final class GoalEnding {
       course.makePlan(Optional.empty());
     } else if (parts.underway().isEmpty() && parts.plan().remaining().isEmpty()) {
       if (needed.get().isOnlyDisputed() || !needed.get().denials().isEmpty()) {
-        endUnseen(needed.get(), binding);
+        listenOrEndUnseen(needed.get(), binding);
         return;
       }
       outlook.confirm(needed);
@@ -190,11 +191,29 @@ final class GoalEnding {
       Map<String, Term> binding = reached.get().goalBinding();
       outlook
           .toBeSeen(binding)
-          .ifPresentOrElse(needed -> endUnseen(needed, binding), () -> settle(binding));
+          .ifPresentOrElse(needed -> listenOrEndUnseen(needed, binding), () -> settle(binding));
     } else {
       outlook.confirm(Optional.empty());
       course.makePlan(Optional.of("it cannot be seen any more that the goal is reached"));
     }
+  }
+
+  /** Who tells of it of its own accord has some time to do so. */
+  private void listenOrEndUnseen(Confirmation needed, Map<String, Term> binding) {
+    if (hasListened || needed.tellers().isEmpty()) {
+      endUnseen(needed, binding);
+      return;
+    }
+    hasListened = true;
+    String tellers = String.join(", ", needed.tellers());
+    life.become(GoalState.WAITING, "for what " + tellers + " may tell");
+    story.listens(tellers, LastTry.PAUSE);
+    lastTry.afterPause(
+        () -> {
+          if (!life.isOver()) {
+            course.makePlan(Optional.of(tellers + " had time to tell"));
+          }
+        });
   }
 
   /** Whoever did it is believed where nobody can look, and not against who has looked. */

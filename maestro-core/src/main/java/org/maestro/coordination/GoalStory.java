@@ -1,8 +1,6 @@
 package org.maestro.coordination;
 
 import java.time.Duration;
-import java.time.Instant;
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
@@ -239,23 +237,7 @@ final class GoalStory {
   }
 
   void confirming(Confirmation needed) {
-    List<String> wanted = new ArrayList<>();
-    if (!needed.things().isEmpty()) {
-      wanted.add("it is to be seen: " + String.join(", ", needed.things()));
-    }
-    if (!needed.facts().isEmpty()) {
-      wanted.add(
-          "it is to be looked at whether "
-              + needed.facts().stream().map(sentences()::fact).collect(Collectors.joining(", ")));
-    }
-    if (!needed.numbers().isEmpty()) {
-      wanted.add(
-          "it is to be measured: "
-              + needed.numbers().stream()
-                  .map(sentences()::quantity)
-                  .collect(Collectors.joining(", ")));
-    }
-    tell(StoryEntry.Kind.CONFIRM, "It should be so now; " + String.join("; ", wanted) + ".");
+    tell(StoryEntry.Kind.CONFIRM, witnesses().wanted(needed));
   }
 
   /** Who saw what the goal speaks of. */
@@ -281,48 +263,22 @@ final class GoalStory {
 
   /** Returns what is told: that it is not certain though it is said to be so. */
   String unconfirmed(Confirmation needed) {
-    String told =
-        needed.isOnlyDisputed()
-            ? disputed(needed.objections())
-            : needed.reporters().isEmpty() && needed.oldest().isPresent()
-                ? seenLongAgo(needed.oldest().get())
-                : "It is done, as far as %s; nobody can confirm it."
-                    .formatted(
-                        needed.reporters().isEmpty()
-                            ? "is known"
-                            : String.join(" and ", needed.reporters())
-                                + (needed.reporters().size() == 1 ? " says" : " say"));
+    String told = witnesses().missing(needed);
     tell(StoryEntry.Kind.CONFIRM, told);
     return told;
   }
 
   /** Its doer says that it is so, and who has looked says otherwise: a reason to give it up. */
   String denied(Confirmation needed) {
-    return "It is not so, though %s says that it is: %s."
-        .formatted(
-            needed.reporters().isEmpty() ? "its doer" : String.join(" or ", needed.reporters()),
-            told(needed.denials()));
+    return witnesses().against(needed);
   }
 
-  private String seenLongAgo(Instant oldest) {
-    return "It was so when it was observed %d s ago; nobody can observe it again."
-        .formatted(Duration.between(oldest, clock.instant()).toSeconds());
-  }
-
-  private String disputed(List<Belief> objections) {
-    return "It is so by the surer source; it is not certain: " + told(objections) + ".";
-  }
-
-  private String told(List<Belief> since) {
-    return since.stream()
-        .map(
-            said ->
-                said.source().agent()
-                    + " has said since: "
-                    + sentences()
-                        .fact(
-                            SlParser.formula(said.fact(), knowledge.home().vocabulary()::isFluent)))
-        .collect(Collectors.joining("; "));
+  /** Who tells of its own accord whether it is so. */
+  void listens(String tellers, Duration pause) {
+    tell(
+        StoryEntry.Kind.CONFIRM,
+        "Nobody can look; it is waited %d s for what %s may tell."
+            .formatted(pause.toSeconds(), tellers));
   }
 
   void ended(GoalOutcome outcome) {
@@ -395,6 +351,10 @@ final class GoalStory {
 
   private static boolean isSo(Formula formula) {
     return formula instanceof Formula.Atom || formula instanceof Formula.Comparison;
+  }
+
+  private WitnessSentences witnesses() {
+    return new WitnessSentences(knowledge.home().vocabulary(), clock.instant());
   }
 
   private Sentences sentences() {

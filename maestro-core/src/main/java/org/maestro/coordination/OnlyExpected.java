@@ -47,6 +47,7 @@ final class OnlyExpected {
   private final SortedSet<String> reporters = new TreeSet<>();
   private final Set<Belief> objections = new LinkedHashSet<>();
   private final Set<Belief> denials = new LinkedHashSet<>();
+  private final SortedSet<String> tellers = new TreeSet<>();
   private Optional<Instant> oldest = Optional.empty();
 
   /**
@@ -86,6 +87,11 @@ final class OnlyExpected {
   /** What witnesses say against what only its doer says. */
   List<Belief> denials() {
     return List.copyOf(denials);
+  }
+
+  /** Witnesses that tell of it of their own accord whenever it changes. */
+  SortedSet<String> tellers() {
+    return tellers;
   }
 
   /** When the oldest of what was observed too long ago was observed. */
@@ -189,6 +195,10 @@ final class OnlyExpected {
     believed
         .map(said -> testimony.denials(claims, name, condition, said.since()))
         .ifPresent(denials::addAll);
+    claims.stream()
+        .filter(said -> said.source().kind() == Source.Kind.STATED)
+        .filter(said -> testimony.isWitness(said, name))
+        .forEach(said -> tellers.add(said.source().agent()));
   }
 
   /**

@@ -43,6 +43,7 @@ final class Outlook {
   private final PlanCheck check;
   private final FailureMemory failures;
   private final SearchLog searches;
+  private final VainDeeds deeds = new VainDeeds();
   private final Map<StepKey, String> leftAlone = new LinkedHashMap<>();
   private final Map<StepKey, String> tooLate = new LinkedHashMap<>();
 
@@ -314,8 +315,21 @@ final class Outlook {
         && obstacle.subject().filter(step -> !leftAlone.containsKey(step)).isPresent();
   }
 
-  /** A step succeeded, and what it found is known. */
-  void done(Step step, Map<String, Term> outputs) {
+  /**
+   * A step succeeded, and what it found is known. What is said to be done again and again, and has
+   * to be, counts as a failure from the second time on.
+   *
+   * @param factsBefore under its precondition
+   */
+  void done(Step step, String factsBefore, Map<String, Term> outputs) {
+    if (!Sensing.isIn(step.feature().effect()) && deeds.isVain(step.key(), factsBefore)) {
+      failures.note(
+          step.key(),
+          factsBefore,
+          "it is said to be done, and it is not so",
+          List.of(),
+          Optional.empty());
+    }
     searches.done(
         step,
         outputs,

@@ -218,7 +218,7 @@ final class PlanFollowing {
     }
     if (ended.report().succeeded()) {
       plan.done(ended.step());
-      outlook.done(ended.step(), ended.report().outputs());
+      outlook.done(ended.step(), ended.factsBefore(), ended.report().outputs());
       story.done(ended.step(), ended.change());
     } else if (!ended.calledOff()) {
       String problem = ended.report().problem().orElse("no reason given");

@@ -58,10 +58,14 @@ final class Testimony {
                     && truth(said, condition) != Truth.FALSE);
   }
 
-  /** What witnesses have observed since that does not agree with the condition. */
+  /**
+   * What witnesses have observed since that does not agree with the condition, and what those say
+   * who would tell if it had become so.
+   */
   List<Belief> denials(List<Belief> claims, String name, Formula condition, Instant since) {
     return claims.stream()
-        .filter(said -> isWitness(said, name) && !said.since().isBefore(since))
+        .filter(said -> isWitness(said, name))
+        .filter(said -> said.source().kind() == Source.Kind.STATED || !said.since().isBefore(since))
         .filter(said -> truth(said, condition) == Truth.FALSE)
         .toList();
   }

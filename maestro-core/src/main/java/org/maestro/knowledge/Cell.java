@@ -123,7 +123,9 @@ final class Cell {
     stay.add(place, claim);
     overruled.stream()
         .filter(other -> other.held().isFresh(now))
-        .filter(other -> !claim.held().isExpected())
+        .filter(
+            other ->
+                !claim.held().isExpected() || other.held().source().kind() == Source.Kind.STATED)
         .filter(other -> !other.isOf(claim.held().source().agent()))
         .filter(other -> outdone.stream().noneMatch(o -> isRepeated(o, other)))
         .forEach(outdone::add);

@@ -56,8 +56,13 @@ record Claim(Held held, boolean has) {
         && value().equals(other.value());
   }
 
-  /** Whether that is a matter of two sources that do not agree. */
+  /**
+   * Whether that is a matter of two sources that do not agree. Who states something tells when it
+   * changes: what somebody else's step is expected to have made of it does not silence that.
+   */
   boolean overrules(Claim other) {
-    return !held.isExpected() && !isOf(other.held.source().agent()) && contradicts(other);
+    return (!held.isExpected() || other.held.source().kind() == Source.Kind.STATED)
+        && !isOf(other.held.source().agent())
+        && contradicts(other);
   }
 }

@@ -178,6 +178,10 @@ public final class CollectiveKnowledge implements KnowledgeBase {
                   statements
                       .withdrawn(world, source, said)
                       .forEach(variable -> positions.withdraw(variable, source));
+                  Source expected = new Source(Source.Kind.EXPECTED, source.agent());
+                  statements
+                      .notBroughtAbout(source, said)
+                      .forEach(variable -> positions.withdraw(variable, expected));
                   return read;
                 }));
   }
@@ -193,6 +197,9 @@ public final class CollectiveKnowledge implements KnowledgeBase {
               (draft, positions) -> {
                 List<Fact> facts = lesson.facts(draft, positions::forget);
                 sights.note(run, facts, world, present);
+                if (lesson.source().kind() == Source.Kind.EXPECTED) {
+                  statements.expects(world, run.member(), facts);
+                }
                 return facts;
               });
         });

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import org.maestro.ontology.home.Device;
+import org.maestro.sl.Fact;
 
 /**
  * What each device said of itself last. A device tells all its values each time: what it leaves out
@@ -13,6 +15,32 @@ import java.util.TreeMap;
 final class Statements {
 
   private final Map<String, Set<StateVariable>> byDevice = new TreeMap<>();
+  private final Map<String, Set<StateVariable>> expectedOf = new TreeMap<>();
+
+  /** The device is expected to have brought this about by a step of its own. */
+  void expects(World world, String device, List<Fact> facts) {
+    Device described = world.home().devices().get(device);
+    if (described == null) {
+      return;
+    }
+    OwnReports reports = new OwnReports(described);
+    for (Fact fact : facts) {
+      if (fact instanceof Fact.Holds holds && reports.wouldTell(holds.atom())) {
+        expectedOf
+            .computeIfAbsent(device, name -> new LinkedHashSet<>())
+            .add(world.declarations().spokenOf(fact));
+      }
+    }
+  }
+
+  /** What was expected of the device, would be told by it now, and is not. */
+  List<StateVariable> notBroughtAbout(Source source, Set<StateVariable> said) {
+    Set<StateVariable> expected =
+        source.kind() == Source.Kind.STATED ? expectedOf.remove(source.agent()) : null;
+    return expected == null
+        ? List.of()
+        : expected.stream().filter(variable -> !said.contains(variable)).toList();
+  }
 
   /**
    * Notes what is said now, and returns what was said before, is still believed on that word, and
@@ -34,6 +62,7 @@ final class Statements {
 
   void forget(String device) {
     byDevice.remove(device);
+    expectedOf.remove(device);
   }
 
   private static boolean isOnItsWord(World world, StateVariable variable, Source source) {

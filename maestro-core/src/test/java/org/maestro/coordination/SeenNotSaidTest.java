@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
@@ -164,6 +165,71 @@ class SeenNotSaidTest {
     GoalOutcome outcome = achieve("(>= (amount Barrel) 95)");
 
     assertThat(outcome.reached()).as(story()).isFalse();
+  }
+
+  @Test
+  void aStateThatSaysNoBeatsAResultThatSaysYes() {
+    house.made.put(
+        "restock pump-1",
+        step -> {
+          later(() -> state("pump-1", Source.Kind.STATED, "(= (stock Barrel) 0)"));
+          return PretendHouse.succeeded(Map.of());
+        });
+    house.made.put(
+        "seal motor-1",
+        step -> {
+          later(() -> state("motor-1", Source.Kind.STATED, "(not (sealed Lid))"));
+          return PretendHouse.succeeded(Map.of());
+        });
+
+    for (String goal : List.of("(>= (stock Barrel) 80)", "(and (sealed Lid) (shut Lid))")) {
+      GoalOutcome outcome = achieve(goal);
+
+      assertThat(outcome.reached()).as(story()).isFalse();
+    }
+    assertThat(house.calls).filteredOn("restock pump-1"::equals).hasSizeLessThan(8);
+    assertThat(house.calls).filteredOn("seal motor-1"::equals).hasSizeLessThan(6);
+  }
+
+  @Test
+  void whatIsSaidToBeDoneInVainIsNotDoneForEver() {
+    house.made.put("fill pump-1", step -> PretendHouse.succeeded(Map.of()));
+
+    GoalOutcome outcome = achieve("(>= (amount Barrel) 95)");
+
+    assertThat(outcome.reached()).as(story()).isFalse();
+    assertThat(String.join(" ", outcome.reasons())).contains("not proven to be impossible");
+    assertThat(house.calls).filteredOn("fill pump-1"::equals).hasSizeLessThan(6);
+  }
+
+  @Test
+  void whoTellsOfItsOwnAccordIsListenedTo() {
+    state("lid-watch", Source.Kind.STATED, "(not (sealed Lid))");
+    house.made.put(
+        "seal motor-1",
+        step -> {
+          house.clock.schedule(
+              Duration.ofSeconds(2),
+              "lid-watch",
+              () -> state("lid-watch", Source.Kind.STATED, "(sealed Lid)"));
+          return PretendHouse.succeeded(Map.of());
+        });
+
+    assertConfirmed(achieve("(sealed Lid)"));
+  }
+
+  @Test
+  void whoWouldTellOfItsOwnAccordAndDoesNotIsBelieved() {
+    state("lid-watch", Source.Kind.STATED, "(not (sealed Lid))");
+
+    GoalOutcome outcome = achieve("(sealed Lid)");
+
+    assertThat(outcome.reached()).as(story()).isFalse();
+    assertThat(String.join(" ", outcome.reasons())).contains("lid-watch");
+  }
+
+  private void later(Runnable saying) {
+    house.clock.schedule(Duration.ofMillis(1), "state", saying);
   }
 
   private GoalOutcome achieve(String goal) {
