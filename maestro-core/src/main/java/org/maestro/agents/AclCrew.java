@@ -78,6 +78,13 @@ final class AclCrew implements Crew {
                             call, agent.getLocalName(), member, receiver.getLocalName()))));
   }
 
+  @Override
+  public void alive(String goalId, String member, String feature) {
+    ordersOf(member).stream()
+        .filter(order -> order.isOf(goalId, feature))
+        .forEach(OrderUnderway::alive);
+  }
+
   int underwayCount() {
     return underway.size();
   }

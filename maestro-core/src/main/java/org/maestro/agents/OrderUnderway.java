@@ -32,6 +32,7 @@ final class OrderUnderway implements Crew.Performance {
   private Consumer<Crew.Report> reported = report -> {};
   private Optional<String> conversation = Optional.empty();
   private Optional<AID> addressee = Optional.empty();
+  private Optional<Duration> aliveAt = Optional.empty();
   private boolean agreed;
   private boolean held;
   private boolean unwanted;
@@ -113,6 +114,23 @@ final class OrderUnderway implements Crew.Performance {
       }
       report(read(reply));
     }
+  }
+
+  /** The member is at it still. */
+  void alive() {
+    aliveAt = Optional.of(agent.clock().now());
+    if (agreed) {
+      conversation.ifPresent(id -> agent.conversations().extend(id, timeLimit()));
+    }
+  }
+
+  @Override
+  public Optional<Duration> aliveAt() {
+    return aliveAt;
+  }
+
+  boolean isOf(String goalId, String feature) {
+    return order.goalId().equals(goalId) && feature().equals(feature);
   }
 
   private Duration timeLimit() {
@@ -230,7 +248,8 @@ final class OrderUnderway implements Crew.Performance {
                 words.string("problem").or(() -> words.string("reason")).or(() -> NO_REASON),
                 refs(words),
                 words.string("begun").filter("false"::equals).isEmpty(),
-                Orders.refusal(words));
+                Orders.refusal(words),
+                words.string("unanswered").isPresent());
         default -> misunderstood(reply);
       };
     } catch (SlSyntaxException | NoSuchElementException e) {

@@ -10,7 +10,9 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.maestro.coordination.Argument;
 import org.maestro.coordination.Crew;
+import org.maestro.knowledge.FeatureRun;
 import org.maestro.planning.Step;
+import org.maestro.rats.protocol.Outcome;
 import org.maestro.sl.Content;
 import org.maestro.sl.Term;
 
@@ -87,8 +89,30 @@ final class Orders {
     return Words.named(name, parts);
   }
 
+  /** How a step failed. */
+  static Content failure(Outcome outcome, Crew.Report report) {
+    List<Content.Argument> refs = new ArrayList<>();
+    for (FeatureRun.Learnt ref : report.refs()) {
+      List<Content.Argument> terms = new ArrayList<>();
+      terms.add(Words.text(ref.fact()));
+      terms.add(Words.term(ref.value()));
+      ref.need().map(Words::text).ifPresent(terms::add);
+      refs.add(Words.named("fact", terms));
+    }
+    List<Content.Argument> words = new ArrayList<>();
+    words.add(Words.named("outcome", Words.name(outcome.name().toLowerCase(Locale.ROOT))));
+    words.add(Words.named("begun", Words.name(String.valueOf(report.begun()))));
+    if (report.unanswered()) {
+      words.add(Words.named("unanswered", Words.name("true")));
+    }
+    report.refusal().ifPresent(kind -> words.add(Words.named("refused", Words.name(word(kind)))));
+    words.add(Words.named("problem", Words.text(report.problem().orElse("no reason given"))));
+    words.add(Words.named("refs", refs));
+    return new Content("inform", words);
+  }
+
   /** How long what is refused is refused. */
-  static String word(Crew.Refusal refusal) {
+  private static String word(Crew.Refusal refusal) {
     return refusal.name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 

@@ -13,7 +13,6 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.maestro.coordination.Argument;
 import org.maestro.coordination.Crew;
-import org.maestro.knowledge.FeatureRun;
 import org.maestro.members.CallReporter;
 import org.maestro.members.JsonTerms;
 import org.maestro.members.MemberNews;
@@ -271,26 +270,7 @@ final class Performances {
           Words.content("inform", Words.terms("outputs", report.outputs())));
       return;
     }
-    List<Content.Argument> refs = new ArrayList<>();
-    for (FeatureRun.Learnt ref : report.refs()) {
-      refs.add(
-          ref.need().isEmpty()
-              ? Words.named("fact", Words.text(ref.fact()), Words.term(ref.value()))
-              : Words.named(
-                  "fact",
-                  Words.text(ref.fact()),
-                  Words.term(ref.value()),
-                  Words.text(ref.need().get())));
-    }
-    List<Content.Argument> words = new ArrayList<>();
-    words.add(Words.named("outcome", Words.name(outcome.name().toLowerCase())));
-    words.add(Words.named("begun", Words.name(String.valueOf(report.begun()))));
-    report
-        .refusal()
-        .ifPresent(kind -> words.add(Words.named("refused", Words.name(Orders.word(kind)))));
-    words.add(Words.named("problem", Words.text(report.problem().orElse("no reason given"))));
-    words.add(Words.named("refs", refs));
-    agent.reply(order, ACLMessage.FAILURE, new Content("inform", words));
+    agent.reply(order, ACLMessage.FAILURE, Orders.failure(outcome, report));
   }
 
   /** The member raises an alarm: the coordinator is told, for people to hear. */
@@ -321,6 +301,7 @@ final class Performances {
     private final Deed deed;
     private final Optional<AID> holder;
     private final BiConsumer<Outcome, Crew.Report> reported;
+    private Duration toldAlive = agent.clock().now();
 
     Reporter(
         String conversation,
@@ -351,6 +332,16 @@ final class Performances {
                   Words.named("feature", Words.name(deed.feature().name())),
                   Words.terms("bindings", view.bindings(conversation)),
                   Words.terms("outputs", outputs))));
+    }
+
+    /** Of who is at it for long only: those who wait need no other sign. */
+    @Override
+    public void alive() {
+      Duration now = agent.clock().now();
+      if (now.minus(toldAlive).compareTo(deed.timeout().dividedBy(2)) >= 0) {
+        toldAlive = now;
+        tellHolder(Words.named("alive", Words.name("true")));
+      }
     }
 
     @Override

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.maestro.rats.time.Clock;
 
 /**
@@ -21,8 +22,11 @@ final class AwaitedReport {
     this.then = Optional.of(then);
   }
 
-  /** Waits no longer than this, by the clock. */
-  void until(Duration longest, String member) {
+  /**
+   * Waits no longer than this, by the clock, since the member was told or said the last time that
+   * it is at it still.
+   */
+  void until(Duration longest, String member, Supplier<Optional<Duration>> aliveAt) {
     if (then.isPresent()) {
       Crew.Report none =
           new Crew.Report(
@@ -39,7 +43,24 @@ final class AwaitedReport {
               ports
                   .clock()
                   .schedule(
-                      longest, member, () -> ports.thinking().think(() -> none, this::arrived)));
+                      longest,
+                      member,
+                      () ->
+                          ports
+                              .thinking()
+                              .think(() -> none, late -> silent(late, longest, member, aliveAt))));
+    }
+  }
+
+  private void silent(
+      Crew.Report none, Duration longest, String member, Supplier<Optional<Duration>> aliveAt) {
+    Duration now = ports.clock().now();
+    Optional<Duration> left =
+        aliveAt.get().map(at -> at.plus(longest).minus(now)).filter(more -> !more.isNegative());
+    if (left.isPresent()) {
+      until(left.get().plusMillis(1), member, aliveAt);
+    } else {
+      arrived(none);
     }
   }
 

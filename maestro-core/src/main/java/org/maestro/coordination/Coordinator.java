@@ -267,6 +267,11 @@ public final class Coordinator {
     rivals.run(() -> Optional.ofNullable(pursuits.get(goalId)).ifPresent(p -> p.offered(offer)));
   }
 
+  /** The member says that it is at a step of the goal still, though it takes long. */
+  public void alive(String goalId, String member, String feature) {
+    crew.alive(goalId, member, feature);
+  }
+
   /** A member gives back a running step of the goal, and brings itself to a safe state (M44). */
   public void givenBack(String goalId, String member, String feature, String reason) {
     rivals.run(

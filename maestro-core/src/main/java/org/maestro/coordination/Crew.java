@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.planning.Step;
+import org.maestro.planning.StepKey;
 import org.maestro.sl.Term;
 
 /**
@@ -22,6 +23,17 @@ public interface Crew {
    * waits for its outcome. A crew that has no calls but its own has nothing to do.
    */
   default void callOff(String member, Call call) {}
+
+  /** The member says that it is at a step of the goal still, though it takes long. */
+  default void alive(String goalId, String member, String feature) {}
+
+  /**
+   * Whether the same step has been ordered already, and its member has not said what became of it:
+   * then to order it means to ask for that.
+   */
+  default boolean isOwed(String goalId, StepKey step) {
+    return false;
+  }
 
   /**
    * A step to be done now.
@@ -57,6 +69,11 @@ public interface Crew {
   interface Performance {
     /** Ends it; a step still under way reports its end. */
     void cancel();
+
+    /** When its member said the last time that it is at it still, by the clock. */
+    default Optional<Duration> aliveAt() {
+      return Optional.empty();
+    }
   }
 
   /** How long the same step would be refused again. */
@@ -75,6 +92,7 @@ public interface Crew {
    * @param refs facts that a failure teaches
    * @param begun false when the member did not even start, so that all is as it was
    * @param refusal the member says that it cannot be done as things are
+   * @param unanswered nobody knows what became of it: the member has said nothing, and may be at it
    */
   record Report(
       boolean succeeded,
@@ -82,7 +100,8 @@ public interface Crew {
       Optional<String> problem,
       List<FeatureRun.Learnt> refs,
       boolean begun,
-      Optional<Refusal> refusal) {
+      Optional<Refusal> refusal,
+      boolean unanswered) {
 
     public Report(
         boolean succeeded,
@@ -90,7 +109,7 @@ public interface Crew {
         Optional<String> problem,
         List<FeatureRun.Learnt> refs,
         boolean begun) {
-      this(succeeded, outputs, problem, refs, begun, Optional.empty());
+      this(succeeded, outputs, problem, refs, begun, Optional.empty(), false);
     }
 
     public Report(

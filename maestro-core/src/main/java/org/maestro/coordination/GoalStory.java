@@ -203,6 +203,13 @@ final class GoalStory {
         "Step " + step.number() + " of " + steps + ": " + sentences().step(step) + ".");
   }
 
+  void askedAgain(Step step) {
+    tell(
+        StoryEntry.Kind.STEP,
+        "%s is asked what became of step %d, which is no second time: %s."
+            .formatted(step.member(), step.number(), sentences().step(step)));
+  }
+
   void done(Step step, KnowledgeBase.Change change) {
     String news = change.facts().isEmpty() ? "done" : facts(change);
     tell(StoryEntry.Kind.DONE, step.member() + " reports: " + news + ".");

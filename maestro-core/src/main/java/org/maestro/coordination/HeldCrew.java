@@ -1,8 +1,11 @@
 package org.maestro.coordination;
 
+import java.time.Duration;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.knowledge.Snapshot;
+import org.maestro.planning.StepKey;
 
 /**
  * The crew as the plans of a held goal use it: what they set is noted, and observation of what the
@@ -42,9 +45,17 @@ final class HeldCrew implements Crew {
               }
               reported.accept(report);
             });
-    return () -> {
-      if (!watch.keeps(performance[0])) {
-        performance[0].cancel();
+    return new Performance() {
+      @Override
+      public void cancel() {
+        if (!watch.keeps(performance[0])) {
+          performance[0].cancel();
+        }
+      }
+
+      @Override
+      public Optional<Duration> aliveAt() {
+        return performance[0].aliveAt();
       }
     };
   }
@@ -55,6 +66,11 @@ final class HeldCrew implements Crew {
     } else if (watch.concerns(order.step().feature(), knowledge.home())) {
       watch.keep(order.step(), performance, knowledge.snapshot(), knowledge.home());
     }
+  }
+
+  @Override
+  public boolean isOwed(String goalId, StepKey step) {
+    return crew.isOwed(goalId, step);
   }
 
   @Override

@@ -1,22 +1,40 @@
 package org.maestro.coordination;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.maestro.planning.StepKey;
 
 /**
  * Gives each call its name, writes it down before it is sent and when it is over, and sends calls
  * of coordinators before this one again. The coordinator's thread only.
  */
 final class JournaledCrew implements Crew {
+  private static final int MOST_OWED = 256;
+
   private final Crew crew;
   private final Journal journal;
   private final Roster roster;
   private final String life;
   private final Map<String, Integer> callsByGoal = new HashMap<>();
+
+  /** Orders of which nobody knows what became of them. */
+  private final Map<Owed, Order> owed =
+      new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<Owed, Order> eldest) {
+          return size() > MOST_OWED;
+        }
+      };
+
+  private record Owed(String goalId, StepKey step) {}
 
   /**
    * @param since when this coordinator began, which makes the names of its calls its own
@@ -36,7 +54,7 @@ final class JournaledCrew implements Crew {
       again.send();
       return again;
     }
-    Order named = order.named(name(order));
+    Order named = owed(order).orElseGet(() -> order.named(name(order)));
     journal.write(
         new JournalEntry.Begun(
             order.goalId(),
@@ -44,8 +62,8 @@ final class JournaledCrew implements Crew {
             order.step().key(),
             order.step().number(),
             order.step().seconds(),
-            order.parameters(),
-            order.timeout()));
+            named.parameters(),
+            named.timeout()));
     Sending sending = new Sending(named, reported);
     journal.afterwards(sending::send);
     return sending;
@@ -54,6 +72,37 @@ final class JournaledCrew implements Crew {
   @Override
   public void callOff(String member, Call call) {
     crew.callOff(member, call);
+  }
+
+  @Override
+  public void alive(String goalId, String member, String feature) {
+    crew.alive(goalId, member, feature);
+  }
+
+  @Override
+  public boolean isOwed(String goalId, StepKey step) {
+    return Optional.ofNullable(owed.get(new Owed(goalId, step)))
+        .flatMap(Order::call)
+        .filter(call -> call.life().isPresent() && call.life().equals(roster.life(step.member())))
+        .isPresent();
+  }
+
+  /**
+   * The same order as before, in the same words, if its member still lives the life in which it was
+   * told: that is no second time for it, but a question for what became of the first.
+   */
+  private Optional<Order> owed(Order order) {
+    boolean known = isOwed(order.goalId(), order.step().key());
+    return Optional.ofNullable(owed.remove(new Owed(order.goalId(), order.step().key())))
+        .filter(former -> known)
+        .map(
+            former ->
+                new Order(
+                    order.goalId(),
+                    order.step(),
+                    former.parameters(),
+                    former.timeout(),
+                    former.call()));
   }
 
   private Call name(Order order) {
@@ -83,7 +132,15 @@ final class JournaledCrew implements Crew {
       }
     }
 
+    @Override
+    public Optional<Duration> aliveAt() {
+      return sent.flatMap(Performance::aliveAt);
+    }
+
     private void over(Report report) {
+      if (report.unanswered() && !calledOff) {
+        owed.put(new Owed(order.goalId(), order.step().key()), order);
+      }
       journal.write(
           report.succeeded() && order.step().feature().continuous()
               ? new JournalEntry.Established(order.goalId(), callId())

@@ -203,11 +203,18 @@ final class PlanFollowing {
   }
 
   private void begin(Step step) {
-    life.countCall();
+    boolean owed = parts.ports().crew().isOwed(parts.id(), step.key());
+    if (!owed) {
+      life.countCall();
+    }
     if (life.state() == GoalState.WAITING) {
       life.become(outlook.isConfirming() ? GoalState.CONFIRMING : GoalState.RUNNING, "");
     }
-    story.begun(step, plan.size());
+    if (owed) {
+      story.askedAgain(step);
+    } else {
+      story.begun(step, plan.size());
+    }
     offers.begun(step, parts.ports().clock().now());
     execution.begin(step, plan.remaining());
   }

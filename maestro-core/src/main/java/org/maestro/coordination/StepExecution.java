@@ -83,7 +83,10 @@ final class StepExecution {
             report -> rivals.run(() -> reported(step, used, before, report, performance[0])));
     performance[0] = ports.crew().perform(order, awaited::arrived);
     underway.begun(step, before, performance[0]);
-    awaited.until(order.timeout().plus(busTime().multipliedBy(2)), step.member());
+    awaited.until(
+        order.timeout().plus(busTime().multipliedBy(2)),
+        step.member(),
+        () -> performance[0].aliveAt());
   }
 
   /** Steps under way that the new plan does not want are called off. */

@@ -34,6 +34,9 @@ public final class CallReporter implements RatsLink.CallListener {
     /** Each value set of a stream teaches, as the first did. */
     void learnt(Map<String, Term> outputs);
 
+    /** The member says that it is at it still. */
+    default void alive() {}
+
     /** Something that people should hear of at once. */
     default void alerted(String message) {}
 
@@ -60,6 +63,8 @@ public final class CallReporter implements RatsLink.CallListener {
   public void progressed(Progress progress) {
     if (progress.kind() == Progress.Kind.ESTABLISHED) {
       worker.execute(() -> report(Outcome.SUCCEEDED, succeeded(progress.values())));
+    } else if (progress.kind() == Progress.Kind.RUNNING) {
+      worker.execute(listener::alive);
     }
   }
 
@@ -128,7 +133,8 @@ public final class CallReporter implements RatsLink.CallListener {
             .or(() -> Optional.of(result.outcome().name().toLowerCase())),
         refs,
         result.error().map(RatsError::code).filter(CallReporter::isOfTheCallItself).isEmpty(),
-        result.error().flatMap(CallReporter::refusal));
+        result.error().flatMap(CallReporter::refusal),
+        result.error().map(RatsError::code).filter(ErrorCode.MEMBER_LOST::equals).isPresent());
   }
 
   /** Whether it says that the same again is refused again as long as things are as they are. */

@@ -47,6 +47,8 @@ final class PretendHouse implements Market, Crew {
   Predicate<String> declines = feature -> false;
   Consumer<String> beforeCall = call -> {};
 
+  Consumer<Order> ordered = order -> {};
+
   /** What becomes of the report of a step on its way. */
   BiFunction<Step, Report, Report> reporting = (step, report) -> report;
 
@@ -248,6 +250,7 @@ final class PretendHouse implements Market, Crew {
   public Performance perform(Order order, Consumer<Report> reported) {
     Step step = order.step();
     boolean[] ended = new boolean[1];
+    ordered.accept(order);
     calls.add(step.feature().procedure() + " " + step.member());
     clock.schedule(
         stepTakes,

@@ -143,7 +143,8 @@ class RefusalsTest {
 
   private Crew.Report refused(Crew.Refusal refusal, List<FeatureRun.Learnt> refs) {
     refusals++;
-    return new Crew.Report(false, Map.of(), Optional.of("No."), refs, true, Optional.of(refusal));
+    return new Crew.Report(
+        false, Map.of(), Optional.of("No."), refs, true, Optional.of(refusal), false);
   }
 
   private int refusals;

@@ -44,6 +44,7 @@ final class OpenCalls {
   private static final Duration CANCEL_LIMIT = Duration.ofSeconds(60);
 
   private static final String UNKNOWN_STATE = "unknown";
+  private static final int MOST_OWED = 256;
 
   private final String controller;
   private final Topics topics;
@@ -52,6 +53,17 @@ final class OpenCalls {
   private final Complaints complaints;
   private final WireFormat wire = new WireFormat();
   private final Map<String, Open> open = new LinkedHashMap<>();
+
+  /** Calls that were ended here without a word of their members, and what came of them later. */
+  private final Map<String, Owed> owed =
+      new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, Owed> eldest) {
+          return size() > MOST_OWED;
+        }
+      };
 
   OpenCalls(
       String controller, Topics topics, Transport transport, Clock clock, Complaints complaints) {
@@ -75,7 +87,13 @@ final class OpenCalls {
       return;
     }
     open.put(call.id(), begun);
-    if (boot.isEmpty()) {
+    Optional<Result> late =
+        Optional.ofNullable(owed.remove(call.id()))
+            .filter(former -> former.call.isAgain(begun.call))
+            .flatMap(former -> former.late);
+    if (late.isPresent()) {
+      afterwards(() -> end(begun, late.get()));
+    } else if (boot.isEmpty()) {
       String message = member(call) + " is not there";
       afterwards(() -> end(begun, ErrorCode.MEMBER_LOST, message));
     } else if (!begun.call.boot().equals(boot)) {
@@ -167,8 +185,11 @@ final class OpenCalls {
     }
     String sender = topics.senderOf(message.topic()).orElse(result.from());
     Open call = open.get(result.id());
+    Owed late = owed.get(result.id());
     if (call != null && isFrom(call, sender, result.from())) {
       end(call, result);
+    } else if (call == null && late != null && sender.equals(member(late.call))) {
+      late.late = Optional.of(result);
     }
   }
 
@@ -201,6 +222,8 @@ final class OpenCalls {
       if (call.cancelId.isEmpty()) {
         call.timer.ifPresent(Clock.Timer::cancel);
       }
+    } else if (!call.established && call.cancelId.isEmpty()) {
+      watch(call, call.call.timeout());
     }
     call.listener.progressed(progress);
   }
@@ -285,7 +308,7 @@ final class OpenCalls {
                         result(
                             call,
                             Outcome.TIMED_OUT,
-                            ErrorCode.TIMEOUT,
+                            ErrorCode.MEMBER_LOST,
                             member(call.call) + " gave no answer in time"))));
   }
 
@@ -296,6 +319,9 @@ final class OpenCalls {
   private void end(Open call, Result result) {
     if (open.remove(call.call.id(), call)) {
       call.timer.ifPresent(Clock.Timer::cancel);
+      if (result.error().filter(error -> error.code() == ErrorCode.MEMBER_LOST).isPresent()) {
+        owed.put(call.call.id(), new Owed(call.call));
+      }
       call.listener.ended(result);
     }
   }
@@ -321,6 +347,15 @@ final class OpenCalls {
 
   private void note(PublishException failure) {
     LOG.debug("{}", failure.getMessage());
+  }
+
+  private static final class Owed {
+    private final Call call;
+    private Optional<Result> late = Optional.empty();
+
+    private Owed(Call call) {
+      this.call = call;
+    }
   }
 
   private static final class Open {

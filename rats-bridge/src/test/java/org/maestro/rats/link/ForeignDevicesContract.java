@@ -52,6 +52,87 @@ abstract class ForeignDevicesContract extends LinkParty {
         .startsWith("The answer of odd cannot be read: The message's outcome must be one of ");
   }
 
+  /** It told nothing for longer than the call's time, and then that it is done. */
+  @Test
+  void whoIsAskedAgainByTheSameIdIsHeardWithWhatItSaidTooLate() {
+    Stranger stranger = new Stranger("odd");
+    RatsLink link = connect("cca", SITE);
+    await(() -> usable(link, "odd"));
+    RatsLink.Order order = brief("c1");
+    Listener first = new Listener();
+    link.call(order, first);
+    await(first::ended);
+    assertThat(first.only().outcome()).isEqualTo(Outcome.TIMED_OUT);
+    assertThat(first.only().error().orElseThrow().code()).isEqualTo(ErrorCode.MEMBER_LOST);
+    Listener other = new Listener();
+    link.call("odd", "ping", Map.of(), seconds(600), Optional.empty(), other);
+    await(() -> stranger.calls.size() == 2);
+    stranger.answer(0, "\"outcome\":\"SUCCEEDED\",\"z\":\"on\",\"values\":{\"lux\":80}");
+    stranger.answer(1, "\"outcome\":\"SUCCEEDED\",\"z\":\"on\",\"values\":{}");
+    await(other::ended);
+
+    Listener second = new Listener();
+    link.call(order, second);
+    await(second::ended);
+    assertThat(second.only().values()).isEqualTo(Map.of("lux", 80));
+    assertThat(stranger.calls).as("it was not asked for it again").hasSize(2);
+  }
+
+  @Test
+  void whoHasNotSaidAnythingIsAskedAgainInTheSameWords() {
+    Stranger stranger = new Stranger("odd");
+    RatsLink link = connect("cca", SITE);
+    await(() -> usable(link, "odd"));
+    Listener first = new Listener();
+    link.call(brief("c1"), first);
+    await(first::ended);
+    Listener second = new Listener();
+    link.call(brief("c1"), second);
+    await(() -> stranger.calls.size() == 2);
+
+    assertThat(stranger.calls.get(1).isAgain(stranger.calls.get(0))).isTrue();
+    stranger.answer("\"outcome\":\"SUCCEEDED\",\"z\":\"on\",\"values\":{}");
+    await(second::ended);
+    assertThat(second.only().outcome()).isEqualTo(Outcome.SUCCEEDED);
+  }
+
+  @Test
+  void progressKeepsACallAlive() {
+    Stranger stranger = new Stranger("odd");
+    RatsLink link = connect("cca", SITE);
+    await(() -> usable(link, "odd"));
+    Listener working = new Listener();
+    link.call(brief("c1"), working);
+    await(() -> !stranger.calls.isEmpty());
+    Listener silent = new Listener();
+    link.call(brief("c2"), silent);
+    clock().schedule(Duration.ofMillis(500), "odd", () -> sayItIsAtIt(stranger, silent));
+    await(() -> silent.ended() || working.ended());
+    assertThat(working.ended()).isFalse();
+    await(() -> working.progress.size() >= 3);
+    stranger.answer("\"outcome\":\"SUCCEEDED\",\"z\":\"on\",\"values\":{}");
+    await(working::ended);
+    assertThat(working.only().outcome()).isEqualTo(Outcome.SUCCEEDED);
+  }
+
+  private void sayItIsAtIt(Stranger stranger, Listener until) {
+    stranger.progress("\"kind\":\"RUNNING\",\"fraction\":0.5,\"values\":{}");
+    if (!until.ended()) {
+      clock().schedule(Duration.ofMillis(500), "odd", () -> sayItIsAtIt(stranger, until));
+    }
+  }
+
+  private static RatsLink.Order brief(String id) {
+    return new RatsLink.Order(
+        Optional.of(id),
+        "odd",
+        Optional.of("b1"),
+        "measure",
+        Map.of(),
+        Duration.ofMillis(300),
+        Optional.empty());
+  }
+
   /** A device that speaks for itself in JSON. */
   final class Stranger {
     final List<Call> calls = new CopyOnWriteArrayList<>();
@@ -101,7 +182,11 @@ abstract class ForeignDevicesContract extends LinkParty {
      * @param rest of the result to its first call, after who speaks of what
      */
     void answer(String rest) {
-      say(topics.result("cca", id), false, of(0, rest));
+      answer(0, rest);
+    }
+
+    void answer(int call, String rest) {
+      say(topics.result("cca", id), false, of(call, rest));
     }
 
     void progress(String rest) {
