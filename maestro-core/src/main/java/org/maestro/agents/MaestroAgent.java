@@ -20,6 +20,7 @@ import org.maestro.agents.pulse.PulseService;
 import org.maestro.agents.stepping.SteppedMail;
 import org.maestro.agents.stepping.SteppedMailService;
 import org.maestro.agents.stepping.TicketedQueue;
+import org.maestro.knowledge.KnowledgeException;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 import org.maestro.sl.SlSyntaxException;
@@ -368,7 +369,7 @@ public abstract class MaestroAgent extends Agent {
     private void handle(ACLMessage message) {
       try {
         received(message);
-      } catch (SlSyntaxException e) {
+      } catch (SlSyntaxException | KnowledgeException e) {
         equipment.protest.against(message, e.getMessage());
       } catch (RuntimeException e) {
         LOG.error(

@@ -131,7 +131,7 @@ public final class CallReporter implements RatsLink.CallListener {
             .error()
             .map(RatsError::message)
             .or(() -> Optional.of(result.outcome().name().toLowerCase())),
-        refs,
+        new SaidFacts().readableReasons(result.from(), refs),
         result.error().map(RatsError::code).filter(CallReporter::isOfTheCallItself).isEmpty(),
         result.error().flatMap(CallReporter::refusal),
         result.error().map(RatsError::code).filter(ErrorCode.MEMBER_LOST::equals).isPresent());

@@ -23,7 +23,10 @@ public final class MemberNews {
     /** It is there, and can be used as described. */
     void described(String description);
 
-    /** Facts about itself, none of them told while a call runs that may be changing them. */
+    /**
+     * Facts about itself that can be read, none of them told while a call runs that may be changing
+     * them.
+     */
     void said(List<String> facts);
 
     void lost(String reason);
@@ -33,6 +36,7 @@ public final class MemberNews {
   private final MemberView view;
   private final BiFunction<String, String, Device> describedBy;
   private final Listener listener;
+  private final SaidFacts saidFacts = new SaidFacts();
   private Optional<String> lastDescription = Optional.empty();
   private String boot = "";
 
@@ -56,7 +60,7 @@ public final class MemberNews {
       now.description()
           .filter(text -> !view.isReady() || !isCurrent(text) || !boot.equals(now.boot()))
           .ifPresent(text -> describedAs(text, now.boot()));
-      now.state().ifPresent(state -> say(view.said(state.values())));
+      now.state().ifPresent(state -> say(view.said(saidFacts.readable(member, state.values()))));
     } else if (now.phase() != MemberStatus.Phase.INIT && view.isReady()) {
       view.ready(false);
       listener.lost(member + " is " + now.phase().name().toLowerCase(Locale.ROOT));
