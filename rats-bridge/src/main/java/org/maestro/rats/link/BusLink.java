@@ -37,14 +37,9 @@ public final class BusLink implements RatsLink {
 
   private static final Logger LOG = LoggerFactory.getLogger(BusLink.class);
   private static final Duration COST_TIMEOUT = Duration.ofSeconds(5);
-  private static final Duration ASK_ALL_TIMEOUT = Duration.ofSeconds(30);
 
-  /**
-   * Wall time after a connect when members are asked to describe themselves: a broker may lose a
-   * retained message to a subscriber that comes at the very moment of its publication (seen with
-   * Artemis).
-   */
-  private static final Duration ASK_DELAY = Duration.ofMillis(500);
+  /** Wall time, so that nobody is too slow for a fast clock. */
+  private static final Duration ASK_ALL_TIMEOUT = Duration.ofSeconds(30);
 
   /** Wall time that members have to show up again after the bus was away. */
   private static final Duration RETURN_LIMIT = Duration.ofSeconds(5);
@@ -60,6 +55,7 @@ public final class BusLink implements RatsLink {
   private final OpenCalls calls;
   private final Watchers watchers = new Watchers();
   private final Hearing hearing;
+  private final MissingWords missing;
   private final Subscriptions subscriptions;
   private final AtomicLong callCount = new AtomicLong();
   private final AtomicBoolean closed = new AtomicBoolean();
@@ -81,6 +77,7 @@ public final class BusLink implements RatsLink {
             roster::descriptionHeard,
             roster::stateHeard,
             this::observationHeard);
+    this.missing = new MissingWords(controller, roster::known, new Questions(), clock);
     this.subscriptions = new Subscriptions(controller, topics, transport, clock, complaints);
     this.hearing = new Hearing(ofAll, topics, handlers, subscriptions);
   }
@@ -139,7 +136,7 @@ public final class BusLink implements RatsLink {
         () -> {
           watchers.add(member, listener);
           if (hearing.follow(member)) {
-            clock.schedule(wall(ASK_DELAY), controller, () -> describe(Optional.of(member)));
+            missing.expect(member);
           }
           roster.member(member).ifPresent(listener::changed);
         });
@@ -207,6 +204,7 @@ public final class BusLink implements RatsLink {
   public void close() {
     if (closed.compareAndSet(false, true)) {
       clock.schedule(Duration.ZERO, controller, calls::closeAll);
+      clock.schedule(Duration.ZERO, controller, missing::end);
       transport.publish(
           Publication.clearing(topics.controllerStatus(controller)),
           failure -> failure.ifPresent(cause -> LOG.debug("{}", cause.getMessage())));
@@ -252,7 +250,13 @@ public final class BusLink implements RatsLink {
     transport.publish(
         Publication.retained(topics.controllerStatus(controller), status(MemberStatus.Phase.READY)),
         failure -> failure.ifPresent(cause -> LOG.debug("{}", cause.getMessage())));
-    clock.schedule(wall(ASK_DELAY), controller, () -> hearing.addressees().forEach(this::describe));
+    clock.schedule(
+        wall(MissingWords.FIRST_WAIT),
+        controller,
+        () -> hearing.addressees().forEach(this::describe));
+    if (hearing.isOfAll()) {
+      missing.lookForStrangers();
+    }
     if (wasConnected) {
       calls.resume();
       doubtEnds.ifPresent(Clock.Timer::cancel);
@@ -281,7 +285,7 @@ public final class BusLink implements RatsLink {
               Optional.empty(),
               reserved.word(),
               Map.of(),
-              ASK_ALL_TIMEOUT,
+              wall(ASK_ALL_TIMEOUT),
               controller,
               Optional.empty()));
     }
@@ -353,6 +357,18 @@ public final class BusLink implements RatsLink {
     return wire.encode(new MemberStatus(controller, phase, boot));
   }
 
+  private final class Questions implements MissingWords.Questions {
+    @Override
+    public void ask(String member) {
+      describe(Optional.of(member));
+    }
+
+    @Override
+    public void lookForStrangers() {
+      transport.askForRetained(topics.statuses());
+    }
+  }
+
   private final class RosterWatcher implements Roster.Watcher {
     @Override
     public void changed(Member member) {
@@ -367,6 +383,11 @@ public final class BusLink implements RatsLink {
     @Override
     public void returned(String member) {
       calls.resume(member);
+    }
+
+    @Override
+    public void noticed(String member) {
+      missing.expect(member);
     }
   }
 }

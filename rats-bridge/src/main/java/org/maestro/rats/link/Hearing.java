@@ -41,6 +41,10 @@ final class Hearing {
     this.subscriber = subscriber;
   }
 
+  boolean isOfAll() {
+    return ofAll;
+  }
+
   void begin() {
     if (ofAll) {
       hear(topics.statuses(), topics.descriptions(), topics.states(), topics.observations());

@@ -167,6 +167,11 @@ public final class MemberCalls {
     public void returned(String other) {
       calls.resume(other);
     }
+
+    @Override
+    public void noticed(String other) {
+      // Its status alone counts here.
+    }
   }
 
   /** The connection, on which results for the member's own calls are heard as well. */

@@ -36,6 +36,9 @@ final class Roster {
 
     /** It shows up again after the bus was away; what was sent meanwhile may have missed it. */
     void returned(String member);
+
+    /** Something was heard of it, which may not be all. */
+    void noticed(String member);
   }
 
   private final Topics topics;
@@ -69,6 +72,15 @@ final class Roster {
     return Optional.ofNullable(entries.get(member))
         .filter(entry -> entry.phase.filter(MemberStatus.Phase.READY::equals).isPresent())
         .map(entry -> entry.boot);
+  }
+
+  /** Whether all is known of the member that is needed to use it, or to know that it is gone. */
+  MissingWords.Known known(String member) {
+    Entry entry = entries.get(member);
+    if (entry == null) {
+      return MissingWords.Known.NOTHING;
+    }
+    return entry.isComplete() ? MissingWords.Known.ENOUGH : MissingWords.Known.A_PART;
   }
 
   void statusHeard(Message message) {
@@ -141,6 +153,10 @@ final class Roster {
             || status.phase() == MemberStatus.Phase.DISCONNECTED;
     boolean otherLife = entry.phase.isPresent() && !entry.boot.equals(status.boot());
     boolean returned = entry.doubted && !leaves && !otherLife;
+    boolean known = entry.phase.filter(status.phase()::equals).isPresent() && !otherLife;
+    if (known && !entry.doubted) {
+      return;
+    }
     entry.doubted = false;
     if (leaves && otherLife && entry.present()) {
       LOG.debug("{} of a former life of {} is ignored", status.phase(), status.member());
@@ -170,6 +186,7 @@ final class Roster {
   }
 
   private void publish(Entry entry) {
+    watcher.noticed(entry.id);
     if (entry.phase.isPresent()) {
       RatsLink.Member member = entry.member();
       members.put(entry.id, member);
@@ -233,13 +250,24 @@ final class Roster {
           .isPresent();
     }
 
+    private boolean isComplete() {
+      return phase
+          .filter(
+              now ->
+                  !present()
+                      || now == MemberStatus.Phase.READY
+                          && description.isPresent()
+                          && ownState().isPresent())
+          .isPresent();
+    }
+
+    /** Of the life that it lives now. */
+    private Optional<MemberState> ownState() {
+      return state.filter(known -> known.boot().equals(boot));
+    }
+
     private RatsLink.Member member() {
-      return new RatsLink.Member(
-          id,
-          phase.orElseThrow(),
-          boot,
-          description,
-          state.filter(known -> known.boot().equals(boot)));
+      return new RatsLink.Member(id, phase.orElseThrow(), boot, description, ownState());
     }
   }
 }
