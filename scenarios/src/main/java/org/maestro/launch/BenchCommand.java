@@ -5,15 +5,18 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalLong;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.maestro.bench.AgentsBench;
 import org.maestro.bench.BenchReport;
 import org.maestro.bench.BusBench;
+import org.maestro.bench.ChaosBench;
 import org.maestro.bench.ContainersBench;
 import org.maestro.bench.CoordinationBench;
 import org.maestro.bench.GrowthBench;
@@ -34,20 +37,28 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "bench",
     description =
-        "Run a benchmark: agents, bus, containers, coordination, growth, losses, planner, sim or soak.")
+        "Run a benchmark: agents, bus, chaos, containers, coordination, growth, losses, planner,"
+            + " sim or soak.")
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
   private static final int LEAST_GOALS = 250;
 
   /** What was asked for with options. */
   private record Wanted(
-      Path directory, int runs, List<Loss> losses, List<Integer> sizes, int goals) {}
+      Path directory,
+      int runs,
+      List<Loss> losses,
+      List<Integer> sizes,
+      int goals,
+      Function<Consumer<String>, ChaosBench> chaos) {}
 
   private static final Map<String, BiFunction<Wanted, Consumer<String>, BenchReport>> BENCHES =
       new TreeMap<>(
           Map.of(
               "agents",
               (wanted, progress) -> new AgentsBench(AGENTS, progress).run(),
+              "chaos",
+              (wanted, progress) -> wanted.chaos().apply(progress).run(),
               "bus",
               (wanted, progress) -> new BusBench(progress).run(),
               "containers",
@@ -95,7 +106,8 @@ final class BenchCommand implements Callable<Integer> {
       paramLabel = "LOSS",
       split = ",",
       description =
-          "Which losses: none, killed, frozen, cut, slow, all-but-one, main, frozen-main; all unless it is said.")
+          "Which losses: none, killed, frozen, cut, slow, all-but-one, main, frozen-main; all"
+              + " unless it is said.")
   private List<String> only = List.of();
 
   @Option(
@@ -111,6 +123,33 @@ final class BenchCommand implements Callable<Integer> {
       paramLabel = "N",
       description = "How many goals soak pursues, from 250; ${DEFAULT-VALUE} unless it is said.")
   private int goals = 1_000;
+
+  @Option(
+      names = "--minutes",
+      paramLabel = "N",
+      description = "How long chaos goes on; ${DEFAULT-VALUE} unless it is said.")
+  private int minutes = 5;
+
+  @Option(
+      names = "--first",
+      paramLabel = "N",
+      description = "The first seed of chaos; ${DEFAULT-VALUE} unless it is said.")
+  private long first = 1;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description = "The one seed of chaos, with its story.")
+  private Long seed;
+
+  private ChaosBench chaos(Consumer<String> progress) {
+    if (minutes < 1) {
+      throw CommandException.badInput(
+          "--minutes %d is less than one; give 1 or more.".formatted(minutes));
+    }
+    OptionalLong only = seed == null ? OptionalLong.empty() : OptionalLong.of(seed);
+    return new ChaosBench(only, first, Duration.ofMinutes(minutes), progress);
+  }
 
   private List<Integer> sizes() {
     if (containers.stream().anyMatch(count -> count < 2)) {
@@ -179,7 +218,7 @@ final class BenchCommand implements Callable<Integer> {
     PrintWriter err = spec.commandLine().getErr();
     BenchReport report =
         bench.apply(
-            new Wanted(out, runs, losses(), sizes(), goals()),
+            new Wanted(out, runs, losses(), sizes(), goals(), this::chaos),
             line -> {
               err.println(line);
               err.flush();

@@ -91,4 +91,35 @@ public sealed interface Fault {
       world.hide(thing, away);
     }
   }
+
+  /** The broker is killed, and comes back without what it knew. */
+  record BrokerDown(Duration at, Duration lasts) implements Fault {
+    @Override
+    public void strike(World world, InProcessBus bus, Clock clock) {
+      bus.stop();
+      clock.schedule(lasts, "broker", bus::restart);
+    }
+  }
+
+  /**
+   * Something else that disturbs the bus, and ends by itself.
+   *
+   * @param lasts how long it takes until nothing of it is left
+   */
+  record Disturbed(Duration at, String name, Duration lasts, BusDeed deed) implements Fault {
+    @Override
+    public void strike(World world, InProcessBus bus, Clock clock) {
+      deed.begin(bus, clock);
+    }
+
+    @Override
+    public String toString() {
+      return "%s at %d ms, for %d ms".formatted(name, at.toMillis(), lasts.toMillis());
+    }
+  }
+
+  /** What is done to the bus. */
+  interface BusDeed {
+    void begin(InProcessBus bus, Clock clock);
+  }
 }

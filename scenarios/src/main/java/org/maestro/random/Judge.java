@@ -35,6 +35,8 @@ final class Judge {
   private final Set<String> cut = new TreeSet<>();
   private Duration slowest = Duration.ZERO;
   private Duration lastFault = Duration.ofDays(-1);
+  private Duration disturbedUntil = Duration.ofDays(-1);
+  private Duration longestDisturbed = Duration.ZERO;
 
   Judge(Site site, Supplier<Moment> present) {
     this.site = site;
@@ -47,7 +49,7 @@ final class Judge {
         recent.isEmpty() || now.minus(recent.getLast().at()).compareTo(BETWEEN_MOMENTS) >= 0;
     if (due) {
       recent.addLast(present.get());
-      while (recent.getFirst().at().compareTo(now.minus(NEWS).minus(slowest)) < 0) {
+      while (recent.getFirst().at().compareTo(now.minus(NEWS).minus(slack(now))) < 0) {
         recent.removeFirst();
       }
     }
@@ -56,7 +58,7 @@ final class Judge {
 
   /** To be told of each fault as it strikes. */
   void struck(Fault fault, Duration now) {
-    lastFault = now;
+    lastFault = lastFault.compareTo(now) > 0 ? lastFault : now;
     if (fault instanceof Fault.Death death) {
       changedAt.put(death.device(), now);
     } else if (fault instanceof Fault.Revival revival) {
@@ -69,9 +71,28 @@ final class Judge {
       cut.remove(back.member());
     } else if (fault instanceof Fault.Weakness weakness) {
       site.weakened(weakness.lamp(), weakness.strength());
+    } else if (fault instanceof Fault.BrokerDown down) {
+      disturbed(now.plus(down.lasts()), down.lasts());
+    } else if (fault instanceof Fault.Disturbed disturbed) {
+      disturbed(now.plus(disturbed.lasts()), disturbed.lasts());
     } else if (fault instanceof Fault.Delay delay && delay.extra().compareTo(slowest) > 0) {
       slowest = delay.extra();
     }
+  }
+
+  /** Until its end nobody may be there, and what is known may be as old as it is. */
+  private void disturbed(Duration until, Duration lasts) {
+    if (until.compareTo(lastFault) > 0) {
+      lastFault = until;
+    }
+    disturbedUntil = disturbedUntil.compareTo(until) > 0 ? disturbedUntil : until;
+    longestDisturbed = longestDisturbed.compareTo(lasts) > 0 ? longestDisturbed : lasts;
+  }
+
+  /** How much older than usual may be what a claim of now rests on. */
+  private Duration slack(Duration now) {
+    boolean disturbed = now.compareTo(disturbedUntil.plus(NEWS)) <= 0;
+    return disturbed && longestDisturbed.compareTo(slowest) > 0 ? longestDisturbed : slowest;
   }
 
   boolean isTrueLately(Formula goal) {
@@ -119,7 +140,7 @@ final class Judge {
     if (!possibilities(now).canBe(new SpelledOut(site.home()).of(new Formula.And(wanted)))) {
       return verdict(claim, Verdict.Kind.IMPOSSIBLE, "");
     }
-    if (now.minus(lastFault).compareTo(NEWS.plus(slowest)) < 0) {
+    if (now.minus(lastFault).compareTo(NEWS.plus(slack(now))) < 0) {
       return verdict(claim, Verdict.Kind.TOO_LATE_TO_KNOW, "");
     }
     if (claim.reasons().stream().anyMatch(reason -> isGivenUp(reason))) {
@@ -144,7 +165,7 @@ final class Judge {
     usable.removeIf(
         device ->
             changedAt.containsKey(device)
-                && now.minus(changedAt.get(device)).compareTo(SETTLED.plus(slowest)) < 0);
+                && now.minus(changedAt.get(device)).compareTo(SETTLED.plus(slack(now))) < 0);
     return usable;
   }
 

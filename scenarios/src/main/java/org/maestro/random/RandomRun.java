@@ -13,6 +13,8 @@ import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
+import org.maestro.rats.time.Clock;
+import org.maestro.rats.transport.InProcessBus;
 import org.maestro.sim.Scene;
 import org.maestro.sim.SceneLoader;
 import org.maestro.sl.Formula;
@@ -29,17 +31,35 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
   /** Longer than the latest fault takes to strike. */
   private static final Duration HELD = Duration.ofSeconds(100);
 
+  /** Who looks on, and may disturb. Told on the thread that lets time pass. */
+  public interface Onlooker {
+    /** The site is open, and no goal is stated yet. */
+    void begin(InProcessBus bus, Clock clock);
+  }
+
   /** Runs without agents. */
   public static RandomRun withoutAgents(RandomHome random) {
+    return withoutAgents(random, (bus, clock) -> {});
+  }
+
+  /** The same before somebody's eyes. */
+  public static RandomRun withoutAgents(RandomHome random, Onlooker onlooker) {
     return run(
         random,
+        onlooker,
         (home, scene) -> new ArenaWithoutAgents(AgentlessSite.start(home, scene, random.seed())));
   }
 
   /** The same with the whole platform. */
   public static RandomRun withAgents(RandomHome random) {
+    return withAgents(random, (bus, clock) -> {});
+  }
+
+  /** The same before somebody's eyes. */
+  public static RandomRun withAgents(RandomHome random, Onlooker onlooker) {
     return run(
         random,
+        onlooker,
         (home, scene) ->
             new ArenaWithAgents(
                 LocalSite.stepped(
@@ -54,7 +74,8 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
                         Optional.empty()))));
   }
 
-  private static RandomRun run(RandomHome random, BiFunction<Home, Scene, Arena> arenas) {
+  private static RandomRun run(
+      RandomHome random, Onlooker onlooker, BiFunction<Home, Scene, Arena> arenas) {
     Home home = new HomeLoader().load(random.homeText(), random.name() + ".ttl");
     Scene scene =
         SceneLoader.load(
@@ -64,6 +85,7 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
     Site site = new Site(home, scene);
     try (Arena arena = arenas.apply(home, scene)) {
       Judge judge = new Judge(site, () -> Moment.of(arena.world(), site, arena.clock().now()));
+      onlooker.begin(arena.bus(), arena.clock());
       random.faults().forEach(fault -> prepare(fault, arena, judge));
       Map<Integer, Verdict> verdicts = new TreeMap<>();
       Map<Integer, Holding> holdings = new TreeMap<>();
@@ -122,13 +144,14 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
   /** Everything that is needed to understand it, and how to see it again. */
   public String text() {
     return """
-        Seed %d. To see it again: mvn test -pl scenarios -am \
-        -Dtest=RandomHomesTest -Dsurefire.failIfNoSpecifiedTests=false -Dmaestro.seed=%d
-        %s
-        %s
-        %s
-        %s
-        %s"""
+    Seed %d. To see it again: mvn test -pl scenarios -am \
+    -Dtest=RandomHomesTest -Dsurefire.failIfNoSpecifiedTests=false -Dmaestro.seed=%d
+    %s
+    %s
+    %s
+    %s
+    %s\
+    """
         .formatted(
             home.seed(),
             home.seed(),

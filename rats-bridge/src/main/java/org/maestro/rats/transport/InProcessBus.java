@@ -32,6 +32,7 @@ public final class InProcessBus {
   private final Map<String, Duration> slowness = new TreeMap<>();
   private final Map<String, Duration> lastArrival = new TreeMap<>();
   private boolean running = true;
+  private volatile Disturbance disturbance = Disturbance.NONE;
 
   public InProcessBus(Clock clock) {
     this.clock = clock;
@@ -99,6 +100,15 @@ public final class InProcessBus {
   /** What the client publishes from now on takes so much longer, and keeps its order. */
   public synchronized void slow(String clientId, Duration extra) {
     slowness.put(clientId, extra);
+  }
+
+  /** From now on messages fare so. */
+  public void disturb(Disturbance how) {
+    disturbance = how;
+  }
+
+  Disturbance disturbance() {
+    return disturbance;
   }
 
   /** How long a message takes from this client to the broker if it leaves now. */

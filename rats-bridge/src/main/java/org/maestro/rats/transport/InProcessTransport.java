@@ -76,13 +76,14 @@ final class InProcessTransport implements Transport {
       return;
     }
     Duration publishedAt = clock.now();
-    clock.schedule(
-        bus.hop(clientId),
-        clientId,
-        () -> {
-          bus.route(clientId, publication, publishedAt);
-          completion.completed(Optional.empty());
-        });
+    Duration hop = bus.hop(clientId);
+    for (Disturbance.Copy copy : bus.disturbance().published(clientId, publication)) {
+      clock.schedule(
+          hop.plus(copy.later()),
+          clientId,
+          () -> bus.route(clientId, copy.publication(), publishedAt));
+    }
+    clock.schedule(hop, clientId, () -> completion.completed(Optional.empty()));
   }
 
   @Override
@@ -154,7 +155,7 @@ final class InProcessTransport implements Transport {
       boolean wanted = !subscription.ofOthers || !from.equals(clientId);
       if (wanted && subscription.filter.matches(topic)) {
         clock.schedule(
-            Duration.ZERO,
+            bus.disturbance().heardLater(clientId),
             clientId,
             () -> whileConnected(() -> message.get().ifPresent(subscription.handler::arrived)));
       }

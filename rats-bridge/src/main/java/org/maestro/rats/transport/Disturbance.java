@@ -1,0 +1,28 @@
+package org.maestro.rats.transport;
+
+import java.time.Duration;
+import java.util.List;
+
+/** What a bad bus within the process makes of messages. Told where they are published, or heard. */
+public interface Disturbance {
+
+  /** A bus that does what it should. */
+  Disturbance NONE = new Disturbance() {};
+
+  /**
+   * What becomes of a message.
+   *
+   * @param later than usual, in simulated time
+   */
+  record Copy(Publication publication, Duration later) {}
+
+  /** None: it is lost, and nobody tells its publisher. */
+  default List<Copy> published(String client, Publication publication) {
+    return List.of(new Copy(publication, Duration.ZERO));
+  }
+
+  /** How much later than usual the client hears what reaches it now; in the same order. */
+  default Duration heardLater(String client) {
+    return Duration.ZERO;
+  }
+}

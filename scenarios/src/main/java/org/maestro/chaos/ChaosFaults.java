@@ -1,0 +1,187 @@
+package org.maestro.chaos;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Random;
+import java.util.function.BiFunction;
+import org.maestro.random.Fault;
+import org.maestro.rats.time.Clock;
+import org.maestro.rats.transport.Disturbance;
+import org.maestro.rats.transport.Disturbance.Copy;
+import org.maestro.rats.transport.InProcessBus;
+import org.maestro.rats.transport.Publication;
+
+/**
+ * Draws what goes wrong on the bus while goals are pursued: the broker killed, the main process
+ * frozen, results late, doubled, lost or unreadable, states late, what others say in the names of
+ * members, and rubbish.
+ */
+final class ChaosFaults {
+  private static final int LATEST_MILLIS = 45_000;
+  private static final String CONTROLLER = "maestro";
+
+  private final Random random;
+
+  ChaosFaults(long seed) {
+    this.random = new Random(~seed * 0x9E3779B97F4A7C15L);
+  }
+
+  List<Fault> draw() {
+    List<Fault> faults = new ArrayList<>();
+    int count = 1 + random.nextInt(4);
+    for (int number = 0; number < count; number++) {
+      Duration at = Duration.ofMillis(random.nextInt(LATEST_MILLIS));
+      faults.add(
+          switch (random.nextInt(9)) {
+            case 0 -> new Fault.BrokerDown(at, millis(200, 15_000));
+            case 1, 2 -> frozen(at, millis(1_000, 30_000));
+            case 3 -> late(at, "/result/", "results late", millis(500, 8_000));
+            case 4 -> late(at, "/state", "states late", millis(500, 8_000));
+            case 5 -> doubled(at, millis(0, 5_000));
+            case 6 -> lost(at, 0.2 + random.nextDouble() / 2);
+            case 7 -> forged(at);
+            default -> rubbish(at);
+          });
+    }
+    faults.sort(Comparator.comparing(Fault::at));
+    return faults;
+  }
+
+  private Duration millis(int least, int most) {
+    return Duration.ofMillis(least + random.nextInt(most - least));
+  }
+
+  /** Nothing goes in or out; then all that came meanwhile is heard at once. */
+  private Fault frozen(Duration at, Duration lasts) {
+    return disturbed(
+        at,
+        "main process frozen",
+        lasts,
+        Duration.ZERO,
+        left ->
+            new Disturbance() {
+              @Override
+              public List<Copy> published(String client, Publication publication) {
+                return List.of(
+                    new Copy(publication, client.equals(CONTROLLER) ? left.get() : Duration.ZERO));
+              }
+
+              @Override
+              public Duration heardLater(String client) {
+                return client.equals(CONTROLLER) ? left.get() : Duration.ZERO;
+              }
+            });
+  }
+
+  /** All of a kind, so that each publisher's own order stays. */
+  private Fault late(Duration at, String kind, String name, Duration later) {
+    return disturbed(
+        at,
+        name + " by " + later.toMillis() + " ms",
+        millis(5_000, 30_000),
+        later,
+        left -> onlyOf(kind, publication -> List.of(new Copy(publication, later))));
+  }
+
+  private Fault doubled(Duration at, Duration later) {
+    return disturbed(
+        at,
+        "results and calls twice, after " + later.toMillis() + " ms",
+        millis(5_000, 30_000),
+        later,
+        left ->
+            new Disturbance() {
+              @Override
+              public List<Copy> published(String client, Publication publication) {
+                return publication.retained()
+                    ? List.of(new Copy(publication, Duration.ZERO))
+                    : List.of(new Copy(publication, Duration.ZERO), new Copy(publication, later));
+              }
+            });
+  }
+
+  private Fault lost(Duration at, double share) {
+    Random chance = new Random(random.nextLong());
+    return disturbed(
+        at,
+        "results lost: %.2f".formatted(share),
+        millis(2_000, 15_000),
+        Duration.ZERO,
+        left ->
+            onlyOf(
+                "/result/",
+                publication ->
+                    chance.nextDouble() < share
+                        ? List.of()
+                        : List.of(new Copy(publication, Duration.ZERO))));
+  }
+
+  private static Disturbance onlyOf(
+      String kind, java.util.function.Function<Publication, List<Copy>> fate) {
+    return new Disturbance() {
+      @Override
+      public List<Copy> published(String client, Publication publication) {
+        return publication.topic().contains(kind)
+            ? fate.apply(publication)
+            : List.of(new Copy(publication, Duration.ZERO));
+      }
+    };
+  }
+
+  /** How much of a disturbance is left. */
+  private interface Left {
+    Duration get();
+  }
+
+  private static Fault disturbed(
+      Duration at,
+      String name,
+      Duration lasts,
+      Duration aftermath,
+      java.util.function.Function<Left, Disturbance> made) {
+    return new Fault.Disturbed(
+        at,
+        name,
+        lasts.plus(aftermath),
+        (bus, clock) -> {
+          Duration end = clock.now().plus(lasts);
+          bus.disturb(
+              made.apply(
+                  () -> {
+                    Duration left = end.minus(clock.now());
+                    return left.isNegative() ? Duration.ZERO : left;
+                  }));
+          clock.schedule(lasts, "chaos", () -> bus.disturb(Disturbance.NONE));
+        });
+  }
+
+  /** In the name of one of those who are there. */
+  private Fault forged(Duration at) {
+    String phase = List.of("ready", "init", "lost", "").get(random.nextInt(4));
+    String boot = List.of("0", "zzzzzzzzzzzz", "own").get(random.nextInt(3));
+    int which = random.nextInt(1_000);
+    BiFunction<InProcessBus, Clock, Stranger> stranger = Stranger::on;
+    return new Fault.Disturbed(
+        at,
+        "forged status '" + phase + "' of boot " + boot,
+        Duration.ofSeconds(5),
+        (bus, clock) -> stranger.apply(bus, clock).forges(which, phase, boot));
+  }
+
+  private Fault rubbish(Duration at) {
+    Random chance = new Random(random.nextLong());
+    return new Fault.Disturbed(
+        at,
+        "rubbish",
+        Duration.ofSeconds(5),
+        (bus, clock) -> Stranger.on(bus, clock).litters(chance));
+  }
+
+  static byte[] text(String text) {
+    return text.getBytes(UTF_8);
+  }
+}

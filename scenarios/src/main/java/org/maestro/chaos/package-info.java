@@ -1,0 +1,5 @@
+/**
+ * Random homes on a bad bus. A seed flows in; a home, its goals and a schedule of all kinds of
+ * faults come of it, then what the history of the bus and the judge of claims have found.
+ */
+package org.maestro.chaos;
