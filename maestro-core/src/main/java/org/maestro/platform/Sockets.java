@@ -66,20 +66,25 @@ final class Sockets {
    * before JADE does.
    */
   static int free(String host) {
+    Optional<IOException> last = Optional.empty();
     for (int attempt = 0; attempt < MOST_ATTEMPTS; attempt++) {
       int port = ThreadLocalRandom.current().nextInt(LOWEST_PORT, HIGHEST_PORT);
-      if (isFree(host, port)) {
+      last = whyNotFree(host, port);
+      if (last.isEmpty()) {
         return port;
       }
     }
-    throw new PlatformStartException("No free port on " + host + ".");
+    throw new PlatformStartException(
+        "No free port on %s: %s."
+            .formatted(host, last.map(IOException::getMessage).orElse("none was tried")));
   }
 
-  private static boolean isFree(String host, int port) {
-    try (ServerSocket socket = new ServerSocket(port, 1, InetAddress.getByName(host))) {
-      return socket.isBound();
-    } catch (IOException e) {
-      return false;
+  private static Optional<IOException> whyNotFree(String host, int port) {
+    try {
+      new ServerSocket(port, 1, InetAddress.getByName(host)).close();
+      return Optional.empty();
+    } catch (IOException taken) {
+      return Optional.of(taken);
     }
   }
 

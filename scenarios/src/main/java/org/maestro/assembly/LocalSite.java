@@ -99,6 +99,7 @@ public final class LocalSite implements AutoCloseable {
    * @throws SiteException when no broker answers, or devices stay away
    */
   public static LocalSite paced(SiteSettings settings, double speed) {
+    OpenFiles.requireFor(settings.home().devices().size());
     settings.broker().ifPresent(LocalSite::requireBroker);
     Optional<EmbeddedBroker> own =
         settings.broker().isPresent()

@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import org.maestro.assembly.OpenFiles;
 import org.maestro.assembly.SiteBus;
 import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.ontology.home.Home;
@@ -56,6 +57,7 @@ final class DevicesCommand implements Callable<Integer> {
                 .formatted(id, String.join(", ", loaded.devices().keySet())));
       }
     }
+    OpenFiles.requireFor(wanted.isEmpty() ? loaded.devices().size() : wanted.size());
     URI uri = Endpoint.broker(broker);
     SiteBus bus = new SiteBus(uri, site, security.files());
     bus.requireLetIn((wanted.isEmpty() ? loaded.devices().keySet() : wanted).iterator().next());

@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import org.maestro.display.VisibleText;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -15,8 +16,17 @@ import org.slf4j.LoggerFactory;
 final class StrayOutput extends OutputStream {
   private static final String OWN = "maestro: ";
 
+  /** What JADE prints, with its stack, when containers leave in order, or all end at once. */
+  private static final List<String> ORDERLY_ENDS =
+      List.of(
+          "java.io.EOFException: EOF reading packet header",
+          "jade.core.NotFoundException: No container named ");
+
+  private static final String FRAME = "\tat ";
+
   private final PrintStream people;
   private final ByteArrayOutputStream line = new ByteArrayOutputStream();
+  private boolean withinEnd;
 
   private StrayOutput(PrintStream people) {
     this.people = people;
@@ -34,6 +44,11 @@ final class StrayOutput extends OutputStream {
     }
     String text = line.toString(StandardCharsets.UTF_8).stripTrailing();
     line.reset();
+    withinEnd =
+        ORDERLY_ENDS.stream().anyMatch(text::startsWith) || withinEnd && text.startsWith(FRAME);
+    if (withinEnd) {
+      return;
+    }
     if (text.startsWith(OWN)) {
       people.println(VisibleText.line(text));
     } else if (!text.isEmpty()) {
