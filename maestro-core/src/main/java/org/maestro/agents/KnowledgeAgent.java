@@ -15,6 +15,7 @@ import org.maestro.knowledge.Belief;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.knowledge.KnowledgeException;
+import org.maestro.knowledge.Moment;
 import org.maestro.knowledge.Question;
 import org.maestro.knowledge.QuestionReader;
 import org.maestro.knowledge.Snapshot;
@@ -128,14 +129,24 @@ public final class KnowledgeAgent extends MaestroAgent {
       knowledge.describe(device);
       answer.addAll(Rights.words(access(), device));
     } else if (words.find("facts").isPresent()) {
-      knowledge.state(
-          new Source(Source.Kind.STATED, words.string("source").orElse("unnamed")),
-          words.find("facts").get().terms().stream().map(Words::plain).toList());
+      state(words.string("source").orElse("unnamed"), words);
     } else {
       learn(words);
     }
     if (message.getPerformative() == ACLMessage.REQUEST) {
       reply(message, ACLMessage.INFORM, new Content("inform", answer));
+    }
+  }
+
+  /** Who does not count what is heard of the speaker is believed in the order of arrival. */
+  private void state(String speaker, Words words) {
+    Optional<Moment> moment = AccountWords.moment(words, "said");
+    if (moment.isPresent()) {
+      knowledge.state(speaker, AccountWords.word(words, moment.get()));
+    } else {
+      knowledge.state(
+          new Source(Source.Kind.STATED, speaker),
+          words.find("facts").orElseThrow().terms().stream().map(Words::plain).toList());
     }
   }
 

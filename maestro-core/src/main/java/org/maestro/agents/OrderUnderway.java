@@ -240,7 +240,8 @@ final class OrderUnderway implements Crew.Performance {
           Words.parse(reply.getContent()).stream().findFirst().map(Words::of).orElseThrow();
       return switch (reply.getPerformative()) {
         case ACLMessage.INFORM ->
-            new Crew.Report(true, words.termsOf("outputs"), Optional.empty(), List.of());
+            new Crew.Report(true, words.termsOf("outputs"), Optional.empty(), List.of())
+                .with(AccountWords.account(words));
         case ACLMessage.FAILURE, ACLMessage.REFUSE ->
             new Crew.Report(
                 false,

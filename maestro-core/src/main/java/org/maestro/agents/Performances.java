@@ -11,8 +11,10 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.maestro.coordination.Argument;
 import org.maestro.coordination.Crew;
+import org.maestro.knowledge.MemberWord;
 import org.maestro.members.CallReporter;
 import org.maestro.members.JsonTerms;
 import org.maestro.members.MemberNews;
@@ -38,7 +40,7 @@ final class Performances {
   private final MemberView view;
   private final MemberNews news;
   private final FormerCalls formerCalls;
-  private final Consumer<List<String>> say;
+  private final Consumer<MemberWord> say;
   private final Map<String, RatsLink.CallHandle> handles = new TreeMap<>();
   private final Map<String, Runnable> abandoned = new TreeMap<>();
 
@@ -64,7 +66,7 @@ final class Performances {
       MemberView view,
       MemberNews news,
       FormerCalls formerCalls,
-      Consumer<List<String>> say) {
+      Consumer<MemberWord> say) {
     this.agent = agent;
     this.member = member;
     this.link = link;
@@ -267,7 +269,12 @@ final class Performances {
       agent.reply(
           order,
           ACLMessage.INFORM,
-          Words.content("inform", Words.terms("outputs", report.outputs())));
+          Words.content(
+              "inform",
+              Stream.concat(
+                      Stream.of(Words.terms("outputs", report.outputs())),
+                      report.account().map(AccountWords::of).stream())
+                  .toArray(Content.Argument[]::new)));
       return;
     }
     agent.reply(order, ACLMessage.FAILURE, Orders.failure(outcome, report));
@@ -316,8 +323,14 @@ final class Performances {
 
     @Override
     public void reported(Outcome outcome, Crew.Report report) {
-      reported.accept(outcome, report);
-      say.accept(view.over());
+      String call =
+          Optional.ofNullable(handles.get(conversation))
+              .map(RatsLink.CallHandle::callId)
+              .orElse("");
+      reported.accept(
+          outcome,
+          report.with(view.account(conversation, call, deed.feature(), report.succeeded())));
+      view.over().ifPresent(say);
     }
 
     @Override

@@ -36,7 +36,7 @@ public final class PriceFair {
   /** Answers calls as a generic agent does. */
   private static final class Seller extends MaestroAgent {
     private static final long serialVersionUID = 1L;
-    private final transient MemberView view = new MemberView();
+    private final transient MemberView view = new MemberView("a seller of prices only", () -> {});
     private final transient PriceResponder prices =
         new PriceResponder(
             this, words -> Optional.of(view), PriceResponder.Access.OPEN, Optional.empty());

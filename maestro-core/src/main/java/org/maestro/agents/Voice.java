@@ -1,10 +1,10 @@
 package org.maestro.agents;
 
 import jade.lang.acl.ACLMessage;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.maestro.deployment.Charge;
+import org.maestro.knowledge.MemberWord;
 import org.maestro.members.MemberNews;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.home.Device;
@@ -25,7 +25,7 @@ final class Voice implements MemberNews.Listener {
   private final GenericAgent agent;
   private final String member;
   private final Surroundings here;
-  private final MemberView view = new MemberView();
+  private final MemberView view;
   private final MemberNews news;
   private final Performances performances;
   private final PriceQuestions prices;
@@ -40,6 +40,12 @@ final class Voice implements MemberNews.Listener {
     this.member = charge.member();
     this.configured = charge.description();
     this.here = here;
+    this.view =
+        new MemberView(
+            "%s of %s since %d"
+                .formatted(
+                    member, here.link().controller(), here.time().clock().instant().toEpochMilli()),
+            () -> here.link().describe(member));
     this.news = new MemberNews(member, view, this::read, this);
     this.performances =
         new Performances(agent, member, here.link(), view, news, formerCalls, this::say);
@@ -123,8 +129,8 @@ final class Voice implements MemberNews.Listener {
   }
 
   @Override
-  public void said(List<String> facts) {
-    say(facts);
+  public void said(MemberWord word) {
+    say(word);
   }
 
   @Override
@@ -200,8 +206,8 @@ final class Voice implements MemberNews.Listener {
         Words.named("reason", Words.text(reason)));
   }
 
-  private void say(List<String> facts) {
-    if (!facts.isEmpty()) {
+  private void say(MemberWord word) {
+    if (!word.facts().isEmpty()) {
       agent.send(
           agent.message(
               ACLMessage.INFORM,
@@ -209,7 +215,9 @@ final class Voice implements MemberNews.Listener {
               Words.content(
                   "inform",
                   Words.named("source", Words.name(member)),
-                  Words.named("facts", facts.stream().map(Words::text).toList()))));
+                  Words.named("listener", Words.text(word.moment().listener())),
+                  Words.named("said", Words.number(word.moment().number())),
+                  AccountWords.facts(word))));
     }
   }
 }

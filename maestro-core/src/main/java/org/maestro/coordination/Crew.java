@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.knowledge.FeatureRun;
+import org.maestro.knowledge.StepAccount;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
 import org.maestro.sl.Term;
@@ -93,6 +94,7 @@ public interface Crew {
    * @param begun false when the member did not even start, so that all is as it was
    * @param refusal the member says that it cannot be done as things are
    * @param unanswered nobody knows what became of it: the member has said nothing, and may be at it
+   * @param account what the member said of itself around the step, if somebody has listened
    */
   record Report(
       boolean succeeded,
@@ -101,7 +103,8 @@ public interface Crew {
       List<FeatureRun.Learnt> refs,
       boolean begun,
       Optional<Refusal> refusal,
-      boolean unanswered) {
+      boolean unanswered,
+      Optional<StepAccount> account) {
 
     public Report(
         boolean succeeded,
@@ -116,8 +119,23 @@ public interface Crew {
         boolean succeeded,
         Map<String, Term> outputs,
         Optional<String> problem,
+        List<FeatureRun.Learnt> refs,
+        boolean begun,
+        Optional<Refusal> refusal,
+        boolean unanswered) {
+      this(succeeded, outputs, problem, refs, begun, refusal, unanswered, Optional.empty());
+    }
+
+    public Report(
+        boolean succeeded,
+        Map<String, Term> outputs,
+        Optional<String> problem,
         List<FeatureRun.Learnt> refs) {
       this(succeeded, outputs, problem, refs, true);
+    }
+
+    public Report with(Optional<StepAccount> told) {
+      return new Report(succeeded, outputs, problem, refs, begun, refusal, unanswered, told);
     }
   }
 }

@@ -8,11 +8,13 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.knowledge.ResultCheck;
 import org.maestro.knowledge.Snapshot;
+import org.maestro.knowledge.StepAccount;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
 import org.maestro.sl.Term;
@@ -66,21 +68,43 @@ final class StepExecution {
     CallArguments known = new CallArguments(ports.knowledge().home(), before);
     Map<String, Argument> arguments = known.of(step.feature(), step.bindings());
     arguments.putAll(new NextPlace(known).of(step, planned));
-    perform(new Crew.Order(goalId, step, arguments, timeout(step)), used, before);
+    Crew.Order order = new Crew.Order(goalId, step, arguments, timeout(step));
+    boolean isAskedAgain = ports.crew().isOwed(goalId, step.key());
+    Optional<Snapshot> lately = Optional.of(before).filter(b -> !isAskedAgain);
+    perform(order, used, before, report -> run(step, lately, report));
   }
 
-  /** A step that was begun before this coordinator was there, in its former words. */
+  /**
+   * A step that was begun before this coordinator was there, in its former words. What its member
+   * says of itself may have been said before the step or after it.
+   */
   void takeUp(Crew.Order order) {
-    perform(order, contention.begin(order.step()), ports.knowledge().snapshot());
+    perform(
+        order,
+        contention.begin(order.step()),
+        ports.knowledge().snapshot(),
+        report ->
+            run(
+                order.step(),
+                Optional.empty(),
+                report.with(report.account().map(StepAccount::begunLongAgo))));
   }
 
-  private void perform(Crew.Order order, Set<Resource> used, Snapshot before) {
+  private void perform(
+      Crew.Order order,
+      Set<Resource> used,
+      Snapshot before,
+      Function<Crew.Report, FeatureRun> teaches) {
     Step step = order.step();
     Crew.Performance[] performance = new Crew.Performance[1];
     AwaitedReport awaited =
         new AwaitedReport(
             ports,
-            report -> rivals.run(() -> reported(step, used, before, report, performance[0])));
+            report ->
+                rivals.run(
+                    () ->
+                        reported(
+                            step, used, before, report, teaches.apply(report), performance[0])));
     performance[0] = ports.crew().perform(order, awaited::arrived);
     underway.begun(step, before, performance[0]);
     awaited.until(
@@ -116,12 +140,13 @@ final class StepExecution {
       Set<Resource> used,
       Snapshot before,
       Crew.Report report,
+      FeatureRun run,
       Crew.Performance performance) {
     boolean calledOff = underway.ended(step);
     contention.ended(step, used);
     exactPrices.forget(step.member());
     String factsBefore = outlook.factsUnder(step.key());
-    KnowledgeBase.Change change = ports.knowledge().learn(run(step, before, report));
+    KnowledgeBase.Change change = ports.knowledge().learn(run);
     Crew.Report judged = judged(step, report, performance);
     if (goalOver) {
       return;
@@ -169,7 +194,7 @@ final class StepExecution {
     }
   }
 
-  private static FeatureRun run(Step step, Snapshot before, Crew.Report report) {
+  private static FeatureRun run(Step step, Optional<Snapshot> before, Crew.Report report) {
     Map<String, Term> bindings = new TreeMap<>(step.bindings());
     bindings.put("self", new Term.Name(step.member()));
     return new FeatureRun(
@@ -179,7 +204,8 @@ final class StepExecution {
         report.succeeded(),
         report.outputs(),
         report.refs(),
-        Optional.of(before),
-        report.begun());
+        before,
+        report.begun(),
+        report.account());
   }
 }

@@ -3,16 +3,15 @@ package org.maestro.knowledge;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import org.apache.jena.graph.NodeFactory;
 import org.apache.jena.sparql.core.Quad;
@@ -47,6 +46,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private final History history;
   private final Optional<HistoryFile> file;
   private final Statements statements = new Statements();
+  private final LastWords lastWords = new LastWords();
   private final Sights sights = new Sights();
   private final Ageing ageing;
   private volatile World world;
@@ -168,22 +168,26 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   @Override
   public void state(Source source, List<String> facts) {
     List<Fact> read = facts.stream().map(text -> FactReader.read(text, source.agent())).toList();
+    state(source, read, Optional.empty());
+  }
+
+  @Override
+  public void state(String member, MemberWord word) {
+    List<Fact> read = word.facts().stream().map(text -> FactReader.read(text, member)).toList();
+    state(new Source(Source.Kind.STATED, member), read, Optional.of(word.moment()));
+  }
+
+  private void state(Source source, List<Fact> facts, Optional<Moment> moment) {
     guarded(
-        () ->
-            write(
-                Confidence.voice(world.home(), source),
-                (draft, positions) -> {
-                  Set<StateVariable> said = new LinkedHashSet<>();
-                  read.forEach(fact -> said.add(draft.variable(FactReader.atom(fact))));
-                  statements
-                      .withdrawn(world, source, said)
-                      .forEach(variable -> positions.withdraw(variable, source));
-                  Source expected = new Source(Source.Kind.EXPECTED, source.agent());
-                  statements
-                      .notBroughtAbout(source, said)
-                      .forEach(variable -> positions.withdraw(variable, expected));
-                  return read;
-                }));
+        () -> {
+          moment.ifPresent(now -> lastWords.heard(source.agent(), now));
+          Predicate<StateVariable> isNews =
+              variable ->
+                  moment.filter(m -> !lastWords.takes(source.agent(), variable, m)).isEmpty();
+          return write(
+              Confidence.voice(world.home(), source),
+              (draft, positions) -> statements.take(source, facts, draft, positions, isNews));
+        });
   }
 
   @Override
@@ -191,11 +195,13 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     return guarded(
         () -> {
           Snapshot present = view(world);
-          Lesson lesson = new Lesson(world, present, run);
+          Lesson lesson = new Lesson(world, present, run, lastWords);
+          Source itself = new Source(Source.Kind.STATED, run.member());
           return write(
               Confidence.voice(world.home(), lesson.source(), run, present),
               (draft, positions) -> {
                 List<Fact> facts = lesson.facts(draft, positions::forget);
+                positions.write(lesson.ownWords(), Confidence.voice(world.home(), itself));
                 sights.note(run, facts, world, present);
                 if (lesson.source().kind() == Source.Kind.EXPECTED) {
                   statements.expects(world, run.member(), facts);
@@ -217,6 +223,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
                       .filter(variable -> isOf(member, name, variable))
                       .forEach(positions::forget);
                   statements.forget(member);
+                  lastWords.forget(member);
                   return List.of();
                 }));
   }

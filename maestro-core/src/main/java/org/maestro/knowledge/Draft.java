@@ -147,11 +147,7 @@ final class Draft {
   }
 
   private boolean equate(Fact.Equation equation, Speech speech) {
-    Expression.Fluent fluent = equation.fluent();
-    if (equation.value() instanceof Term.Number number && !Double.isFinite(number.value())) {
-      throw new KnowledgeException(
-          "The value of " + fluent.name() + " is not a finite number; say (unknown ...) instead.");
-    }
+    Expression.Fluent fluent = FactReader.finite(equation).fluent();
     return set(new StateVariable(fluent.name(), fluent.arguments()), equation.value(), speech);
   }
 

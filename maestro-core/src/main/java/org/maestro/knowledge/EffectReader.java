@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.Function;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
@@ -27,15 +28,16 @@ import org.maestro.sl.TypedVariable;
 final class EffectReader {
 
   private final Snapshot before;
-  private final Snapshot present;
+  private final Function<Expression.Fluent, OptionalDouble> base;
   private final Evaluation evaluation;
   private final Map<Formula.Atom, Boolean> truths = new LinkedHashMap<>();
   private final Map<Expression.Fluent, OptionalDouble> numbers = new LinkedHashMap<>();
   private final boolean possibly;
 
-  private EffectReader(Snapshot before, Snapshot present, boolean possibly) {
+  private EffectReader(
+      Snapshot before, Function<Expression.Fluent, OptionalDouble> base, boolean possibly) {
     this.before = before;
-    this.present = present;
+    this.base = base;
     this.possibly = possibly;
     this.evaluation = new Evaluation(before);
   }
@@ -43,10 +45,15 @@ final class EffectReader {
   /**
    * What the effect makes of the world: first what ceases to hold, then what begins to, then
    * numbers.
+   *
+   * @param base what an increase adds to
    */
   static List<Fact> facts(
-      Effect effect, Map<String, Term> bindings, Snapshot before, Snapshot present) {
-    EffectReader reader = new EffectReader(before, present, false);
+      Effect effect,
+      Map<String, Term> bindings,
+      Snapshot before,
+      Function<Expression.Fluent, OptionalDouble> base) {
+    EffectReader reader = new EffectReader(before, base, false);
     reader.read(effect, bindings);
     List<Fact> facts = new ArrayList<>();
     reader.truths.forEach((atom, truth) -> addIf(!truth, facts, new Fact.Excluded(atom)));
@@ -65,7 +72,7 @@ final class EffectReader {
    * atoms.
    */
   static Set<Formula.Atom> touched(Effect effect, Map<String, Term> bindings, Snapshot before) {
-    EffectReader reader = new EffectReader(before, before, true);
+    EffectReader reader = new EffectReader(before, before::number, true);
     reader.read(effect, bindings);
     Set<Formula.Atom> touched = new LinkedHashSet<>(reader.truths.keySet());
     reader.numbers.keySet().forEach(f -> touched.add(new Formula.Atom(f.name(), f.arguments())));
@@ -109,8 +116,7 @@ final class EffectReader {
     if (change.assignment() == Effect.Assignment.ASSIGN || amount.isEmpty()) {
       return amount;
     }
-    OptionalDouble value =
-        numbers.containsKey(fluent) ? numbers.get(fluent) : present.number(fluent);
+    OptionalDouble value = numbers.containsKey(fluent) ? numbers.get(fluent) : base.apply(fluent);
     double sign = change.assignment() == Effect.Assignment.INCREASE ? 1 : -1;
     return value.isEmpty()
         ? value

@@ -22,11 +22,24 @@ final class FactReader {
         throw new KnowledgeException(
             "The fact " + text + " by " + speaker + " has variables; name the things in it.");
       }
-      return fact;
+      return fact instanceof Fact.Equation equation ? finite(equation) : fact;
     } catch (SlSyntaxException e) {
       throw new KnowledgeException(
           "The fact " + text + " by " + speaker + " is not MAESTRO-SL. " + e.getMessage(), e);
     }
+  }
+
+  /**
+   * @throws KnowledgeException when its value is no finite number
+   */
+  static Fact.Equation finite(Fact.Equation equation) {
+    if (equation.value() instanceof Term.Number number && !Double.isFinite(number.value())) {
+      throw new KnowledgeException(
+          "The value of "
+              + equation.fluent().name()
+              + " is not a finite number; say (unknown ...) instead.");
+    }
+    return equation;
   }
 
   static Fact read(FeatureRun.Learnt learnt, String member) {

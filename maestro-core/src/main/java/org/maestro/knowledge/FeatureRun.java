@@ -16,6 +16,7 @@ import org.maestro.sl.Term;
  *     from it, for the member may have told its new state before the result came; absent: what is
  *     known when the result is learnt
  * @param begun false when the member did not even start, so that all is as it was
+ * @param account what the member said of itself around it; absent: nobody has listened
  */
 public record FeatureRun(
     String member,
@@ -25,7 +26,20 @@ public record FeatureRun(
     Map<String, Term> outputs,
     List<Learnt> refs,
     Optional<Snapshot> before,
-    boolean begun) {
+    boolean begun,
+    Optional<StepAccount> account) {
+
+  public FeatureRun(
+      String member,
+      FeatureType feature,
+      Map<String, Term> bindings,
+      boolean succeeded,
+      Map<String, Term> outputs,
+      List<Learnt> refs,
+      Optional<Snapshot> before,
+      boolean begun) {
+    this(member, feature, bindings, succeeded, outputs, refs, before, begun, Optional.empty());
+  }
 
   public FeatureRun(
       String member,

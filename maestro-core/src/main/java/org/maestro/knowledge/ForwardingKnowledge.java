@@ -34,6 +34,11 @@ public abstract class ForwardingKnowledge implements KnowledgeBase {
   }
 
   @Override
+  public void state(String member, MemberWord word) {
+    knowledge.state(member, word);
+  }
+
+  @Override
   public Change learn(FeatureRun run) {
     return knowledge.learn(run);
   }

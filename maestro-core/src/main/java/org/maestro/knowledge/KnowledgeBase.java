@@ -23,6 +23,12 @@ public interface KnowledgeBase extends AutoCloseable {
   void state(Source source, List<String> facts);
 
   /**
+   * The same, said by a member of itself: what a later message of its has told otherwise stays as
+   * it is.
+   */
+  void state(String member, MemberWord word);
+
+  /**
    * Writes what the result teaches: {@code learns}, or the effect, or {@code error.refs}. Returns
    * what that changed.
    */

@@ -2,10 +2,12 @@ package org.maestro.knowledge;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.sl.Effect;
@@ -21,11 +23,16 @@ final class Lesson {
   private final World world;
   private final Snapshot present;
   private final FeatureRun run;
+  private final LastWords lastWords;
+  private final OwnWord own;
+  private final List<Fact> ownWords = new ArrayList<>();
 
-  Lesson(World world, Snapshot present, FeatureRun run) {
+  Lesson(World world, Snapshot present, FeatureRun run, LastWords lastWords) {
     this.world = world;
     this.present = present;
     this.run = run;
+    this.lastWords = lastWords;
+    this.own = new OwnWord(world, lastWords, run);
   }
 
   /** A result without lesson of its own lets expect the effect; all else was observed. */
@@ -49,19 +56,30 @@ final class Lesson {
       Snapshot read = feature.learns().isPresent() ? present : before;
       Effect effect = feature.learns().orElse(feature.effect());
       List<Fact> facts = new ArrayList<>();
-      for (Fact fact : EffectReader.facts(effect, bindings, read, present)) {
-        if (isBelowAll(fact)) {
-          forget.accept(world.declarations().spokenOf(fact));
-          continue;
-        }
-        switch (meanwhile(fact, before)) {
-          case NOTHING -> facts.add(fact);
-          case SHARE -> {
-            // To add it again would count it twice.
+      Set<StateVariable> told = new LinkedHashSet<>();
+      for (Fact fact :
+          EffectReader.facts(effect, bindings, read, fluent -> own.base(fluent, present))) {
+        StateVariable variable = world.declarations().spokenOf(fact);
+        switch (own.verdict(variable, fact)) {
+          case PREDICTED -> {
+            ownWords.addAll(own.news(variable));
+            predicted(fact, before, facts, forget);
           }
-          case MORE -> forget.accept(world.declarations().spokenOf(fact));
+          case OWN_WORD -> ownWords.addAll(own.news(variable));
+          case OWN_WORD_FOR_NOW -> {
+            forget.accept(variable);
+            facts.addAll(own.news(variable));
+          }
+          case SPOKEN_SINCE -> {
+            // What is known of it is later than the step.
+          }
+          case OPEN -> forget.accept(variable);
         }
+        told.add(variable);
       }
+      run.account()
+          .map(StepAccount::tellsOfTheEnd)
+          .ifPresent(ended -> told.forEach(v -> lastWords.taught(run.member(), v, ended)));
       return facts;
     }
     if (run.begun()) {
@@ -72,6 +90,28 @@ final class Lesson {
           .forEach(forget);
     }
     return run.refs().stream().map(ref -> FactReader.read(ref, run.member())).toList();
+  }
+
+  /** What the member itself said of what the step changes; to be written before the facts. */
+  List<Fact> ownWords() {
+    return List.copyOf(ownWords);
+  }
+
+  /** As predicted, unless somebody else has measured it meanwhile. */
+  private void predicted(
+      Fact fact, Snapshot before, List<Fact> facts, Consumer<StateVariable> forget) {
+    StateVariable variable = world.declarations().spokenOf(fact);
+    if (isBelowAll(fact)) {
+      forget.accept(variable);
+      return;
+    }
+    switch (meanwhile(fact, before)) {
+      case NOTHING -> facts.add(fact);
+      case SHARE -> {
+        // To add it again would count it twice.
+      }
+      case MORE -> forget.accept(variable);
+    }
   }
 
   /** What was known of the number, or of what the step does to it, was not so. */
@@ -109,7 +149,8 @@ final class Lesson {
     if (measured.isEmpty() || then.isEmpty() || now.isEmpty()) {
       return Meanwhile.NOTHING;
     }
-    double share = expected.value() - now.getAsDouble();
+    OptionalDouble base = own.base(equation.fluent(), present);
+    double share = expected.value() - base.orElse(now.getAsDouble());
     double shown = now.getAsDouble() - then.getAsDouble();
     if (share * shown <= 0 || Math.abs(shown) < Math.abs(share) / 2) {
       return Meanwhile.NOTHING;

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Predicate;
 import org.maestro.ontology.home.Device;
 import org.maestro.sl.Fact;
 
@@ -16,6 +17,31 @@ final class Statements {
 
   private final Map<String, Set<StateVariable>> byDevice = new TreeMap<>();
   private final Map<String, Set<StateVariable>> expectedOf = new TreeMap<>();
+
+  /**
+   * Withdraws what the source does not say any more, and returns what is to be written.
+   *
+   * @param isNews of what is spoken of or left out; else somebody knows better already
+   */
+  List<Fact> take(
+      Source source,
+      List<Fact> facts,
+      Draft draft,
+      PositionKeeping positions,
+      Predicate<StateVariable> isNews) {
+    Set<StateVariable> said = new LinkedHashSet<>();
+    facts.forEach(fact -> said.add(draft.variable(FactReader.atom(fact))));
+    withdrawn(draft.base(), source, said).stream()
+        .filter(isNews)
+        .forEach(variable -> positions.withdraw(variable, source));
+    Source expected = new Source(Source.Kind.EXPECTED, source.agent());
+    notBroughtAbout(source, said, isNews)
+        .forEach(variable -> positions.withdraw(variable, expected));
+    said.removeIf(isNews.negate());
+    return facts.stream()
+        .filter(fact -> said.contains(draft.variable(FactReader.atom(fact))))
+        .toList();
+  }
 
   /** The device is expected to have brought this about by a step of its own. */
   void expects(World world, String device, List<Fact> facts) {
@@ -33,20 +59,27 @@ final class Statements {
     }
   }
 
-  /** What was expected of the device, would be told by it now, and is not. */
-  List<StateVariable> notBroughtAbout(Source source, Set<StateVariable> said) {
-    Set<StateVariable> expected =
-        source.kind() == Source.Kind.STATED ? expectedOf.remove(source.agent()) : null;
-    return expected == null
-        ? List.of()
-        : expected.stream().filter(variable -> !said.contains(variable)).toList();
+  /**
+   * What was expected of the device, would be told by it now, and is not.
+   *
+   * @param isNews what was told of otherwise since is still expected
+   */
+  private List<StateVariable> notBroughtAbout(
+      Source source, Set<StateVariable> said, Predicate<StateVariable> isNews) {
+    if (source.kind() != Source.Kind.STATED || !expectedOf.containsKey(source.agent())) {
+      return List.of();
+    }
+    Set<StateVariable> expected = expectedOf.get(source.agent());
+    List<StateVariable> decided = expected.stream().filter(isNews).toList();
+    decided.forEach(expected::remove);
+    return decided.stream().filter(variable -> !said.contains(variable)).toList();
   }
 
   /**
    * Notes what is said now, and returns what was said before, is still believed on that word, and
    * is not repeated.
    */
-  List<StateVariable> withdrawn(World world, Source source, Set<StateVariable> said) {
+  private List<StateVariable> withdrawn(World world, Source source, Set<StateVariable> said) {
     if (source.kind() != Source.Kind.STATED
         || !world.home().devices().containsKey(source.agent())) {
       return List.of();

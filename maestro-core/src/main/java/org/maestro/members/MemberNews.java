@@ -1,11 +1,12 @@
 package org.maestro.members;
 
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import org.maestro.knowledge.MemberWord;
 import org.maestro.ontology.home.Device;
 import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.MemberState;
 import org.maestro.rats.protocol.MemberStatus;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -27,7 +28,7 @@ public final class MemberNews {
      * Facts about itself that can be read, none of them told while a call runs that may be changing
      * them.
      */
-    void said(List<String> facts);
+    void said(MemberWord word);
 
     void lost(String reason);
   }
@@ -39,6 +40,7 @@ public final class MemberNews {
   private final SaidFacts saidFacts = new SaidFacts();
   private Optional<String> lastDescription = Optional.empty();
   private String boot = "";
+  private long statesHeard = -1;
 
   /**
    * @param describedBy reads a description (first argument) that a member (second) sent; throws a
@@ -57,10 +59,14 @@ public final class MemberNews {
 
   public void changed(RatsLink.Member now) {
     if (now.phase() == MemberStatus.Phase.READY) {
+      boolean isBack = !view.isReady();
       now.description()
-          .filter(text -> !view.isReady() || !isCurrent(text) || !boot.equals(now.boot()))
+          .filter(text -> isBack || !isCurrent(text) || !boot.equals(now.boot()))
           .ifPresent(text -> describedAs(text, now.boot()));
-      now.state().ifPresent(state -> say(view.said(saidFacts.readable(member, state.values()))));
+      if (isBack || statesHeard != now.statesHeard()) {
+        statesHeard = now.statesHeard();
+        now.state().map(this::readable).flatMap(view::said).ifPresent(this::say);
+      }
     } else if (now.phase() != MemberStatus.Phase.INIT && view.isReady()) {
       view.ready(false);
       listener.lost(member + " is " + now.phase().name().toLowerCase(Locale.ROOT));
@@ -97,9 +103,13 @@ public final class MemberNews {
     listener.described(description);
   }
 
-  private void say(List<String> facts) {
-    if (!facts.isEmpty()) {
-      listener.said(facts);
+  private MemberState readable(MemberState state) {
+    return state.with(saidFacts.readable(member, state.values()));
+  }
+
+  private void say(MemberWord word) {
+    if (!word.facts().isEmpty()) {
+      listener.said(word);
     }
   }
 }

@@ -1,12 +1,21 @@
 package org.maestro.members;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.LongStream;
+import java.util.stream.Stream;
+import org.maestro.knowledge.MemberWord;
+import org.maestro.knowledge.Moment;
+import org.maestro.knowledge.StepAccount;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.rats.protocol.MemberState;
 import org.maestro.sl.Term;
 
 /**
@@ -14,11 +23,58 @@ import org.maestro.sl.Term;
  * Agent thread only.
  */
 public final class MemberView {
+  private static final int MOST_REMEMBERED = 64;
+
+  private final String listener;
+  private final Runnable askAgain;
+
+  /** Of the calls that did what they were for, the latest, when the result of each was heard. */
+  private final Map<String, Moment> ended = latest();
+
+  /** When calls were begun; one may be asked for again that had no answer. */
+  private final Map<String, Moment> firstBegun = latest();
+
+  private final Map<String, Underway> underway = new TreeMap<>();
   private Optional<Device> device = Optional.empty();
   private boolean ready;
   private int running;
-  private final List<String> heldBack = new ArrayList<>();
-  private final Map<String, Map<String, Term>> bindingsByConversation = new TreeMap<>();
+  private long heard;
+  private boolean inDoubt;
+  private Optional<Heard> last = Optional.empty();
+  private Optional<MemberWord> heldBack = Optional.empty();
+
+  private record Underway(Map<String, Term> bindings, Moment begun) {}
+
+  /**
+   * What was said last.
+   *
+   * @param ended the latest calls that were over then; empty: the member does not tell
+   */
+  private record Heard(MemberWord word, Set<String> ended) {
+
+    boolean isOver(String call) {
+      return ended.contains(call);
+    }
+
+    boolean isAfter(Moment moment) {
+      return word.moment().isAfter(moment);
+    }
+
+    /** Whether nobody can tell from it which calls were over. */
+    boolean isSilent() {
+      return ended.isEmpty();
+    }
+  }
+
+  /**
+   * @param listener no other that listens to the member, before or after, has the same name
+   * @param askAgain has the member say once more what it says of itself: it has said so around a
+   *     call, and nobody can tell whether before or after what the call did
+   */
+  public MemberView(String listener, Runnable askAgain) {
+    this.listener = listener;
+    this.askAgain = askAgain;
+  }
 
   public Optional<Device> device() {
     return device;
@@ -39,7 +95,9 @@ public final class MemberView {
   public void ready(boolean now) {
     ready = now;
     if (!now) {
-      heldBack.clear();
+      heldBack = Optional.empty();
+      last = Optional.empty();
+      inDoubt = false;
     }
   }
 
@@ -50,42 +108,137 @@ public final class MemberView {
         .findFirst();
   }
 
+  /** A call is begun: what is heard from now on is said after it. */
   public void begun(String conversation, Map<String, Term> bindings) {
     running++;
-    bindingsByConversation.put(conversation, bindings);
+    underway.put(conversation, new Underway(bindings, next()));
+  }
+
+  /**
+   * The call is over, or established.
+   *
+   * @param callId as the member knows the call
+   * @return what the member has said of itself around it
+   */
+  public Optional<StepAccount> account(
+      String conversation, String callId, FeatureType feature, boolean succeeded) {
+    Moment now = next();
+    Optional<Underway> call = Optional.ofNullable(underway.get(conversation));
+    boolean includesStep = last.filter(heard -> heard.isOver(callId)).isPresent();
+    if (succeeded && !feature.continuous()) {
+      ended.put(callId, now);
+      boolean changesIt = feature.learns().isEmpty();
+      boolean spokeSince =
+          call.filter(begun -> last.filter(h -> h.isAfter(begun.begun())).isPresent()).isPresent();
+      if (changesIt && spokeSince && last.get().isSilent()) {
+        inDoubt = false;
+        askAgain.run();
+      } else {
+        inDoubt = changesIt && !includesStep;
+      }
+    }
+    return call.map(
+        known -> {
+          Moment begun = firstBegun.computeIfAbsent(callId, id -> known.begun());
+          return new StepAccount(begun, now, last.map(Heard::word), includesStep);
+        });
   }
 
   /** The call is over, or established; returns what the member said of itself meanwhile. */
-  public List<String> over() {
+  public Optional<MemberWord> over() {
     running--;
-    List<String> facts = List.copyOf(heldBack);
+    Optional<MemberWord> word = heldBack;
     if (running == 0) {
-      heldBack.clear();
-      return facts;
+      heldBack = Optional.empty();
+      return word;
     }
-    return List.of();
+    return Optional.empty();
   }
 
   public void forget(String conversation) {
-    bindingsByConversation.remove(conversation);
+    underway.remove(conversation);
   }
 
   public Map<String, Term> bindings(String conversation) {
-    return bindingsByConversation.getOrDefault(conversation, Map.of());
+    return Optional.ofNullable(underway.get(conversation)).map(Underway::bindings).orElse(Map.of());
   }
 
   /**
    * While a call runs, what the member says of itself waits for the call's report, so that
    * knowledge never shows half a step.
    *
-   * @return the facts that may be told now
+   * @return what may be told now
    */
-  public List<String> said(List<String> facts) {
-    if (running == 0) {
-      return facts;
+  public Optional<MemberWord> said(MemberState state) {
+    MemberWord word = new MemberWord(state.values(), momentOf(state));
+    Heard now = new Heard(word, over(state));
+    last = Optional.of(now);
+    if (inDoubt) {
+      inDoubt = false;
+      if (now.isSilent()) {
+        askAgain.run();
+      }
     }
-    heldBack.clear();
-    heldBack.addAll(facts);
-    return List.of();
+    if (running == 0) {
+      return Optional.of(word);
+    }
+    heldBack = Optional.of(word);
+    return Optional.empty();
+  }
+
+  /**
+   * A broker keeps the order of one topic, and not always that of two: a state that was sent before
+   * a result may come after it. It was if it says that the call goes on, or that another was over
+   * last whose result came before.
+   */
+  private Moment momentOf(MemberState state) {
+    Set<String> over = over(state);
+    OptionalLong goesOn =
+        Stream.concat(state.running().stream(), state.queue().stream())
+            .filter(ended::containsKey)
+            .mapToLong(call -> ended.get(call).number())
+            .min();
+    OptionalLong latest =
+        state.recent().stream()
+            .skip(Math.max(0, state.recent().size() - 1))
+            .map(last -> ended.get(last.id()))
+            .filter(Objects::nonNull)
+            .mapToLong(Moment::number)
+            .findFirst();
+    OptionalLong next =
+        latest.isEmpty()
+            ? latest
+            : ended.entrySet().stream()
+                .filter(call -> !over.contains(call.getKey()))
+                .mapToLong(call -> call.getValue().number())
+                .filter(number -> number > latest.getAsLong())
+                .min();
+    return LongStream.concat(goesOn.stream(), next.stream()).min().stream()
+        .mapToObj(number -> new Moment(listener, number - 1))
+        .findFirst()
+        .orElseGet(this::next);
+  }
+
+  private static Set<String> over(MemberState state) {
+    return state.recent().stream()
+        .map(MemberState.Ended::id)
+        .collect(Collectors.toUnmodifiableSet());
+  }
+
+  private static Map<String, Moment> latest() {
+    return new LinkedHashMap<>() {
+      private static final long serialVersionUID = 1L;
+
+      @Override
+      protected boolean removeEldestEntry(Map.Entry<String, Moment> eldest) {
+        return size() > MOST_REMEMBERED;
+      }
+    };
+  }
+
+  /** One number is left free before each. */
+  private Moment next() {
+    heard += 2;
+    return new Moment(listener, heard);
   }
 }

@@ -18,6 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.maestro.coordination.Crew;
 import org.maestro.knowledge.FeatureRun;
+import org.maestro.knowledge.MemberWord;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.rats.link.RatsLink;
@@ -33,6 +34,7 @@ import org.slf4j.LoggerFactory;
 /** What a member says that is no MAESTRO-SL costs one line of log, and nothing else. */
 @Isolated("other tests write to the log")
 class SaidFactsTest {
+  private long statesHeard;
   private static final String GOOD = "(= (level lamp-1) 0.5)";
 
   private final Logger ours = (Logger) LoggerFactory.getLogger(SaidFacts.class);
@@ -130,7 +132,7 @@ class SaidFactsTest {
             .get("lamp-b1");
     return new MemberNews(
         "lamp-b1",
-        new MemberView(),
+        new MemberView("listener", () -> {}),
         (description, speaker) -> device,
         new MemberNews.Listener() {
           @Override
@@ -139,8 +141,8 @@ class SaidFactsTest {
           }
 
           @Override
-          public void said(List<String> facts) {
-            heard.add(facts.toString());
+          public void said(MemberWord word) {
+            heard.add(word.facts().toString());
           }
 
           @Override
@@ -150,13 +152,14 @@ class SaidFactsTest {
         });
   }
 
-  private static RatsLink.Member lamp(List<String> facts) {
+  private RatsLink.Member lamp(List<String> facts) {
     return new RatsLink.Member(
         "lamp-b1",
         MemberStatus.Phase.READY,
         "b",
         Optional.of("{}"),
         Optional.of(
-            new MemberState("lamp-b1", "b", "standby", facts, List.of(), List.of(), List.of())));
+            new MemberState("lamp-b1", "b", "standby", facts, List.of(), List.of(), List.of())),
+        ++statesHeard);
   }
 }

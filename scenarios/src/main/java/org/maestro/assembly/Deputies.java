@@ -9,7 +9,7 @@ import java.util.function.BiFunction;
 import org.maestro.coordination.Coordinator;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.KnowledgeBase;
-import org.maestro.knowledge.Source;
+import org.maestro.knowledge.MemberWord;
 import org.maestro.members.MemberNews;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.home.Device;
@@ -65,12 +65,13 @@ final class Deputies {
   final class Deputy implements MemberNews.Listener {
     private final String member;
     private final Coordinator coordinator;
-    private final MemberView view = new MemberView();
+    private final MemberView view;
     private final MemberNews news;
 
     private Deputy(String member, Coordinator coordinator) {
       this.member = member;
       this.coordinator = coordinator;
+      this.view = new MemberView(member, () -> link.describe(member));
       this.news = new MemberNews(member, view, describedBy, this);
     }
 
@@ -85,9 +86,9 @@ final class Deputies {
     }
 
     @Override
-    public void said(List<String> facts) {
-      if (!facts.isEmpty()) {
-        knowledge.state(new Source(Source.Kind.STATED, member), facts);
+    public void said(MemberWord word) {
+      if (!word.facts().isEmpty()) {
+        knowledge.state(member, word);
       }
     }
 

@@ -34,6 +34,7 @@ final class LinkCrew implements Crew {
     }
     String conversation = String.valueOf(++lastOrder);
     deputy.get().view().begun(conversation, step.bindings());
+    Performing performing = new Performing(deputy.get(), step, conversation, reported);
     RatsLink.CallHandle call =
         link.call(
             new RatsLink.Order(
@@ -44,9 +45,8 @@ final class LinkCrew implements Crew {
                 LinkMarket.json(order.parameters()),
                 order.timeout(),
                 Optional.of(order.goalId())),
-            new CallReporter(
-                action -> deputies.later(step.member(), action),
-                new Performing(deputy.get(), step, conversation, reported)));
+            new CallReporter(action -> deputies.later(step.member(), action), performing));
+    performing.callId = call.callId();
     return call::cancel;
   }
 
@@ -56,14 +56,26 @@ final class LinkCrew implements Crew {
   }
 
   /** What becomes of one order. */
-  private record Performing(
-      Deputies.Deputy deputy, Step step, String conversation, Consumer<Report> reported)
-      implements CallReporter.Listener {
+  private static final class Performing implements CallReporter.Listener {
+    private final Deputies.Deputy deputy;
+    private final Step step;
+    private final String conversation;
+    private final Consumer<Report> reported;
+    private String callId = "";
+
+    Performing(Deputies.Deputy deputy, Step step, String conversation, Consumer<Report> reported) {
+      this.deputy = deputy;
+      this.step = step;
+      this.conversation = conversation;
+      this.reported = reported;
+    }
 
     @Override
     public void reported(Outcome outcome, Report report) {
-      reported.accept(report);
-      deputy.said(deputy.view().over());
+      reported.accept(
+          report.with(
+              deputy.view().account(conversation, callId, step.feature(), report.succeeded())));
+      deputy.view().over().ifPresent(deputy::said);
     }
 
     @Override

@@ -196,6 +196,11 @@ public final class BusLink implements RatsLink {
   }
 
   @Override
+  public void describe(String member) {
+    perform(() -> describe(Optional.of(member)));
+  }
+
+  @Override
   public void safe() {
     perform(() -> ask(Optional.empty(), ReservedFeature.SAFE));
   }

@@ -81,6 +81,9 @@ public interface RatsLink extends AutoCloseable {
       List<Map<String, Object>> parameterSets,
       Consumer<List<CostAnswer>> answer);
 
+  /** Asks the member to tell once more who it is and what it says of itself. */
+  void describe(String member);
+
   /** Sends {@code $safe} to every member (M37). */
   void safe();
 
@@ -121,13 +124,19 @@ public interface RatsLink extends AutoCloseable {
     }
   }
 
-  /** A member as the link knows it. */
+  /**
+   * A member as the link knows it.
+   *
+   * @param state the latest that was heard of this life
+   * @param statesHeard how many of them were heard: the same one may be told again with other news
+   */
   record Member(
       String id,
       MemberStatus.Phase phase,
       String boot,
       Optional<String> description,
-      Optional<MemberState> state) {}
+      Optional<MemberState> state,
+      long statesHeard) {}
 
   interface MemberListener {
     /** Status, description or state changed; a member is usable when READY and described. */

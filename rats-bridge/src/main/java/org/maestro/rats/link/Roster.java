@@ -125,6 +125,7 @@ final class Roster {
                         state -> {
                           Entry entry = entry(id);
                           entry.state = Optional.of(state);
+                          entry.statesHeard++;
                           publish(entry);
                         }));
   }
@@ -238,6 +239,7 @@ final class Roster {
     private String boot = "";
     private Optional<String> description = Optional.empty();
     private Optional<MemberState> state = Optional.empty();
+    private long statesHeard;
     private boolean doubted;
 
     private Entry(String id) {
@@ -267,7 +269,8 @@ final class Roster {
     }
 
     private RatsLink.Member member() {
-      return new RatsLink.Member(id, phase.orElseThrow(), boot, description, ownState());
+      return new RatsLink.Member(
+          id, phase.orElseThrow(), boot, description, ownState(), statesHeard);
     }
   }
 }

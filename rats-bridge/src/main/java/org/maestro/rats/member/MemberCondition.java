@@ -1,10 +1,13 @@
 package org.maestro.rats.member;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.maestro.rats.protocol.MemberState;
+import org.maestro.rats.protocol.Outcome;
 
 /**
  * The abstract state z that the member is in, and which features it has switched off (M33, M34).
@@ -13,12 +16,15 @@ import org.maestro.rats.protocol.MemberState;
  */
 final class MemberCondition {
 
+  private static final int MOST_RECENT = 16;
+
   private final MemberProfile profile;
   private final String boot;
   private final MemberProfile.Values values;
   private final Map<String, String> disabled = new TreeMap<>();
   private List<Task> running = List.of();
   private List<Task> waiting = List.of();
+  private final Deque<MemberState.Ended> recent = new ArrayDeque<>();
   private String atRest;
 
   MemberCondition(MemberProfile profile, String boot, MemberProfile.Values values) {
@@ -89,6 +95,14 @@ final class MemberCondition {
     waiting = List.copyOf(nowWaiting);
   }
 
+  /** What the call did is in the values that are told from now on. */
+  void ended(String callId, Outcome outcome) {
+    if (recent.size() == MOST_RECENT) {
+      recent.removeFirst();
+    }
+    recent.addLast(new MemberState.Ended(callId, outcome));
+  }
+
   void disable(String feature, String reason) {
     disabled.put(feature, reason);
   }
@@ -118,6 +132,7 @@ final class MemberCondition {
         profile.features().keySet().stream()
             .filter(feature -> whyDisabled(feature).isPresent())
             .sorted()
-            .toList());
+            .toList(),
+        List.copyOf(recent));
   }
 }

@@ -341,7 +341,7 @@ public final class RatsMember implements AutoCloseable {
   private void tellState() {
     watchTheTime();
     MemberState now = condition.snapshot();
-    if (connected && told.filter(now::equals).isEmpty()) {
+    if (connected && told.filter(now::saysTheSameAs).isEmpty()) {
       told = Optional.of(now);
       voice.state(now);
       impatience.changed();

@@ -337,6 +337,7 @@ final class TaskQueue implements Task.Keeper {
     if (ran && task.wentOut() && outcome != Outcome.SUCCEEDED) {
       condition.restSafely();
     }
+    condition.ended(task.call().id(), outcome);
     changed();
     answers.answer(task.call(), outcome, values, error);
     startWhatCan();

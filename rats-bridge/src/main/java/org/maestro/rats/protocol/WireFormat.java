@@ -279,6 +279,9 @@ public final class WireFormat {
     fields.put("running", state.running());
     fields.put("queue", state.queue());
     fields.put("disabled", state.disabled());
+    if (!state.recent().isEmpty()) {
+      fields.put("recent", state.recent().stream().map(WireFormat::ended).toList());
+    }
     return bytes(fields);
   }
 
@@ -291,7 +294,20 @@ public final class WireFormat {
         fields.texts("values", Rule.TEXT),
         fields.texts("running", Rule.ID),
         fields.texts("queue", Rule.ID),
-        fields.texts("disabled", Rule.FEATURE));
+        fields.texts("disabled", Rule.FEATURE),
+        fields.objects("recent").stream().map(WireFormat::ended).toList());
+  }
+
+  private static Map<String, Object> ended(MemberState.Ended ended) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    fields.put("id", ended.id());
+    fields.put("outcome", ended.outcome().name());
+    return fields;
+  }
+
+  private static MemberState.Ended ended(Fields fields) {
+    return new MemberState.Ended(
+        fields.text("id", Rule.ID), fields.constant("outcome", Outcome.class));
   }
 
   private static Map<String, Object> error(RatsError error) {

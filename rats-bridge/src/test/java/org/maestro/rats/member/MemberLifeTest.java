@@ -52,6 +52,20 @@ class MemberLifeTest extends MemberOnABus {
   }
 
   @Test
+  void itsStateNamesTheCallsThatAreOverTheLatestLast() {
+    send(call("c1", "wave", Map.of()));
+    send(call("c2", "grip", Map.of()));
+    run(1);
+    assertThat(state.orElseThrow().recent()).isEmpty();
+    run(10);
+
+    assertThat(state.orElseThrow().recent())
+        .containsExactly(
+            new MemberState.Ended("c1", Outcome.SUCCEEDED),
+            new MemberState.Ended("c2", Outcome.SUCCEEDED));
+  }
+
+  @Test
   void answersTheSameCallAgainWithoutExecutingItTwice() {
     Call call = call("c1", "echo", Map.of("a", 1));
     send(call);
