@@ -54,6 +54,9 @@ final class OpenCalls {
   private final WireFormat wire = new WireFormat();
   private final Map<String, Open> open = new LinkedHashMap<>();
 
+  private final String clockName;
+  private int clocks;
+
   /** Calls that were ended here without a word of their members, and what came of them later. */
   private final Map<String, Owed> owed =
       new LinkedHashMap<>() {
@@ -69,6 +72,7 @@ final class OpenCalls {
       String controller, Topics topics, Transport transport, Clock clock, Complaints complaints) {
     this.complaints = complaints;
     this.controller = controller;
+    this.clockName = Long.toString(clock.instant().toEpochMilli(), Character.MAX_RADIX);
     this.topics = topics;
     this.transport = transport;
     this.clock = clock;
@@ -111,22 +115,39 @@ final class OpenCalls {
     clock.schedule(Duration.ZERO, controller, action);
   }
 
-  private static Call addressed(Call call, Optional<String> boot) {
+  private Call addressed(Call call, Optional<String> boot) {
     return new Call(
-        call.id(),
-        call.member(),
-        call.boot().or(() -> boot),
-        call.feature(),
-        call.parameters(),
-        call.timeout(),
-        call.from(),
-        call.task(),
-        call.expects());
+            call.id(),
+            call.member(),
+            call.boot().or(() -> boot),
+            call.feature(),
+            call.parameters(),
+            call.timeout(),
+            call.from(),
+            call.task(),
+            call.expects())
+        .madeAt(now());
+  }
+
+  /** Of wall time, as members' clocks may run at another speed. */
+  private Call.Sent now() {
+    return new Call.Sent(clockName + "-" + clocks, (long) (clock.now().toMillis() / clock.speed()));
+  }
+
+  /**
+   * A member that takes for late what cannot have been late has been misled by a clock that stood
+   * still for a while, such as one of a machine that slept: from now on it is another clock.
+   */
+  private void checkClock(Open call, Result result) {
+    boolean tooLate = result.error().filter(error -> error.code() == ErrorCode.EXPIRED).isPresent();
+    if (tooLate && clock.now().compareTo(call.deadline) < 0) {
+      clocks++;
+    }
   }
 
   /** To whomever it concerns; nobody waits for what they answer. */
   void sendUnwatched(Call call) {
-    publish(call, call.timeout(), failure -> failure.ifPresent(this::note));
+    publish(call.madeAt(now()), call.timeout(), failure -> failure.ifPresent(this::note));
   }
 
   void cancel(String callId, String cancelId) {
@@ -187,6 +208,7 @@ final class OpenCalls {
     Open call = open.get(result.id());
     Owed late = owed.get(result.id());
     if (call != null && isFrom(call, sender, result.from())) {
+      checkClock(call, result);
       end(call, result);
     } else if (call == null && late != null && sender.equals(member(late.call))) {
       late.late = Optional.of(result);

@@ -39,6 +39,7 @@ final class Reception {
   private final Impatience impatience;
   private final Predicate<String> anotherLife;
   private final RightsWatch rights;
+  private final CallerClocks callers;
   private final Runnable describe;
   private final Clock clock;
   private final WireFormat wire = new WireFormat();
@@ -72,6 +73,7 @@ final class Reception {
     this.describe = describe;
     this.complaints = complaints;
     this.clock = clock;
+    this.callers = new CallerClocks(clock);
     this.rights = new RightsWatch(profile.id(), policy, tasks, clock);
   }
 
@@ -95,7 +97,7 @@ final class Reception {
     } else if (caller.isEmpty() && policy.isSecured()) {
       complain(message, "came on the bare topic of a secured site, and is ignored");
     } else if (isForMe(call)) {
-      take(call, message.remainingExpiry(), arrivedAt);
+      take(call, message.remainingExpiry(), arrivedAt, callers.age(call, arrivedAt));
     } else {
       impatience.overheard(call, arrivedAt);
     }
@@ -139,7 +141,11 @@ final class Reception {
                     || ReservedFeature.of(call.feature()).isPresent());
   }
 
-  private void take(Call call, Optional<Duration> remainingExpiry, Duration arrivedAt) {
+  /**
+   * @param age how long it was on its way; empty when nobody knows
+   */
+  private void take(
+      Call call, Optional<Duration> remainingExpiry, Duration arrivedAt, Optional<Duration> age) {
     if (call.boot().filter(anotherLife).isPresent()) {
       return;
     }
@@ -171,9 +177,24 @@ final class Reception {
         } else {
           ReservedFeature.of(call.feature())
               .ifPresentOrElse(
-                  reserved -> performReserved(reserved, call), () -> perform(call, limit));
+                  reserved -> performReserved(reserved, call),
+                  () -> performInTime(call, limit, age.orElse(Duration.ZERO)));
         }
       }
+    }
+  }
+
+  /** What leads to a safe state, or only asks, is never too late; what moves something is. */
+  private void performInTime(Call call, Duration limit, Duration age) {
+    Duration left = call.timeout().minus(age);
+    if (left.isNegative() || left.isZero()) {
+      answers.rejected(
+          call,
+          ErrorCode.EXPIRED,
+          "The call was on its way for %d ms at least, and was to be over after %d ms"
+              .formatted(age.toMillis(), call.timeout().toMillis()));
+    } else {
+      perform(call, left.compareTo(limit) < 0 ? left : limit);
     }
   }
 

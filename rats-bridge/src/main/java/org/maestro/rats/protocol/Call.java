@@ -14,6 +14,7 @@ import java.util.Optional;
  * @param from who calls
  * @param task the goal it serves
  * @param expects what the caller counts on; whoever could do it for less may offer to (M43)
+ * @param sent when the caller made it, by a clock of its own
  */
 public record Call(
     String id,
@@ -24,7 +25,22 @@ public record Call(
     Duration timeout,
     String from,
     Optional<String> task,
-    Optional<Expectation> expects) {
+    Optional<Expectation> expects,
+    Optional<Sent> sent) {
+
+  /** Of which the caller does not say when it was made. */
+  public Call(
+      String id,
+      Optional<String> member,
+      Optional<String> boot,
+      String feature,
+      Map<String, Object> parameters,
+      Duration timeout,
+      String from,
+      Optional<String> task,
+      Optional<Expectation> expects) {
+    this(id, member, boot, feature, parameters, timeout, from, task, expects, Optional.empty());
+  }
 
   /** Of which the caller does not say what it counts on. */
   public Call(
@@ -39,7 +55,16 @@ public record Call(
     this(id, member, boot, feature, parameters, timeout, from, task, Optional.empty());
   }
 
-  /** Whether this is the other one sent again: what its caller counts on may differ by then. */
+  /** The same call, made then. */
+  public Call madeAt(Sent then) {
+    return new Call(
+        id, member, boot, feature, parameters, timeout, from, task, expects, Optional.of(then));
+  }
+
+  /**
+   * Whether this is the other one sent again: what its caller counts on, and when it asks, may
+   * differ by then.
+   */
   public boolean isAgain(Call other) {
     return withoutExpectation().equals(other.withoutExpectation());
   }
@@ -47,6 +72,15 @@ public record Call(
   private Call withoutExpectation() {
     return new Call(id, member, boot, feature, parameters, timeout, from, task);
   }
+
+  /**
+   * When a call was made.
+   *
+   * @param clock names the clock, which nobody else need share; a caller that cannot rely on its
+   *     clock any more names another
+   * @param millis of wall time, by that clock, which never goes back
+   */
+  public record Sent(String clock, long millis) {}
 
   /**
    * What a caller counts on.

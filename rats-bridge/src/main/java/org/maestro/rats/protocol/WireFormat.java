@@ -35,7 +35,7 @@ import org.slf4j.LoggerFactory;
 public final class WireFormat {
 
   /** What this codec writes: major, that the topic names too, and minor. */
-  public static final String VERSION = "1.1";
+  public static final String VERSION = "1.2";
 
   /** The longest payload that is read, in bytes. */
   public static final int MOST_BYTES = 256 * 1024;
@@ -85,6 +85,7 @@ public final class WireFormat {
     fields.put("from", call.from());
     call.task().ifPresent(task -> fields.put("task", task));
     call.expects().ifPresent(expected -> fields.put("expects", expectation(expected)));
+    call.sent().ifPresent(sent -> fields.put("sent", sent(sent)));
     return fields;
   }
 
@@ -108,7 +109,19 @@ public final class WireFormat {
         fields.optionalText("task", Rule.TEXT),
         fields.has("expects")
             ? Optional.of(expectation(fields.object("expects")))
-            : Optional.empty());
+            : Optional.empty(),
+        fields.has("sent") ? Optional.of(sent(fields.object("sent"))) : Optional.empty());
+  }
+
+  private static Map<String, Object> sent(Call.Sent sent) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    fields.put("clock", sent.clock());
+    fields.put("ms", sent.millis());
+    return fields;
+  }
+
+  private static Call.Sent sent(Fields fields) {
+    return new Call.Sent(fields.text("clock", Rule.ID), fields.integer("ms", 0, Long.MAX_VALUE));
   }
 
   private static Map<String, Object> expectation(Call.Expectation expected) {

@@ -9,9 +9,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
+import org.maestro.rats.member.TestDevice;
 import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.Outcome;
+import org.maestro.rats.protocol.Result;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.protocol.WireFormat;
 import org.maestro.rats.transport.Publication;
@@ -115,6 +117,82 @@ abstract class ForeignDevicesContract extends LinkParty {
     assertThat(working.only().outcome()).isEqualTo(Outcome.SUCCEEDED);
   }
 
+  /** No broker counts the time that passes between it and the member. */
+  @Test
+  void whatWasHeldUpOnItsWayIsNotBegun() {
+    TestDevice device = new TestDevice("anna", clock());
+    join(device, SITE);
+    Teller teller = new Teller();
+    teller.call("c1", "echo", teller.now());
+    await(() -> teller.results.size() == 1);
+    Call.Sent then = teller.now();
+    boolean[] passed = new boolean[1];
+    clock().schedule(Duration.ofSeconds(90), "teller", () -> passed[0] = true);
+    await(() -> passed[0]);
+    teller.call("c2", "drive", then);
+    await(() -> teller.results.size() == 2);
+    assertThat(teller.results.get(1).outcome()).isEqualTo(Outcome.REJECTED);
+    assertThat(teller.results.get(1).error().orElseThrow().code()).isEqualTo(ErrorCode.EXPIRED);
+
+    teller.call("c3", "wave", teller.now());
+    teller.call("c4", "wave", new Call.Sent("another", 5));
+    await(() -> device.log.stream().filter(line -> line.endsWith("start wave")).count() == 2);
+    assertThat(device.log).noneMatch(line -> line.endsWith("start drive"));
+  }
+
+  /** Calls for a minute, from a clock that began long ago. */
+  private final class Teller {
+    final List<Result> results = new CopyOnWriteArrayList<>();
+    private final Topics topics = new Topics(SITE);
+    private final WireFormat wire = new WireFormat();
+    private final Transport transport = client("teller");
+
+    Teller() {
+      opened.add(transport::close);
+      transport.subscribe(
+          topics.results("teller"),
+          Transport.RetainedMessages.IGNORE,
+          message -> results.add(wire.decodeResult(message.payload())));
+      boolean[] there = new boolean[1];
+      transport.open(
+          Optional.empty(),
+          new Transport.ConnectionListener() {
+            @Override
+            public void connected() {
+              there[0] = true;
+            }
+
+            @Override
+            public void lost(String reason) {
+              // It is there again after the next connect.
+            }
+          });
+      await(() -> there[0]);
+    }
+
+    Call.Sent now() {
+      double wall = clock().now().toMillis() / clock().speed();
+      return new Call.Sent("teller-1", 86_400_000 + (long) wall);
+    }
+
+    void call(String id, String feature, Call.Sent sent) {
+      Call call =
+          new Call(
+                  id,
+                  Optional.of("anna"),
+                  Optional.empty(),
+                  feature,
+                  Map.of("to", "a"),
+                  Duration.ofSeconds(60),
+                  "teller",
+                  Optional.empty())
+              .madeAt(sent);
+      transport.publish(
+          Publication.reliable(topics.call("teller"), wire.encode(call), Optional.empty()),
+          failure -> assertThat(failure).isEmpty());
+    }
+  }
+
   private void sayItIsAtIt(Stranger stranger, Listener until) {
     stranger.progress("\"kind\":\"RUNNING\",\"fraction\":0.5,\"values\":{}");
     if (!until.ended()) {
@@ -150,7 +228,9 @@ abstract class ForeignDevicesContract extends LinkParty {
           Transport.RetainedMessages.IGNORE,
           message -> {
             Call call = wire.decodeCall(message.payload());
-            if (call.member().filter(id::equals).isPresent()) {
+            if (call.feature().equals("$describe")) {
+              describe();
+            } else if (call.member().filter(id::equals).isPresent()) {
               calls.add(call);
             }
           });
@@ -159,16 +239,7 @@ abstract class ForeignDevicesContract extends LinkParty {
           new Transport.ConnectionListener() {
             @Override
             public void connected() {
-              say(topics.description(id), true, "\"label\":\"odd\"");
-              say(
-                  topics.state(id),
-                  true,
-                  "\"id\":\"%s\",\"boot\":\"b1\",\"z\":\"on\"".formatted(id)
-                      + ",\"values\":[],\"running\":[],\"queue\":[],\"disabled\":[]");
-              say(
-                  topics.status(id),
-                  true,
-                  "\"id\":\"%s\",\"status\":\"ready\",\"boot\":\"b1\"".formatted(id));
+              describe();
             }
 
             @Override
@@ -176,6 +247,19 @@ abstract class ForeignDevicesContract extends LinkParty {
               // It is there again after the next connect.
             }
           });
+    }
+
+    private void describe() {
+      say(topics.description(id), true, "\"label\":\"odd\"");
+      say(
+          topics.state(id),
+          true,
+          "\"id\":\"%s\",\"boot\":\"b1\",\"z\":\"on\"".formatted(id)
+              + ",\"values\":[],\"running\":[],\"queue\":[],\"disabled\":[]");
+      say(
+          topics.status(id),
+          true,
+          "\"id\":\"%s\",\"status\":\"ready\",\"boot\":\"b1\"".formatted(id));
     }
 
     /**

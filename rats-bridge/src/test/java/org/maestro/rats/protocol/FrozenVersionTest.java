@@ -30,8 +30,8 @@ class FrozenVersionTest {
   private static final String WHAT_TO_DO =
       "%s differs from version "
           + WireFormat.VERSION
-          + " of the bus, which is frozen. docs/decisions/0014-version-1-of-the-bus.md says what may"
-          + " be added, and how: with a new minor version and a frozen copy of its own beside"
+          + " of the bus, which is frozen. docs/decisions/0014-version-1-of-the-bus.md says what"
+          + " may be added, and how: with a new minor version and a frozen copy of its own beside"
           + " src/test/resources"
           + FROZEN
           + WireFormat.VERSION;
@@ -122,7 +122,8 @@ class FrozenVersionTest {
             Duration.ofSeconds(15),
             "cca",
             Optional.of("G12"),
-            Optional.of(new Call.Expectation(4.5, 4)));
+            Optional.of(new Call.Expectation(4.5, 4)),
+            Optional.of(new Call.Sent("k3", 120_500)));
     RatsError error =
         new RatsError(
             ErrorCode.PRECONDITION_NOT_MET,
