@@ -12,9 +12,9 @@ import org.maestro.sl.Term;
 /**
  * What is said of one state variable, and what is believed of it. Claims that stand are kept the
  * best first: a surer one before one that came later, which takes its place when the surer ages or
- * is withdrawn. Those that were overruled are kept to be seen, and never come back: the world may
- * have moved on since. A cell without claims says that what was known, or described in the home, is
- * lost. Immutable.
+ * is withdrawn. Those that were overruled are kept to be seen, and do not come back, as the world
+ * may have moved on since, unless their source goes on saying so. A cell without claims says that
+ * what was known, or described in the home, is lost. Immutable.
  */
 final class Cell {
 
@@ -130,6 +130,30 @@ final class Cell {
         .filter(other -> outdone.stream().noneMatch(o -> isRepeated(o, other)))
         .forEach(outdone::add);
     return new Cell(stay, outdone, last);
+  }
+
+  /**
+   * Once nobody who counts says anything else, what was overruled counts again where its source
+   * goes on saying so: that is no word of the past.
+   */
+  Cell goingOn(Predicate<Claim> stillSaid, Instant now) {
+    Settled present = settled(held -> held.isFresh(now));
+    if (overruled.isEmpty() || present.value().isPresent()) {
+      return this;
+    }
+    Optional<Claim> again =
+        overruled.stream()
+            .filter(Claim::has)
+            .filter(claim -> claim.held().isFresh(now))
+            .filter(claim -> !present.excluded().containsKey(claim.value()))
+            .filter(stillSaid)
+            .findFirst();
+    if (again.isEmpty()) {
+      return this;
+    }
+    List<Claim> stand = new ArrayList<>(standing);
+    stand.add(0, again.get());
+    return new Cell(stand, overruled.stream().filter(o -> o != again.get()).toList(), last);
   }
 
   private static boolean isRepeated(Claim newer, Claim older) {

@@ -289,6 +289,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     if (facts.stream().anyMatch(Fact.Equation.class::isInstance)) {
       sights.ended(view(draft.world())).forEach(positions::forget);
     }
+    draft.goOn(statements::isStillSaid);
     Outcome outcome = Outcome.of(draft, now);
     serial = next[0];
     Source source = voice.source();

@@ -7,6 +7,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiPredicate;
 import java.util.function.LongSupplier;
 import java.util.function.Predicate;
 import org.maestro.sl.Expression;
@@ -123,6 +124,17 @@ final class Draft {
                 put(variable, less);
               }
             });
+  }
+
+  /** Of what was touched, what is said all along counts where nothing else does any more. */
+  void goOn(BiPredicate<StateVariable, Claim> stillSaid) {
+    for (StateVariable variable : List.copyOf(touched)) {
+      Cell cell = cell(variable).orElse(Cell.LOST);
+      Cell again = cell.goingOn(claim -> stillSaid.test(variable, claim), now);
+      if (again != cell) {
+        put(variable, again);
+      }
+    }
   }
 
   StateVariable variable(Formula.Atom atom) {

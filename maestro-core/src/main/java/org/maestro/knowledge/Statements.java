@@ -93,6 +93,13 @@ final class Statements {
             .toList();
   }
 
+  /** Whether it is what a device says of itself, and goes on saying until it says otherwise. */
+  boolean isStillSaid(StateVariable variable, Claim claim) {
+    Source source = claim.held().source();
+    return source.kind() == Source.Kind.STATED
+        && byDevice.getOrDefault(source.agent(), Set.of()).contains(variable);
+  }
+
   void forget(String device) {
     byDevice.remove(device);
     expectedOf.remove(device);

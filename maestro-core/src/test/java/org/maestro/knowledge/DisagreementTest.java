@@ -49,6 +49,30 @@ class DisagreementTest {
         .containsExactly(tuple(CAM_A, Dispute.Rule.LATER));
   }
 
+  /** A look from before the grasp may be heard after it, when messages were held up. */
+  @Test
+  void whatADeviceGoesOnSayingOfItselfCountsAgainWhenTheOtherTakesBackItsWord() {
+    home.state(CAM_B, "(position Cup \"4 0 0\")", "(canSee cam-b Cup)");
+    home.state(Household.ROBOT, "(in rose zone-b)", "(in Cup rose)");
+    home.state(CAM_B, "(position Cup \"4 0 0\")", "(canSee cam-b Cup)");
+    assertThat(home.truth("(in Cup zone-b)")).isEqualTo(Truth.TRUE);
+
+    home.state(CAM_B, "(not (canSee cam-b Cup))", "(not (in Cup zone-b))");
+
+    assertThat(home.truth("(in Cup rose)")).isEqualTo(Truth.TRUE);
+  }
+
+  @Test
+  void whatADeviceDoesNotSayAnyMoreDoesNotComeBack() {
+    home.state(Household.ROBOT, "(in rose zone-b)", "(in Cup rose)");
+    home.state(CAM_B, "(position Cup \"4 0 0\")", "(canSee cam-b Cup)");
+    home.state(Household.ROBOT, "(in rose zone-b)");
+
+    home.state(CAM_B, "(not (canSee cam-b Cup))", "(not (in Cup zone-b))");
+
+    assertThat(home.truth("(in Cup rose)")).isEqualTo(Truth.UNKNOWN);
+  }
+
   @Test
   void theSurerSourceCountsThoughTheOtherSpokeLater() {
     describe("cam-b", 0.6);

@@ -49,27 +49,33 @@ public final class AgentlessSite implements AutoCloseable {
   private final OpenParts parts = new OpenParts();
   private final List<StoryEntry> story = new ArrayList<>();
   private final SteppedClock clock = new SteppedClock();
-  private final InProcessBus bus = new InProcessBus(clock);
+  private final FreezableClock whole;
+  private final FreezableClock main;
+  private final InProcessBus bus;
   private final KnowledgeBase knowledge;
   private final SimulatedHome simulated;
   private final Coordinator coordinator;
 
   private AgentlessSite(Home home, Scene scene, long seed) {
-    knowledge = parts.opened(new CollectiveKnowledge(home, clock));
+    whole = new FreezableClock(clock, seed);
+    main = new FreezableClock(whole, seed);
+    bus = new InProcessBus(whole);
+    knowledge = parts.opened(new CollectiveKnowledge(home, main));
     simulated =
         parts.opened(
             SimulatedHome.start(
                 new SimulatedHome.Setup(
                         home,
                         scene,
-                        clock,
+                        whole,
                         seed,
                         bus::client,
                         SITE,
                         new DescriptionWriter(home)::write)
                     .on(bus)));
-    BusLink link = parts.opened(BusLink.connect(CONTROLLER, SITE, bus.client(CONTROLLER), clock));
-    Deputies deputies = new Deputies(link, clock, knowledge, DescriptionReader.of(home)::read);
+    BusLink link =
+        parts.opened(BusLink.connect(CONTROLLER, SITE, bus.client(CONTROLLER, main), main));
+    Deputies deputies = new Deputies(link, main, knowledge, DescriptionReader.of(home)::read);
     coordinator =
         new Coordinator(
             new Ports(
@@ -77,13 +83,13 @@ public final class AgentlessSite implements AutoCloseable {
                 new ReplanningPlanner(new OptimalPlanner(MOST_STATES)),
                 new LinkMarket(deputies, link),
                 new LinkCrew(deputies, link),
-                new InTurn(clock),
-                clock,
+                new InTurn(main),
+                main,
                 story::add));
     deputies.report(coordinator);
     knowledge.watch(
         change ->
-            clock.schedule(Duration.ZERO, CONTROLLER, () -> coordinator.knowledgeChanged(change)));
+            main.schedule(Duration.ZERO, CONTROLLER, () -> coordinator.knowledgeChanged(change)));
   }
 
   /**
@@ -157,6 +163,16 @@ public final class AgentlessSite implements AutoCloseable {
 
   public SteppedClock clock() {
     return clock;
+  }
+
+  /** The process of the heart does nothing for so long, while devices and bus go on. */
+  public void freezeMain(Duration lasting) {
+    main.freeze(lasting);
+  }
+
+  /** Nothing is done for so long, though time passes: all of it is in one process. */
+  public void freezeWhole(Duration lasting) {
+    whole.freeze(lasting);
   }
 
   /** What was told of all goals up to now. */

@@ -43,7 +43,15 @@ public final class InProcessBus {
    * one's place.
    */
   public Transport client(String clientId) {
-    return new InProcessTransport(this, clock, clientId);
+    return client(clientId, clock);
+  }
+
+  /**
+   * The same for a client in a process of its own: what comes for it, and what it sends, is its own
+   * clock's.
+   */
+  public Transport client(String clientId, Clock own) {
+    return new InProcessTransport(this, own, clientId);
   }
 
   /** The broker goes down: all connections are lost, and so is what it retained. */
