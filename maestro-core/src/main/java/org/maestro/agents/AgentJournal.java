@@ -1,5 +1,6 @@
 package org.maestro.agents;
 
+import java.util.function.Consumer;
 import org.maestro.coordination.Journal;
 import org.maestro.coordination.JournalEntry;
 import org.maestro.rats.time.Clock;
@@ -23,18 +24,36 @@ final class AgentJournal implements Journal {
 
   @Override
   public void afterwards(Runnable action) {
-    boolean[] within = {true};
-    Thread caller = Thread.currentThread();
-    Clock.Ticket ticket = clock.hold("the journal");
-    elsewhere.afterwards(
-        () -> {
-          if (within[0] && Thread.currentThread() == caller) {
-            action.run();
-          } else {
-            agent.tell(action);
-          }
-          ticket.close();
-        });
-    within[0] = false;
+    Return back = new Return();
+    elsewhere.afterwards(() -> back.run(action));
+    back.callIsOver();
+  }
+
+  @Override
+  public void accept(JournalEntry.Submitted goal, Runnable accepted, Consumer<String> refused) {
+    Return back = new Return();
+    elsewhere.accept(
+        goal, () -> back.run(accepted), reason -> back.run(() -> refused.accept(reason)));
+    back.callIsOver();
+  }
+
+  /** The way back to the agent's thread, once. Time waits for it on a stepped clock. */
+  private final class Return {
+    private final Thread caller = Thread.currentThread();
+    private final Clock.Ticket ticket = clock.hold("the journal");
+    private boolean calling = true;
+
+    private void run(Runnable action) {
+      if (Thread.currentThread() == caller && calling) {
+        action.run();
+      } else {
+        agent.tell(action);
+      }
+      ticket.close();
+    }
+
+    private void callIsOver() {
+      calling = false;
+    }
   }
 }

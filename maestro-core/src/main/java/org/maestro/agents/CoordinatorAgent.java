@@ -86,7 +86,7 @@ public final class CoordinatorAgent extends MaestroAgent {
             journal,
             this::misconduct);
     this.coordinator = deliberation.coordinator();
-    this.requests = new GoalRequests(this, knowledge, coordinator, journal, stories);
+    this.requests = new GoalRequests(this, knowledge, coordinator, stories);
   }
 
   /** The members that can be used now. Any thread may ask. */

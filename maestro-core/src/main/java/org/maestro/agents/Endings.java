@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.maestro.coordination.GoalOutcome;
+import org.maestro.coordination.Latest;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Substitution;
@@ -23,10 +24,13 @@ final class Endings {
     void reply(ACLMessage to, int performative, Content content);
   }
 
-  private record Ending(boolean reached, Content content) {}
+  private record Ending(boolean reached, Content content, long bytes) {}
+
+  private static final long MOST_BYTES = 512 << 10;
+  private static final long BYTES_OF_A_CONTENT = 1_536;
 
   private final Voice voice;
-  private final Map<String, Ending> endings = new HashMap<>();
+  private final Latest<Ending> endings = new Latest<>(MOST_BYTES, Ending::bytes);
   private final Map<String, List<ACLMessage>> waiting = new HashMap<>();
 
   Endings(Voice voice) {
@@ -35,7 +39,7 @@ final class Endings {
 
   /** Replies to the message at the goal's end, at once when it has come. */
   void await(String goalId, ACLMessage message) {
-    Optional<Ending> ending = Optional.ofNullable(endings.get(goalId));
+    Optional<Ending> ending = endings.find(goalId);
     if (ending.isPresent()) {
       tell(message, ending.get());
     } else {
@@ -44,7 +48,7 @@ final class Endings {
   }
 
   boolean isOver(String goalId) {
-    return endings.containsKey(goalId);
+    return endings.find(goalId).isPresent();
   }
 
   /**
@@ -53,7 +57,8 @@ final class Endings {
    * @param goal as it was stated
    */
   void ended(Formula goal, GoalOutcome outcome) {
-    Ending ending = new Ending(outcome.reached(), content(goal, outcome));
+    Ending ending =
+        new Ending(outcome.reached(), content(goal, outcome), BYTES_OF_A_CONTENT + outcome.bytes());
     endings.put(outcome.id(), ending);
     Optional.ofNullable(waiting.remove(outcome.id()))
         .ifPresent(messages -> messages.forEach(message -> tell(message, ending)));

@@ -12,7 +12,6 @@ import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.GoalOutcome;
 import org.maestro.coordination.HeldNews;
 import org.maestro.coordination.InvalidGoalException;
-import org.maestro.coordination.Journal;
 import org.maestro.coordination.Recovery;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.ontology.home.AccessList;
@@ -30,7 +29,6 @@ final class GoalRequests {
   private final MaestroAgent agent;
   private final KnowledgeBase knowledge;
   private final Coordinator coordinator;
-  private final Journal journal;
   private final ToldStories stories;
   private final Endings endings;
   private final Map<String, GoalOfAnother> goalsOfOthers = new LinkedHashMap<>();
@@ -40,15 +38,10 @@ final class GoalRequests {
   private record GoalOfAnother(AID owner, Content status) {}
 
   GoalRequests(
-      MaestroAgent agent,
-      KnowledgeBase knowledge,
-      Coordinator coordinator,
-      Journal journal,
-      ToldStories stories) {
+      MaestroAgent agent, KnowledgeBase knowledge, Coordinator coordinator, ToldStories stories) {
     this.agent = agent;
     this.knowledge = knowledge;
     this.coordinator = coordinator;
-    this.journal = journal;
     this.stories = stories;
     this.endings = new Endings(agent::reply);
   }
@@ -61,7 +54,7 @@ final class GoalRequests {
 
   /** One of them has come to its end. */
   void ended(GoalOutcome outcome) {
-    endings.ended(takenUp.get(outcome.id()), outcome);
+    endings.ended(takenUp.remove(outcome.id()), outcome);
   }
 
   void goal(ACLMessage message, Words words) {
@@ -92,19 +85,29 @@ final class GoalRequests {
       return;
     }
     try {
-      String id =
-          coordinator.submit(
-              GoalWords.request(goal, requester.toString(), words, agent.clock().now()),
-              news -> answer(message, news),
-              outcome -> endings.ended(goal, outcome));
-      journal.afterwards(
-          () -> {
-            agent.reply(message, ACLMessage.AGREE, named("initCNP", id));
-            endings.await(id, message);
-          });
+      coordinator.submit(
+          GoalWords.request(goal, requester.toString(), words, agent.clock().now()),
+          answer(message),
+          news -> answer(message, news),
+          outcome -> endings.ended(goal, outcome));
     } catch (InvalidGoalException e) {
       agent.refuse(message, ACLMessage.REFUSE, e.getMessage());
     }
+  }
+
+  private Coordinator.Answer answer(ACLMessage message) {
+    return new Coordinator.Answer() {
+      @Override
+      public void accepted(String goalId) {
+        agent.reply(message, ACLMessage.AGREE, named("initCNP", goalId));
+        endings.await(goalId, message);
+      }
+
+      @Override
+      public void refused(String reason) {
+        agent.refuse(message, ACLMessage.REFUSE, reason);
+      }
+    };
   }
 
   private static Content named(String operator, String goalId) {
@@ -226,6 +229,11 @@ final class GoalRequests {
   }
 
   private String noSuchGoal(String id) {
+    if (coordinator.hasHad(id)) {
+      return "The goal "
+          + id
+          + " ended long ago, and nothing of it is kept here any more; its story may still be read when no platform runs.";
+    }
     return stories.goals().isEmpty()
         ? "There is no goal " + id + "; none was stated yet."
         : "There is no goal " + id + "; there are " + String.join(", ", stories.goals()) + ".";

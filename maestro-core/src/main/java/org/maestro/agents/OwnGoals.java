@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
+import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.GoalOutcome;
 import org.maestro.coordination.GoalRequest;
 import org.maestro.coordination.GoalState;
@@ -184,7 +185,7 @@ final class OwnGoals {
   }
 
   /** One of them. */
-  private final class Own {
+  private final class Own implements Coordinator.Answer {
     private final Formula goal;
     private String id = "";
     private Optional<Petition> petition = Optional.empty();
@@ -205,10 +206,33 @@ final class OwnGoals {
       attempts++;
       try {
         id =
-            deliberation.coordinator().submit(new GoalRequest(goal, name), this::heard, this::over);
-        tellCentre();
+            deliberation
+                .coordinator()
+                .submit(new GoalRequest(goal, name), this, this::heard, this::over);
       } catch (InvalidGoalException e) {
         LOG.warn("{} does not pursue its goal: {}", name, e.getMessage());
+      }
+    }
+
+    @Override
+    public void accepted(String goalId) {
+      if (goals.get(goal) == this) {
+        tellCentre();
+      } else {
+        deliberation.coordinator().cancel(goalId, name);
+      }
+    }
+
+    @Override
+    public void refused(String reason) {
+      attempts--;
+      LOG.warn("{} does not pursue its goal for now: {}", name, reason);
+      clock.schedule(ASK_AGAIN, name, () -> agent.tell(this::submitAgain));
+    }
+
+    private void submitAgain() {
+      if (goals.get(goal) == this && !ended) {
+        submit();
       }
     }
 

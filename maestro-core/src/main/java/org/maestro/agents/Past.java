@@ -2,6 +2,7 @@ package org.maestro.agents;
 
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.Journal;
 import org.maestro.coordination.JournalEntry;
@@ -56,6 +57,11 @@ public record Past(
     @Override
     public void afterwards(Runnable action) {
       journal.afterwards(action);
+    }
+
+    @Override
+    public void accept(JournalEntry.Submitted goal, Runnable accepted, Consumer<String> refused) {
+      journal.accept(goal, accepted, refused);
     }
   }
 }

@@ -5,8 +5,10 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.maestro.coordination.Latest;
 import org.maestro.coordination.Story;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.sl.Content;
@@ -19,8 +21,13 @@ final class ToldStories {
   private final MaestroAgent agent;
   private final Story archive;
   private final Consumer<String> ended;
-  private final Map<String, List<StoryEntry>> stories = new LinkedHashMap<>();
+  private final Map<String, List<StoryEntry>> running = new LinkedHashMap<>();
+  private final Latest<List<StoryEntry>> over = new Latest<>(MOST_BYTES, ToldStories::bytes);
   private final List<Subscription> subscriptions = new ArrayList<>();
+
+  private static final long MOST_BYTES = 1 << 20;
+  private static final long MOST_BYTES_OF_EACH = 256 << 10;
+  private static final long BYTES_OF_AN_ENTRY = 160;
 
   private record Subscription(String goalId, ACLMessage request) {}
 
@@ -36,20 +43,38 @@ final class ToldStories {
     this.agent = agent;
     this.archive = archive;
     this.ended = ended;
-    past.forEach((goal, story) -> stories.put(goal, new ArrayList<>(story)));
+    past.forEach(
+        (goal, story) -> {
+          if (isOver(story)) {
+            over.put(goal, new ArrayList<>(story));
+          } else {
+            running.put(goal, new ArrayList<>(story));
+          }
+        });
+  }
+
+  private static long bytes(List<StoryEntry> story) {
+    return story.stream().mapToLong(entry -> BYTES_OF_AN_ENTRY + entry.text().length()).sum();
   }
 
   Map<String, List<StoryEntry>> all() {
-    return stories;
+    Map<String, List<StoryEntry>> all = new LinkedHashMap<>();
+    over.ids().forEach(goal -> all.put(goal, story(goal)));
+    all.putAll(running);
+    return all;
   }
 
   Set<String> goals() {
-    return stories.keySet();
+    return all().keySet();
+  }
+
+  private List<StoryEntry> story(String goalId) {
+    return Optional.ofNullable(running.get(goalId)).or(() -> over.find(goalId)).orElse(List.of());
   }
 
   void told(StoryEntry entry) {
     archive.tell(entry);
-    stories.computeIfAbsent(entry.goalId(), id -> new ArrayList<>()).add(entry);
+    note(entry);
     subscriptions.stream()
         .filter(s -> s.goalId().equals(entry.goalId()))
         .forEach(s -> inform(s.request(), entry));
@@ -59,10 +84,31 @@ final class ToldStories {
     }
   }
 
+  /**
+   * Stories of goals that are over are kept as long as there is room; of one that is held for long,
+   * what the goal is, and the latest.
+   */
+  private void note(StoryEntry entry) {
+    String goalId = entry.goalId();
+    Optional<List<StoryEntry>> ended = over.find(goalId);
+    List<StoryEntry> story =
+        ended.isPresent()
+            ? new ArrayList<>(ended.get())
+            : running.computeIfAbsent(goalId, id -> new ArrayList<>());
+    story.add(entry);
+    while (story.size() > 2 && bytes(story) > MOST_BYTES_OF_EACH) {
+      story.remove(1);
+    }
+    if (entry.kind() == StoryEntry.Kind.END || ended.isPresent()) {
+      running.remove(goalId);
+      over.put(goalId, story);
+    }
+  }
+
   /** Once, as long as the goal's story is told. */
   void misconduct(String goalId, String sentence) {
     String text = sentence + ".";
-    List<StoryEntry> story = stories.getOrDefault(goalId, List.of());
+    List<StoryEntry> story = story(goalId);
     if (!isOver(story) && story.stream().noneMatch(entry -> entry.text().equals(text))) {
       told(new StoryEntry(goalId, agent.clock().now(), StoryEntry.Kind.MISCONDUCT, text));
     }
@@ -70,7 +116,7 @@ final class ToldStories {
 
   void subscribe(ACLMessage message, Words words) {
     String id = words.string("story").orElse("");
-    List<StoryEntry> told = stories.getOrDefault(id, List.of());
+    List<StoryEntry> told = story(id);
     told.forEach(entry -> inform(message, entry));
     if (!isOver(told)) {
       subscriptions.add(new Subscription(id, message));
@@ -83,7 +129,7 @@ final class ToldStories {
 
   /** The whole story of a goal that has one. */
   void tellAll(ACLMessage question, String goalId) {
-    answer(question, stories.getOrDefault(goalId, List.of()));
+    answer(question, story(goalId));
   }
 
   /** Sentences that were not told before, in answer to a question. */

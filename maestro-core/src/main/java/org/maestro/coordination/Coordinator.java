@@ -28,13 +28,17 @@ public final class Coordinator {
   /** Of that many goals that are over, the latest ones, choices can be explained. */
   private static final int MOST_EXPLAINED = 50;
 
+  private static final long MOST_BYTES_OF_ENDED = 512 << 10;
+  private static final long BYTES_OF_A_REQUEST = 512;
+
   private final Ports ports;
   private final JournaledCrew crew;
   private final Roster roster = new Roster();
   private final Rivals rivals;
   private final ExactPrices exactPrices = new ExactPrices();
   private final Map<String, Pursuit> pursuits = new LinkedHashMap<>();
-  private final Map<String, Recovery.EndedGoal> ended = new LinkedHashMap<>();
+  private final Latest<Recovery.EndedGoal> ended =
+      new Latest<>(MOST_BYTES_OF_ENDED, goal -> BYTES_OF_A_REQUEST + goal.outcome().bytes());
   private final Comeback comeback = new Comeback();
   private final Map<String, Clock.Timer> deadlines = new HashMap<>();
   private final String prefix;
@@ -70,14 +74,59 @@ public final class Coordinator {
    * @throws InvalidGoalException when it speaks of what nobody knows
    */
   public String submit(GoalRequest request, Consumer<HeldNews> news, Consumer<GoalOutcome> ended) {
+    return submit(request, Answer.NOBODY, news, ended);
+  }
+
+  /**
+   * Takes a goal on, as soon as it is written down.
+   *
+   * @param answer told once, that it is, or why it cannot be
+   * @param news told of a held goal each time that it begins or ceases to be so
+   * @param ended told once, how it ended; a held one ends when it is cancelled
+   * @return the id that the goal has then, G1, G2 ...
+   * @throws InvalidGoalException when it speaks of what nobody knows
+   */
+  public String submit(
+      GoalRequest request, Answer answer, Consumer<HeldNews> news, Consumer<GoalOutcome> ended) {
     new GoalCheck(ports.knowledge().home()).check(request.goal());
     int number = ++lastNumber;
     String id = prefix + number;
-    Pursuit pursuit = pursuit(id, request, number, news, ended);
-    ports.journal().write(new JournalEntry.Submitted(id, request));
-    comeback.afterwards(
-        () -> ports.thinking().think(() -> id, started -> rivals.run(pursuit::start)));
+    ports
+        .journal()
+        .accept(
+            new JournalEntry.Submitted(id, request),
+            () -> {
+              Pursuit pursuit = pursuit(id, request, number, news, ended);
+              answer.accepted(id);
+              comeback.afterwards(
+                  () -> ports.thinking().think(() -> id, started -> rivals.run(pursuit::start)));
+            },
+            answer::refused);
     return id;
+  }
+
+  /** What who states a goal is told first. */
+  public interface Answer {
+    /** It may be told to nobody. */
+    Answer NOBODY =
+        new Answer() {
+          @Override
+          public void accepted(String goalId) {
+            // It is heard of at its end.
+          }
+
+          @Override
+          public void refused(String reason) {
+            // It is not heard of again.
+          }
+        };
+
+    void accepted(String goalId);
+
+    /**
+     * @param reason one sentence
+     */
+    void refused(String reason);
   }
 
   private Pursuit pursuit(
@@ -116,6 +165,7 @@ public final class Coordinator {
   private void ended(Recovery.EndedGoal goal) {
     String id = goal.outcome().id();
     ended.put(id, goal);
+    crew.forget(id);
     explained.put(id, pursuits.remove(id).decisions());
     if (explained.size() > MOST_EXPLAINED) {
       explained.remove(explained.keySet().iterator().next());
@@ -291,7 +341,13 @@ public final class Coordinator {
 
   /** Whether a goal of that id is or was pursued. */
   public boolean hasGoal(String goalId) {
-    return pursuits.containsKey(goalId) || ended.containsKey(goalId);
+    return pursuits.containsKey(goalId) || ended.find(goalId).isPresent();
+  }
+
+  /** Whether there was a goal of that id; nothing more may be known of it. */
+  public boolean hasHad(String goalId) {
+    int number = number(prefix, goalId);
+    return number > 0 && number <= lastNumber;
   }
 
   /**
@@ -349,7 +405,7 @@ public final class Coordinator {
   public Optional<String> requester(String goalId) {
     return Optional.ofNullable(pursuits.get(goalId))
         .map(goal -> goal.status().requester())
-        .or(() -> Optional.ofNullable(ended.get(goalId)).map(goal -> goal.request().requester()));
+        .or(() -> ended.find(goalId).map(goal -> goal.request().requester()));
   }
 
   /** The highest number that a goal's id has had. */

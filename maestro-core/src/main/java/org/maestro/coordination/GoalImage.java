@@ -26,6 +26,8 @@ final class GoalImage {
     }
   }
 
+  private static final long BYTES = 1_024;
+
   private final Dated submitted;
   private final Map<String, Call> calls = new LinkedHashMap<>();
   private final Map<StepKey, Dated> failures = new LinkedHashMap<>();
@@ -113,6 +115,11 @@ final class GoalImage {
 
   private Optional<Call> call(String id) {
     return Optional.ofNullable(calls.get(id));
+  }
+
+  /** What it takes of memory when it is over, about. */
+  long bytes() {
+    return BYTES + ended().map(goal -> goal.outcome().bytes()).orElse(0L);
   }
 
   Optional<Duration> overSince() {

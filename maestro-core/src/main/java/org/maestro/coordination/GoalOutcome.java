@@ -31,6 +31,9 @@ public record GoalOutcome(
     Duration endedAt,
     double decisionMillis,
     List<SearchReport> searches) {
+  private static final long BYTES = 512;
+  private static final long BYTES_OF_A_SEARCH = 2_048;
+
   public GoalOutcome {
     searches = List.copyOf(searches);
   }
@@ -61,6 +64,15 @@ public record GoalOutcome(
         endedAt,
         decisionMillis,
         List.of());
+  }
+
+  /** What it takes of memory, about. */
+  public long bytes() {
+    long characters = goal.length();
+    for (String reason : reasons) {
+      characters += reason.length();
+    }
+    return BYTES + BYTES_OF_A_SEARCH * searches.size() + 2 * characters;
   }
 
   public boolean reached() {

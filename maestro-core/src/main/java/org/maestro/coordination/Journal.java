@@ -1,5 +1,7 @@
 package org.maestro.coordination;
 
+import java.util.function.Consumer;
+
 /**
  * Where the life of goals is written down, so that another coordinator can go on with them after
  * this one's death. Called on the coordinator's thread; nothing blocks.
@@ -18,6 +20,18 @@ public interface Journal {
    * end of the process and of the machine. Actions run in the order of these calls.
    */
   void afterwards(Runnable action);
+
+  /**
+   * Writes a goal's first entry, unless it cannot be written now. Exactly one of both runs, on the
+   * coordinator's thread.
+   *
+   * @param accepted once the goal would survive the end of the process and of the machine
+   * @param refused told why it is not written, one sentence; it will not be written later
+   */
+  default void accept(JournalEntry.Submitted goal, Runnable accepted, Consumer<String> refused) {
+    write(goal);
+    afterwards(accepted);
+  }
 
   /** Keeps nothing: goals end with their coordinator. */
   static Journal none() {

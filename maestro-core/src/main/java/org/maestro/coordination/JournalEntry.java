@@ -21,6 +21,9 @@ public sealed interface JournalEntry {
   /** A goal was taken on. Its deadline is on the coordinator's clock. */
   record Submitted(String goalId, GoalRequest request) implements OfGoal {}
 
+  /** A goal was not taken on after all: its first entry was written too late. */
+  record Withdrawn(String goalId) implements OfGoal {}
+
   /**
    * A goal is in another state.
    *

@@ -62,6 +62,8 @@ public final class JournalImage {
       goals.put(submitted.goalId(), new GoalImage(dated));
       lastGoalNumber =
           Math.max(lastGoalNumber, Coordinator.number(Coordinator.PREFIX, submitted.goalId()));
+    } else if (entry instanceof JournalEntry.Withdrawn withdrawn) {
+      goals.remove(withdrawn.goalId());
     } else if (entry instanceof JournalEntry.OfGoal ofGoal) {
       Optional.ofNullable(goals.get(ofGoal.goalId())).ifPresent(goal -> goal.add(dated));
     } else if (entry instanceof JournalEntry.MemberCame came) {
@@ -71,18 +73,22 @@ public final class JournalImage {
     }
   }
 
-  /** Forgets goals that ended before that time, and all but the latest so many that ended. */
-  public void forgetEnded(Duration before, int most) {
+  /**
+   * Forgets goals that ended before that time, and all but the latest that ended that fit into so
+   * many bytes of memory.
+   */
+  public void forgetEnded(Duration before, long mostBytes) {
     List<String> ended =
         goals.entrySet().stream()
             .filter(e -> e.getValue().overSince().isPresent())
             .sorted(Comparator.comparing(e -> e.getValue().overSince().orElseThrow()))
             .map(Map.Entry::getKey)
             .toList();
-    for (int n = 0; n < ended.size(); n++) {
-      boolean old = goals.get(ended.get(n)).overSince().orElseThrow().compareTo(before) < 0;
-      if (old || n < ended.size() - most) {
-        goals.remove(ended.get(n));
+    long bytes = ended.stream().mapToLong(id -> goals.get(id).bytes()).sum();
+    for (String id : ended) {
+      boolean old = goals.get(id).overSince().orElseThrow().compareTo(before) < 0;
+      if (old || bytes > mostBytes) {
+        bytes -= goals.remove(id).bytes();
       }
     }
   }

@@ -105,6 +105,12 @@ final class JournaledCrew implements Crew {
                     former.call()));
   }
 
+  /** The goal is over, and no call of it is named or asked for again any more. */
+  void forget(String goalId) {
+    callsByGoal.remove(goalId);
+    owed.keySet().removeIf(of -> of.goalId().equals(goalId));
+  }
+
   private Call name(Order order) {
     int number = callsByGoal.merge(order.goalId(), 1, Integer::sum);
     return new Call(order.goalId() + "-" + life + "-" + number, roster.life(order.step().member()));

@@ -20,6 +20,7 @@ import org.maestro.ontology.home.Home;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Term;
+import org.maestro.storage.WritingAside;
 
 /**
  * The collective knowledge base (M12): an RDF dataset with provenance, and beside it plain indexes
@@ -34,6 +35,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private static final long STATEMENT_BYTES_WITH_DATASET = 6 << 10;
 
   private static final long STATEMENT_BYTES = 512;
+  private static final String HISTORY = "Statements of the history";
   private static final Source HOME = new Source(Source.Kind.DESCRIBED, "home");
 
   private final Clock clock;
@@ -45,6 +47,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private final List<Consumer<Change>> listeners = new CopyOnWriteArrayList<>();
   private final History history;
   private final Optional<HistoryFile> file;
+  private final WritingAside aside;
   private final Statements statements = new Statements();
   private final LastWords lastWords = new LastWords();
   private final Sights sights = new Sights();
@@ -71,6 +74,10 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     this.history =
         new History(settings, storage.isLasting() ? STATEMENT_BYTES : STATEMENT_BYTES_WITH_DATASET);
     this.file = settings.directory().map(place -> new HistoryFile(place, settings.kept()));
+    this.aside =
+        file.isEmpty() || clock.isStepped()
+            ? WritingAside.atOnce(HISTORY)
+            : WritingAside.begin(HISTORY);
     this.clock = clock;
     this.measures = measures;
     this.storage = storage;
@@ -261,6 +268,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     ageing.close();
     guarded(
         () -> {
+          aside.close();
           file.ifPresent(HistoryFile::close);
           return HOME;
         });
@@ -338,7 +346,8 @@ public final class CollectiveKnowledge implements KnowledgeBase {
       if (held.serial() >= first) {
         added.addAll(graphs.provenance(news));
         Belief belief = new Belief(news.fact(), held.source(), held.since(), held.confidence());
-        file.ifPresent(f -> f.write(new HistoryFile.Line(belief, news.current()), now));
+        HistoryFile.Line line = new HistoryFile.Line(belief, news.current());
+        file.ifPresent(f -> aside.add(belief.fact().length(), () -> f.write(line, now)));
         for (History.Note old : note(news, belief, now)) {
           forgotten.add(
               new GraphStorage.Subject(
@@ -346,7 +355,6 @@ public final class CollectiveKnowledge implements KnowledgeBase {
         }
       }
     }
-    file.ifPresent(HistoryFile::flush);
     storage.commit(removed, forgotten, added);
   }
 

@@ -18,6 +18,7 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
+import org.maestro.storage.StorageFault;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -37,7 +38,6 @@ final class HistoryFile implements AutoCloseable {
   private final Path directory;
   private final Duration kept;
   private Optional<Writer> writer = Optional.empty();
-  private boolean broken;
   private int lines;
 
   /** A statement as it is written. */
@@ -81,40 +81,30 @@ final class HistoryFile implements AutoCloseable {
   }
 
   /**
-   * Writes one statement; when the disk refuses, that is told once, and history stays in memory.
+   * Writes one statement, and hands it over to the operating system, so that a kill does not lose
+   * it. After a failure another file is begun.
    */
-  void write(Line line, Instant now) {
-    if (broken) {
-      return;
+  void write(Line line, Instant now) throws IOException {
+    if (writer.isEmpty() || lines >= LINES_PER_FILE) {
+      next(now);
     }
     try {
-      if (writer.isEmpty() || lines >= LINES_PER_FILE) {
-        next(now);
-      }
       writer.orElseThrow().write(text(line));
+      writer.orElseThrow().flush();
       lines++;
     } catch (IOException e) {
-      broken(e);
+      giveUp(e);
+      throw e;
     }
   }
 
-  /** Hands what was written over to the operating system, so that a kill does not lose it. */
-  void flush() {
-    if (writer.isPresent() && !broken) {
-      try {
-        writer.get().flush();
-      } catch (IOException e) {
-        broken(e);
-      }
+  private void giveUp(IOException failure) {
+    try {
+      writer.orElseThrow().close();
+    } catch (IOException e) {
+      failure.addSuppressed(e);
     }
-  }
-
-  private void broken(IOException e) {
-    broken = true;
-    LOG.error(
-        "The history cannot be written to {}; it is kept in memory only until the next start.",
-        directory,
-        e);
+    writer = Optional.empty();
   }
 
   private void next(Instant now) throws IOException {
@@ -212,7 +202,7 @@ final class HistoryFile implements AutoCloseable {
       try {
         writer.get().close();
       } catch (IOException e) {
-        broken(e);
+        LOG.warn("The history in {} could not be closed: {}", directory, StorageFault.words(e));
       }
     }
   }

@@ -1,6 +1,7 @@
 package org.maestro.platform;
 
 import java.time.Duration;
+import java.util.function.Consumer;
 import org.maestro.coordination.Journal;
 import org.maestro.coordination.JournalEntry;
 import org.maestro.coordination.JournalImage;
@@ -12,6 +13,9 @@ import org.maestro.rats.time.Clock;
  * started again within the same process. Thread-safe as the journal is.
  */
 final class Chronicle implements Journal {
+  private static final Duration ENDED_GOALS_ARE_KEPT = Duration.ofHours(1);
+  private static final long MOST_BYTES_OF_ENDED_GOALS = 512 << 10;
+
   private final Journal journal;
   private final Clock clock;
   private final JournalImage image;
@@ -31,9 +35,22 @@ final class Chronicle implements Journal {
     journal.write(entry);
   }
 
+  @Override
+  public void accept(JournalEntry.Submitted goal, Runnable accepted, Consumer<String> refused) {
+    journal.accept(
+        goal,
+        () -> {
+          note(goal);
+          accepted.run();
+        },
+        refused);
+  }
+
   private synchronized void note(JournalEntry entry) {
     image.add(new JournalImage.Dated(clock.now(), entry));
-    image.forgetEnded(clock.now().minus(Duration.ofHours(1)), 1_000);
+    if (entry instanceof JournalEntry.Over) {
+      image.forgetEnded(clock.now().minus(ENDED_GOALS_ARE_KEPT), MOST_BYTES_OF_ENDED_GOALS);
+    }
   }
 
   @Override

@@ -12,22 +12,32 @@ import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Objects;
 import java.util.Optional;
+import org.maestro.storage.StorageFault;
 
 /**
  * The right to use a data directory, which one process has at a time; the system takes it back when
- * the process dies.
+ * the process dies. One thread at a time.
  */
 final class DirectoryLock implements AutoCloseable {
   private static final String NAME = "lock";
 
   private final Path directory;
-  private final FileChannel channel;
+  private FileChannel channel;
+  private Object key;
 
-  private DirectoryLock(Path directory, FileChannel channel) {
+  private DirectoryLock(Path directory, FileChannel channel) throws IOException {
     this.directory = directory;
     this.channel = channel;
+    this.key = key(directory);
+  }
+
+  /** By which the system tells the file from another of its name. */
+  private static Object key(Path directory) throws IOException {
+    return Files.readAttributes(directory.resolve(NAME), BasicFileAttributes.class).fileKey();
   }
 
   /**
@@ -38,28 +48,49 @@ final class DirectoryLock implements AutoCloseable {
   static DirectoryLock take(Path directory) {
     try {
       create(directory);
-      FileChannel channel =
-          FileChannel.open(
-              directory.resolve(NAME),
-              StandardOpenOption.CREATE,
-              StandardOpenOption.READ,
-              StandardOpenOption.WRITE);
+      return new DirectoryLock(directory, locked(directory));
+    } catch (IOException e) {
+      throw new PlatformStartException(
+          "The directory %s cannot be used (%s); name one that can be written."
+              .formatted(directory, StorageFault.words(e)),
+          e);
+    }
+  }
+
+  /**
+   * Takes it again when somebody has removed the file, or the whole directory was gone for a while.
+   *
+   * @throws PlatformStartException when somebody else has it now
+   */
+  void keep() throws IOException {
+    if (!Files.exists(directory.resolve(NAME)) || !Objects.equals(key(directory), key)) {
+      FileChannel again = locked(directory);
+      channel.close();
+      channel = again;
+      key = key(directory);
+    }
+  }
+
+  private static FileChannel locked(Path directory) throws IOException {
+    FileChannel channel =
+        FileChannel.open(
+            directory.resolve(NAME),
+            StandardOpenOption.CREATE,
+            StandardOpenOption.READ,
+            StandardOpenOption.WRITE);
+    try {
       if (tried(channel).isEmpty()) {
-        String holder = holder(channel);
-        channel.close();
         throw new PlatformStartException(
             "The directory %s is in use by another platform%s; stop it, or name another directory."
-                .formatted(directory, holder));
+                .formatted(directory, holder(channel)));
       }
       byte[] process = Long.toString(ProcessHandle.current().pid()).getBytes(UTF_8);
       channel.truncate(0);
       channel.write(ByteBuffer.wrap(process), 0);
-      return new DirectoryLock(directory, channel);
-    } catch (IOException e) {
-      throw new PlatformStartException(
-          "The directory %s cannot be used (%s); name one that can be written."
-              .formatted(directory, e.getMessage()),
-          e);
+      return channel;
+    } catch (IOException | PlatformStartException e) {
+      channel.close();
+      throw e;
     }
   }
 

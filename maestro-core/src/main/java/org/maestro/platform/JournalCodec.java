@@ -60,6 +60,8 @@ final class JournalCodec {
       line.put("requester", submitted.request().requester());
       line.put("priority", submitted.request().priority());
       submitted.request().deadline().ifPresent(at -> line.put("deadline_s", seconds(at)));
+    } else if (entry instanceof JournalEntry.Withdrawn withdrawn) {
+      event(line, "withdrawn", withdrawn.goalId());
     } else if (entry instanceof JournalEntry.Became became) {
       event(line, "became", became.goalId());
       line.put("state", word(became.state()));
@@ -189,6 +191,7 @@ final class JournalCodec {
                   Optional.of(line)
                       .filter(l -> l.has("deadline_s"))
                       .map(l -> time(l, "deadline_s", from, to))));
+      case "withdrawn" -> new JournalEntry.Withdrawn(goal);
       case "became" ->
           new JournalEntry.Became(
               goal,

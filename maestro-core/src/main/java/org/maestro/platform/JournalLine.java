@@ -10,48 +10,66 @@ import java.util.Locale;
 import java.util.zip.CRC32;
 
 /**
- * One line of a journal: a JSON object whose first field is the line's number and whose last is the
- * checksum of what stands before it.
+ * One line of a journal: a JSON object whose first field is the line's number, whose second is the
+ * checksum of the line before, and whose last is the checksum of what stands before it. Lines of
+ * older versions have no second.
  */
 final class JournalLine {
   private static final ObjectMapper JSON = new ObjectMapper();
   private static final String NUMBER = "n";
+  private static final String AFTER = "after";
   private static final String CHECKSUM = "crc";
   private static final String TAIL = ",\"" + CHECKSUM + "\":\"";
   private static final int TAIL_LENGTH = TAIL.length() + 10;
 
   private JournalLine() {}
 
-  /** Without the line's end. */
-  static String write(int number, ObjectNode fields) {
-    ObjectNode numbered = JSON.createObjectNode().put(NUMBER, number);
+  /**
+   * Without the line's end.
+   *
+   * @param after the checksum of the line before; empty for the first
+   */
+  static String write(int number, String after, ObjectNode fields) {
+    ObjectNode numbered = JSON.createObjectNode().put(NUMBER, number).put(AFTER, after);
     numbered.setAll(fields);
     String text = numbered.toString();
     String body = text.substring(0, text.length() - 1);
     return body + TAIL + checksum(body) + "\"}";
   }
 
-  static JsonNode read(int number, String line) throws JournalDamage {
+  /** Of a line that was read or written. */
+  static String checksumOf(String line) {
+    return line.substring(line.length() - TAIL_LENGTH + TAIL.length(), line.length() - 2);
+  }
+
+  static JsonNode read(String line) throws JournalDamage {
     int cut = line.length() - TAIL_LENGTH;
     if (cut < 1 || !line.startsWith(TAIL, cut) || !line.endsWith("\"}")) {
       throw new JournalDamage("it has no checksum at its end", true);
     }
     String body = line.substring(0, cut);
-    String said = line.substring(cut + TAIL.length(), line.length() - 2);
-    if (!said.equals(checksum(body))) {
+    if (!checksumOf(line).equals(checksum(body))) {
       throw new JournalDamage("its checksum is another", false);
     }
     try {
-      JsonNode fields = JSON.readTree(line);
-      if (fields.path(NUMBER).asInt() != number) {
-        throw new JournalDamage(
-            "it says that it is line " + fields.path(NUMBER).asInt() + ", so lines are missing",
-            false);
-      }
-      return fields;
+      return JSON.readTree(line);
     } catch (JsonProcessingException unreadable) {
       throw new JournalDamage("it is no JSON", false);
     }
+  }
+
+  static int number(JsonNode fields) {
+    return fields.path(NUMBER).asInt();
+  }
+
+  /** The checksum of the line before; empty when it does not say. */
+  static String after(JsonNode fields) {
+    return fields.path(AFTER).asText();
+  }
+
+  /** Whether the line follows the one with that checksum, as far as it says. */
+  static boolean isAfter(JsonNode fields, String checksum) {
+    return fields.path(AFTER).asText(checksum).equals(checksum);
   }
 
   private static String checksum(String body) {

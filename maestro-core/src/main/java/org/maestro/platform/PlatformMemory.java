@@ -33,7 +33,7 @@ final class PlatformMemory implements AutoCloseable {
             .map(
                 directory -> JournalFile.open(directory, clock, name -> isFluent(knowledge, name)));
     Optional<StoryFile> stories =
-        settings.storyDirectory().map(directory -> new StoryFile(directory, clock));
+        settings.storyDirectory().map(directory -> StoryFile.open(directory, clock));
     PlatformMemory memory = new PlatformMemory(journal, stories);
     try {
       stories.ifPresent(files -> files.begin(memory.goals()));
@@ -89,5 +89,6 @@ final class PlatformMemory implements AutoCloseable {
   @Override
   public void close() {
     journal.ifPresent(JournalFile::close);
+    stories.ifPresent(StoryFile::close);
   }
 }

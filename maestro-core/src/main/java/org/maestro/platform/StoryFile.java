@@ -13,6 +13,7 @@ import java.nio.file.StandardOpenOption;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -20,34 +21,45 @@ import java.util.stream.Stream;
 import org.maestro.coordination.Story;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.rats.time.Clock;
+import org.maestro.storage.WritingAside;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
  * Keeps each goal's story as a file of JSON lines, so that it can be read when the platform is
- * gone.
+ * gone. Told on any one thread at a time; written beside it.
  */
-public final class StoryFile implements Story {
+public final class StoryFile implements Story, AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(StoryFile.class);
   private static final String ENDING = ".jsonl";
+  private static final String SUBJECT = "Stories";
 
   private final Path directory;
   private final Optional<Timeline> timeline;
   private final ObjectMapper json = new ObjectMapper();
 
-  private StoryFile(Path directory, Optional<Timeline> timeline) {
+  private final WritingAside aside;
+
+  /** Goals whose last line may have been cut short; the writing thread's. */
+  private final Set<String> torn = new HashSet<>();
+
+  private StoryFile(Path directory, Optional<Timeline> timeline, WritingAside aside) {
     this.directory = directory;
     this.timeline = timeline;
+    this.aside = aside;
   }
 
   /** To be read only, in times of the clock that was used last. */
   public StoryFile(Path directory) {
-    this(directory, Optional.empty());
+    this(directory, Optional.empty(), WritingAside.atOnce(SUBJECT));
   }
 
-  /** To be written and read in times of the clock. */
-  StoryFile(Path directory, Clock clock) {
-    this(directory, Optional.of(Timeline.of(clock)));
+  /** To be written and read in times of the clock; to be closed when all is told. */
+  static StoryFile open(Path directory, Clock clock) {
+    return new StoryFile(
+        directory,
+        Optional.of(Timeline.of(clock)),
+        clock.isStepped() ? WritingAside.atOnce(SUBJECT) : WritingAside.begin(SUBJECT));
   }
 
   /** Removes the stories of the platform before, except those that are wanted still. */
@@ -73,16 +85,28 @@ public final class StoryFile implements Story {
         clock -> line.put("since", clock.since().toString()).put("speed", clock.speed()));
     line.put("kind", entry.kind().name());
     line.put("text", entry.text());
-    try {
-      Files.writeString(
-          directory.resolve(entry.goalId() + ENDING),
-          line + "\n",
-          StandardCharsets.UTF_8,
-          StandardOpenOption.CREATE,
-          StandardOpenOption.APPEND);
-    } catch (IOException e) {
-      throw new UncheckedIOException("The story of " + entry.goalId() + " cannot be kept", e);
-    }
+    byte[] text = (line + "\n").getBytes(StandardCharsets.UTF_8);
+    aside.add(text.length, () -> write(entry.goalId(), text));
+  }
+
+  /** A line that was cut short before is ended first. */
+  private void write(String goalId, byte[] line) throws IOException {
+    boolean afterPart = torn.contains(goalId);
+    torn.add(goalId);
+    Files.write(
+        directory.resolve(goalId + ENDING),
+        afterPart
+            ? ("\n" + new String(line, StandardCharsets.UTF_8)).getBytes(StandardCharsets.UTF_8)
+            : line,
+        StandardOpenOption.CREATE,
+        StandardOpenOption.APPEND);
+    torn.remove(goalId);
+  }
+
+  /** What was told is written, or left away when the disk does not take it in time. */
+  @Override
+  public void close() {
+    aside.close();
   }
 
   /** Ids of the goals with a story. */
@@ -113,19 +137,20 @@ public final class StoryFile implements Story {
       List<JsonNode> nodes = new ArrayList<>();
       for (int n = 0; n < lines.size(); n++) {
         try {
-          nodes.add(json.readTree(lines.get(n)));
-        } catch (JsonProcessingException e) {
-          if (n < lines.size() - 1) {
-            throw e;
+          if (!lines.get(n).isBlank()) {
+            nodes.add(json.readTree(lines.get(n)));
           }
-          LOG.warn("The last line of the story of {} was not written to its end", goalId);
+        } catch (JsonProcessingException e) {
+          LOG.warn(
+              "Line {} of the story of {} is damaged and left out: {}",
+              n + 1,
+              goalId,
+              e.getOriginalMessage());
         }
       }
       for (JsonNode node : nodes) {
         entries.add(entry(node, timeline.orElse(timeline(nodes.get(nodes.size() - 1)))));
       }
-    } catch (JsonProcessingException e) {
-      throw new UncheckedIOException("The story of " + goalId + " is damaged", e);
     } catch (IOException e) {
       throw new UncheckedIOException("The story of " + goalId + " cannot be read", e);
     }

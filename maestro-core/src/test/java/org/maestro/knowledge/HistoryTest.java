@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.maestro.faults.FaultyDisk;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
@@ -150,6 +151,25 @@ class HistoryTest {
 
     assertThat(after.knowledge.history("(in Cup zone-a)")).hasSize(1);
     before.knowledge.close();
+    after.knowledge.close();
+  }
+
+  @Test
+  void goesOnWhenTheDiskDoes() {
+    FaultyDisk disk = new FaultyDisk(1);
+    Household before = new Household(KnowledgeSettings.in(disk.path(directory)).with(store()));
+    before.state(CAM_A, "(in Cup zone-a)");
+    disk.fillUpTo(10);
+    before.state(CAM_A, "(in Cup zone-b)");
+    assertThat(before.knowledge.history("(in Cup zone-a)")).as("in memory").hasSize(2);
+    disk.heal();
+    before.state(CAM_A, "(in Cup rose)");
+    before.knowledge.close();
+
+    Household after = new Household(KnowledgeSettings.in(directory).with(store()));
+    assertThat(after.knowledge.history("(in Cup zone-a)"))
+        .extracting(Belief::fact)
+        .containsExactly("(in Cup zone-a)", "(in Cup rose)");
     after.knowledge.close();
   }
 

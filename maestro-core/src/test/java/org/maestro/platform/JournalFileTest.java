@@ -52,6 +52,10 @@ class JournalFileTest {
     return directory.resolve("data").resolve("journal.jsonl");
   }
 
+  private Path mark() {
+    return file().resolveSibling("journal.mark");
+  }
+
   private static GoalRequest request(String goal) {
     return new GoalRequest(SlParser.formula(goal, "level"::equals), "Bob");
   }
@@ -250,17 +254,21 @@ class JournalFileTest {
   void leavesALineAwayThatWasNotWrittenToItsEnd() throws IOException {
     Recovery before = written(entries());
     byte[] whole = Files.readAllBytes(file());
+    byte[] mark;
     try (JournalFile journal = open(clock)) {
+      mark = Files.readAllBytes(mark());
       journal.write(new JournalEntry.Submitted("G4", request("(in Cup rose)")));
     }
     byte[] longer = Files.readAllBytes(file());
     for (int length = whole.length; length < longer.length - 1; length += 9) {
       Files.write(file(), Arrays.copyOf(longer, length));
+      Files.write(mark(), mark);
       try (JournalFile journal = open(clock)) {
         assertThat(journal.recovery()).as(length + " bytes").isEqualTo(before);
       }
     }
     Files.write(file(), Arrays.copyOf(longer, longer.length - 1));
+    Files.write(mark(), mark);
     try (JournalFile journal = open(clock)) {
       assertThat(journal.recovery().goals()).hasSize(3);
     }

@@ -23,6 +23,7 @@ class PackageRulesTest {
     "org.maestro.coordination..",
     "org.maestro.members..",
     "org.maestro.deployment..",
+    "org.maestro.storage..",
     "org.maestro.agents..",
     "org.maestro.platform.."
   };

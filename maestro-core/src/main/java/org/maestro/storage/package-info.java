@@ -1,0 +1,5 @@
+/**
+ * Writing to disks that may be slow or refuse: beside those who have something written, and with
+ * what is wrong in words.
+ */
+package org.maestro.storage;
