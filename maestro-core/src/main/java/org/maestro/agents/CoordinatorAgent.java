@@ -206,7 +206,8 @@ public final class CoordinatorAgent extends MaestroAgent {
         refuse(
             message,
             ACLMessage.REFUSE,
-            "The CCA lets agents of other platforms state goals, follow and cancel their own, and list them; "
+            "The CCA lets agents of other platforms state goals, follow and cancel their own, and"
+                + " list them; "
                 + Replies.shortened(content.operator())
                 + " is for its own platform.");
         continue;
@@ -226,7 +227,8 @@ public final class CoordinatorAgent extends MaestroAgent {
                 ACLMessage.NOT_UNDERSTOOD,
                 "The CCA does not know the operator "
                     + Replies.shortened(content.operator())
-                    + "; it knows initCNP, await, cancel, explain, subscribe, query-ref and perform.");
+                    + "; it knows initCNP, await, cancel, explain, subscribe, query-ref and"
+                    + " perform.");
       }
     }
   }

@@ -232,7 +232,8 @@ final class GoalRequests {
     if (coordinator.hasHad(id)) {
       return "The goal "
           + id
-          + " ended long ago, and nothing of it is kept here any more; its story may still be read when no platform runs.";
+          + " ended long ago, and nothing of it is kept here any more; its story may still be read"
+          + " when no platform runs.";
     }
     return stories.goals().isEmpty()
         ? "There is no goal " + id + "; none was stated yet."

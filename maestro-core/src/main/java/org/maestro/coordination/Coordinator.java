@@ -165,7 +165,7 @@ public final class Coordinator {
   private void ended(Recovery.EndedGoal goal) {
     String id = goal.outcome().id();
     ended.put(id, goal);
-    crew.forget(id);
+    crew.over(id);
     explained.put(id, pursuits.remove(id).decisions());
     if (explained.size() > MOST_EXPLAINED) {
       explained.remove(explained.keySet().iterator().next());

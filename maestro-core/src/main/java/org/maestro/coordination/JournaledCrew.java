@@ -15,6 +15,9 @@ import org.maestro.planning.StepKey;
  * of coordinators before this one again. The coordinator's thread only.
  */
 final class JournaledCrew implements Crew {
+  private static final long MOST_BYTES_OF_ENDED = 64 << 10;
+  private static final long BYTES_OF_EACH = 128;
+
   private static final int MOST_OWED = 256;
 
   private final Crew crew;
@@ -22,6 +25,8 @@ final class JournaledCrew implements Crew {
   private final Roster roster;
   private final String life;
   private final Map<String, Integer> callsByGoal = new HashMap<>();
+  private final Latest<Integer> callsOfEnded =
+      new Latest<>(MOST_BYTES_OF_ENDED, calls -> BYTES_OF_EACH);
 
   /** Orders of which nobody knows what became of them. */
   private final Map<Owed, Order> owed =
@@ -105,14 +110,15 @@ final class JournaledCrew implements Crew {
                     former.call()));
   }
 
-  /** The goal is over, and no call of it is named or asked for again any more. */
-  void forget(String goalId) {
-    callsByGoal.remove(goalId);
+  /** The goal is over: what comes to rest now is the last that is ordered for it. */
+  void over(String goalId) {
+    callsOfEnded.put(goalId, Optional.ofNullable(callsByGoal.remove(goalId)).orElse(0));
     owed.keySet().removeIf(of -> of.goalId().equals(goalId));
   }
 
   private Call name(Order order) {
-    int number = callsByGoal.merge(order.goalId(), 1, Integer::sum);
+    int before = callsOfEnded.find(order.goalId()).orElse(0);
+    int number = callsByGoal.merge(order.goalId(), before + 1, (calls, one) -> calls + 1);
     return new Call(order.goalId() + "-" + life + "-" + number, roster.life(order.step().member()));
   }
 

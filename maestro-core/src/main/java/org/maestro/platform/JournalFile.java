@@ -290,7 +290,8 @@ public final class JournalFile implements Journal, AutoCloseable {
   private void failed(String because) {
     if (!failing) {
       LOG.error(
-          "The journal in {} cannot be written: {}. New goals are refused and no step is begun until it can; what runs goes on.",
+          "The journal in {} cannot be written: {}. New goals are refused and no step is begun"
+              + " until it can; what runs goes on.",
           directory,
           because);
     }

@@ -49,7 +49,8 @@ final class JournalReader {
       mark.ifPresent(
           of ->
               LOG.warn(
-                  "The journal {}, which had {} lines, is not there: the goals in it are not gone on with.",
+                  "The journal {}, which had {} lines, is not there: the goals in it are not gone"
+                      + " on with.",
                   file,
                   of.lines()));
       return Found.nothing();
@@ -67,7 +68,8 @@ final class JournalReader {
       return JournalMark.read(file);
     } catch (JournalDamage e) {
       LOG.warn(
-          "{} cannot be read ({}): whether lines are missing at the end of the journal is not known.",
+          "{} cannot be read ({}): whether lines are missing at the end of the journal is not"
+              + " known.",
           JournalMark.file(file),
           e.getMessage());
       return Optional.empty();
