@@ -194,7 +194,7 @@ public final class MemberCalls {
 
     @Override
     public void subscribe(String filter, RetainedMessages retained, MessageHandler handler) {
-      if (filter.equals(topics.result(member, member))) {
+      if (filter.equals(topics.results(member))) {
         ofItself = handler;
       } else {
         transport.subscribe(filter, retained, handler);

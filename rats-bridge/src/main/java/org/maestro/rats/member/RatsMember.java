@@ -240,7 +240,7 @@ public final class RatsMember implements AutoCloseable {
           perform(() -> callHeard(message, arrivedAt));
         });
     transport.subscribe(
-        topics.result(profile.id(), profile.id()),
+        topics.results(profile.id()),
         Transport.RetainedMessages.IGNORE,
         message -> perform(() -> namesake.answered(message)));
     transport.subscribe(
