@@ -60,7 +60,7 @@ public final class ObstacleSentences {
               + ": that is needed, and not to be had ("
               + obstacle.possible()
               + ")";
-      case GOAL -> "nobody can bring it about that " + fact(obstacle);
+      case GOAL -> asThingsAre(obstacle, "nobody can bring it about that ") + fact(obstacle);
       case EXCLUDED ->
           fact(obstacle)
               + ": that is needed"
@@ -68,9 +68,19 @@ public final class ObstacleSentences {
               + ", and it is not so; looked for in "
               + String.join(", ", obstacle.possible().split(" "));
       case FACT -> "it is needed that " + fact(obstacle) + purpose + ", and " + otherwise(obstacle);
-      case UNKNOWN -> "it is not known that " + fact(obstacle) + purpose + "; nobody can find out";
+      case UNKNOWN ->
+          "it is not known that "
+              + fact(obstacle)
+              + purpose
+              + "; "
+              + asThingsAre(obstacle, "nobody can find out");
       case NUMBER -> number(obstacle, purpose);
     };
+  }
+
+  /** Others, who are not there or refuse, might change it. */
+  private static String asThingsAre(Obstacle obstacle, String claim) {
+    return obstacle.extent() == Extent.LIMIT_NOW ? "as things are now " + claim : claim;
   }
 
   /** What is said of a member that is there is said of what it does. */
@@ -104,7 +114,7 @@ public final class ObstacleSentences {
     return switch (obstacle.extent()) {
       case KNOWN -> "it is " + number;
       case LIMIT -> "it can be " + limit;
-      case LIMIT_NOW -> "as things are now it can be " + limit;
+      case LIMIT_NOW -> asThingsAre(obstacle, "it can be ") + limit;
       case FOUND ->
           "no way was found to bring it " + (isMore(comparison) ? "above " : "below ") + number;
     };

@@ -126,7 +126,7 @@ final class BudgetedSearch {
 
   private PlanningResult impossible() {
     return new PlanningResult.Impossible(
-        new Explanation(List.of(ObstacleText.ofGoal(task.goal())), false));
+        new Explanation(List.of(ObstacleText.ofGoal(task)), false));
   }
 
   /** Where the cheapest plan is too hard to find, any is better than none. */

@@ -156,7 +156,7 @@ final class FailureExplanation {
   }
 
   private static Explanation theGoalItself(PlanningTask task) {
-    return new Explanation(List.of(ObstacleText.ofGoal(task.goal())), false);
+    return new Explanation(List.of(ObstacleText.ofGoal(task)), false);
   }
 
   private List<Obstacle> named(Map<Condition, Optional<StepKey>> neededBy) {

@@ -10,6 +10,7 @@ import org.maestro.planning.GroundGoal.Alternative;
 import org.maestro.planning.PlanningResult.Obstacle;
 import org.maestro.planning.PlanningResult.Obstacle.Extent;
 import org.maestro.planning.PlanningResult.Obstacle.Kind;
+import org.maestro.sl.SlPrinter;
 
 /**
  * How far numbers can be moved by what can be done. All states that matter for a number are tried,
@@ -38,16 +39,22 @@ final class NumberLimits {
     this.possible = possible;
   }
 
-  /** The obstacle, with the best that can be reached where it is a number that can be moved. */
+  /**
+   * The obstacle, with the best that can be reached where it is a number that can be moved, and
+   * with whether others could find out where it is unknown.
+   */
   Obstacle limited(Obstacle obstacle, Condition leaf) {
+    if (obstacle.kind() == Kind.UNKNOWN) {
+      return obstacle.with(othersCouldMoveIt(leaf) ? Extent.LIMIT_NOW : Extent.LIMIT);
+    }
     if (obstacle.kind() != Kind.NUMBER
         || !(leaf instanceof Condition.Compare compare)
         || Threshold.of(compare) == null) {
       return obstacle;
     }
     Best best = best(Threshold.of(compare), problem(leaf, possible));
-    return obstacle.withPossible(
-        best.value(),
+    return obstacle.with(
+        SlPrinter.print(best.value()),
         best.proven() ? othersCouldMoveIt(leaf) ? Extent.LIMIT_NOW : Extent.LIMIT : Extent.FOUND);
   }
 

@@ -136,8 +136,11 @@ final class ObstacleText {
         : stated(Kind.FACT, SlPrinter.print(new Formula.Not(atom)), "false", "true");
   }
 
-  static Obstacle ofGoal(Formula goal) {
-    return stated(Kind.GOAL, SlPrinter.print(goal), "true", "false");
+  /** The goal itself; others than those who can be counted on now might bring it about. */
+  static Obstacle ofGoal(PlanningTask task) {
+    boolean others = !task.unavailable().isEmpty() || !task.barred().isEmpty();
+    return stated(Kind.GOAL, SlPrinter.print(task.goal()), "true", "false")
+        .with(others ? Extent.LIMIT_NOW : Extent.LIMIT);
   }
 
   private static Obstacle stated(Kind kind, String condition, String needed, String possible) {

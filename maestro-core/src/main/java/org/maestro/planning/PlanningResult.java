@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import org.maestro.sl.SlPrinter;
 
 /** What planning ends with. */
 public sealed interface PlanningResult {
@@ -46,7 +45,8 @@ public sealed interface PlanningResult {
    * @param needed what is needed: {@code >= 72}, {@code true}, {@code present}
    * @param possible the best that can be reached, or what is known: {@code 42}, {@code false}, or
    *     why the member is not there
-   * @param extent what a possible number is
+   * @param extent what is said by what is possible: of a number, of the goal, and of what nobody
+   *     can find out
    * @param missing how much more (or, when it is to be less, how much less) would do; empty unless
    *     that is known
    * @param neededBy the step that needs it; empty: the goal itself
@@ -82,7 +82,7 @@ public sealed interface PlanningResult {
       GOAL
     }
 
-    /** What is said of a number by the one that is possible. */
+    /** How far it goes what is told to be possible. */
     public enum Extent {
       /** It is that, as far as is known; how far it can be moved is not told. */
       KNOWN,
@@ -103,17 +103,13 @@ public sealed interface PlanningResult {
           kind, condition, needed, possible, extent, missing, neededBy, subject, others);
     }
 
-    Obstacle withPossible(double best, Extent reached) {
+    Obstacle with(Extent reached) {
+      return with(possible, reached);
+    }
+
+    Obstacle with(String best, Extent reached) {
       return new Obstacle(
-          kind,
-          condition,
-          needed,
-          SlPrinter.print(best),
-          reached,
-          missing,
-          neededBy,
-          subject,
-          cures);
+          kind, condition, needed, best, reached, missing, neededBy, subject, cures);
     }
   }
 

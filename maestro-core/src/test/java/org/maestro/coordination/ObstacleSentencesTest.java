@@ -49,7 +49,24 @@ class ObstacleSentencesTest {
         .contains("and it can be 80 lux, but not together with all else that is needed.");
   }
 
+  /** Who is away might do it, and who refuses. */
+  @Test
+  void whatOthersCouldDoIsOutOfReachAsThingsAreNow() throws IOException {
+    assertThat(said(Kind.GOAL, "(nextTo Cup Bob)", "false", Extent.LIMIT_NOW))
+        .isEqualTo("As things are now nobody can bring it about that Cup is next to Bob.");
+    assertThat(said(Kind.GOAL, "(nextTo Cup Bob)", "false", Extent.LIMIT))
+        .isEqualTo("Nobody can bring it about that Cup is next to Bob.");
+    assertThat(said(Kind.UNKNOWN, "(in Cup zone-b)", "unknown", Extent.LIMIT_NOW))
+        .startsWith(
+            "It is not known that Cup is in zone-b; as things are now nobody can find out.");
+  }
+
   private static String said(String condition, String possible, Extent extent) throws IOException {
+    return said(Kind.NUMBER, condition, possible, extent);
+  }
+
+  private static String said(Kind kind, String condition, String possible, Extent extent)
+      throws IOException {
     try (InputStream turtle = ObstacleSentencesTest.class.getResourceAsStream("/bob.ttl")) {
       Home home =
           new HomeLoader()
@@ -57,7 +74,7 @@ class ObstacleSentencesTest {
       return new ObstacleSentences(home, new PretendHouse(home).knowledge.snapshot())
           .obstacle(
               new Obstacle(
-                  Kind.NUMBER,
+                  kind,
                   condition,
                   "",
                   possible,

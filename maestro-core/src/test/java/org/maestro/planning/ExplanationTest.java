@@ -1,6 +1,7 @@
 package org.maestro.planning;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -177,6 +178,19 @@ class ExplanationTest {
               assertThat(obstacle.condition()).isEqualTo("rose");
               assertThat(obstacle.possible()).isEqualTo("lost since 12 s");
             });
+  }
+
+  /** Whoever is away might do it: so it is not nobody for good. */
+  @Test
+  void whatNobodyDoesNowSomebodyWhoIsAwayMightDo() {
+    SmallWorld world = home();
+    List<Unavailable> absent = absent(world, "rose");
+    assertThat(obstacles(world.task("(adjoins zone-a zone-b)").withUnavailable(absent, Map.of())))
+        .extracting(Obstacle::kind, Obstacle::extent)
+        .containsExactly(tuple(Kind.GOAL, Obstacle.Extent.LIMIT_NOW));
+    assertThat(obstacles(home().task("(adjoins zone-a zone-b)")))
+        .extracting(Obstacle::kind, Obstacle::extent)
+        .containsExactly(tuple(Kind.GOAL, Obstacle.Extent.LIMIT));
   }
 
   @Test
