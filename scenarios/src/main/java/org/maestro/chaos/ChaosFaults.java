@@ -4,15 +4,18 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
-import java.util.function.BiFunction;
+import java.util.TreeMap;
+import java.util.function.Function;
 import org.maestro.random.Fault;
-import org.maestro.rats.time.Clock;
+import org.maestro.rats.protocol.Result;
+import org.maestro.rats.protocol.WireFormat;
 import org.maestro.rats.transport.Disturbance;
 import org.maestro.rats.transport.Disturbance.Copy;
-import org.maestro.rats.transport.InProcessBus;
 import org.maestro.rats.transport.Publication;
 
 /**
@@ -21,7 +24,7 @@ import org.maestro.rats.transport.Publication;
  * members, and rubbish.
  */
 final class ChaosFaults {
-  private static final int LATEST_MILLIS = 45_000;
+  private static final int LATEST_MILLIS = 30_000;
   private static final String CONTROLLER = "maestro";
 
   private final Random random;
@@ -32,11 +35,11 @@ final class ChaosFaults {
 
   List<Fault> draw() {
     List<Fault> faults = new ArrayList<>();
-    int count = 1 + random.nextInt(4);
+    int count = 1 + random.nextInt(5);
     for (int number = 0; number < count; number++) {
-      Duration at = Duration.ofMillis(random.nextInt(LATEST_MILLIS));
+      Duration at = soon();
       faults.add(
-          switch (random.nextInt(9)) {
+          switch (random.nextInt(10)) {
             case 0 -> new Fault.BrokerDown(at, millis(200, 15_000));
             case 1, 2 -> frozen(at, millis(1_000, 30_000));
             case 3 -> late(at, "/result/", "results late", millis(500, 8_000));
@@ -44,11 +47,18 @@ final class ChaosFaults {
             case 5 -> doubled(at, millis(0, 5_000));
             case 6 -> lost(at, 0.2 + random.nextDouble() / 2);
             case 7 -> forged(at);
+            case 8 -> useless(at, random.nextInt(3));
             default -> rubbish(at);
           });
     }
     faults.sort(Comparator.comparing(Fault::at));
     return faults;
+  }
+
+  /** Rather early, as most goals are over after some seconds. */
+  private Duration soon() {
+    double share = random.nextDouble();
+    return Duration.ofMillis((long) (LATEST_MILLIS * share * share));
   }
 
   private Duration millis(int least, int most) {
@@ -120,8 +130,49 @@ final class ChaosFaults {
                         : List.of(new Copy(publication, Duration.ZERO))));
   }
 
-  private static Disturbance onlyOf(
-      String kind, java.util.function.Function<Publication, List<Copy>> fate) {
+  /** Results without their values, with values of another kind, or that nobody can read. */
+  private Fault useless(Duration at, int kind) {
+    return disturbed(
+        at,
+        List.of("results without values", "values of another kind", "results unreadable").get(kind),
+        millis(1_000, 10_000),
+        Duration.ZERO,
+        left ->
+            onlyOf(
+                "/result/",
+                publication -> List.of(new Copy(useless(publication, kind), Duration.ZERO))));
+  }
+
+  private static Publication useless(Publication publication, int kind) {
+    WireFormat wire = new WireFormat();
+    byte[] payload = publication.payload();
+    if (kind == 2) {
+      payload = Arrays.copyOf(payload, payload.length / 2);
+    } else {
+      Result result = wire.decodeResult(payload);
+      Map<String, Object> values = new TreeMap<>();
+      if (kind == 1) {
+        result.values().keySet().forEach(name -> values.put(name, List.of("neither", true)));
+      }
+      payload =
+          wire.encode(
+              new Result(
+                  result.id(),
+                  result.from(),
+                  result.outcome(),
+                  result.state(),
+                  values,
+                  result.error()));
+    }
+    return new Publication(
+        publication.topic(),
+        payload,
+        publication.quality(),
+        publication.retained(),
+        publication.expiry());
+  }
+
+  private static Disturbance onlyOf(String kind, Function<Publication, List<Copy>> fate) {
     return new Disturbance() {
       @Override
       public List<Copy> published(String client, Publication publication) {
@@ -142,7 +193,7 @@ final class ChaosFaults {
       String name,
       Duration lasts,
       Duration aftermath,
-      java.util.function.Function<Left, Disturbance> made) {
+      Function<Left, Disturbance> made) {
     return new Fault.Disturbed(
         at,
         name,
@@ -164,12 +215,11 @@ final class ChaosFaults {
     String phase = List.of("ready", "init", "lost", "").get(random.nextInt(4));
     String boot = List.of("0", "zzzzzzzzzzzz", "own").get(random.nextInt(3));
     int which = random.nextInt(1_000);
-    BiFunction<InProcessBus, Clock, Stranger> stranger = Stranger::on;
     return new Fault.Disturbed(
         at,
         "forged status '" + phase + "' of boot " + boot,
         Duration.ofSeconds(5),
-        (bus, clock) -> stranger.apply(bus, clock).forges(which, phase, boot));
+        (bus, clock) -> Stranger.on(bus, clock).forges(which, phase, boot));
   }
 
   private Fault rubbish(Duration at) {

@@ -24,7 +24,7 @@ public record ChaosRun(long seed, boolean withAgents, List<String> findings, Str
 
   /** Home, faults and chance all follow from the seed. */
   public static ChaosRun of(long seed) {
-    RandomHome quiet = RandomHomes.of(seed);
+    RandomHome quiet = RandomHomes.busy(seed);
     List<Fault> faults = new ArrayList<>(quiet.faults());
     faults.addAll(new ChaosFaults(seed).draw());
     RandomHome home =
@@ -42,12 +42,12 @@ public record ChaosRun(long seed, boolean withAgents, List<String> findings, Str
           .filter(verdict -> !verdict.kind().agrees())
           .map(ChaosRun::finding)
           .forEach(findings::add);
-      story = run.text();
+      story = String.join("\n", run.story()) + "\n" + run.verdicts();
     } catch (RuntimeException broken) {
       findings.add("BROKEN " + broken + " at " + broken.getStackTrace()[0]);
     }
     findings.addAll(history.findings());
-    return new ChaosRun(seed, agents, findings, story + "\n" + faults);
+    return new ChaosRun(seed, agents, findings, faults + "\n" + story);
   }
 
   private static String finding(Verdict verdict) {

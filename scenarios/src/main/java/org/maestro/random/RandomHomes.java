@@ -44,6 +44,17 @@ public final class RandomHomes {
     return new RandomHomes(seed).drawn(seed);
   }
 
+  /** A home of a seed in which several goals are stated at once, so that much is under way. */
+  public static RandomHome busy(long seed) {
+    RandomHomes draft = new RandomHomes(seed);
+    RandomHome home = draft.drawn(seed);
+    List<String> goals = new ArrayList<>(home.goals());
+    for (int more = 0; more < 2; more++) {
+      goals.addAll(new RandomGoals(draft.chance, draft.cast, draft.floor).draw());
+    }
+    return new RandomHome(seed, home.homeText(), home.sceneText(), goals, home.faults());
+  }
+
   /**
    * A home of a seed with a window and a shutter before it, under a sky that stays as it is; what
    * is asked there is light.
@@ -124,7 +135,8 @@ public final class RandomHomes {
     }
     for (FloorDraft.Door door : floor.doors()) {
       home(
-          "%s a %s ; maestro:openingFrom \"%s\" ; maestro:openingTo \"%s\" ; :side home:%s , home:%s%s%s",
+          "%s a %s ; maestro:openingFrom \"%s\" ; maestro:openingTo \"%s\" ; :side home:%s ,"
+              + " home:%s%s%s",
           door.name(),
           door.kind().isDriven() ? ":DrivenDoor ; maestro:order " + ++order : "maestro:Door",
           text(door.from()),
@@ -146,7 +158,8 @@ public final class RandomHomes {
     double x = round(room.x() + room.width() - 0.6);
     double y = round(room.y() + room.depth() - 0.5);
     home(
-        "desk-%s a maestro:Location ; maestro:outline \"%s %s, %s %s, %s %s, %s %s\" ; maestro:referencePoint \"%s 0.75\"",
+        "desk-%s a maestro:Location ; maestro:outline \"%s %s, %s %s, %s %s, %s %s\" ;"
+            + " maestro:referencePoint \"%s 0.75\"",
         room.letter(),
         number(x - 0.4),
         number(y - 0.3),

@@ -5,6 +5,7 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Deque;
 import java.util.List;
 import java.util.Map;
@@ -72,6 +73,10 @@ final class MemberVoice {
 
   void description() {
     publish(Publication.retained(topics.description(id), description.getBytes(UTF_8)));
+  }
+
+  boolean isDescription(byte[] payload) {
+    return Arrays.equals(payload, description.getBytes(UTF_8));
   }
 
   void state(MemberState state) {

@@ -42,6 +42,9 @@ final class Namesake {
 
   private static final Duration LONGEST_ABSENCE = Duration.ofMinutes(10);
 
+  /** Simulated time between two descriptions, however often another one is told. */
+  private static final Duration BETWEEN_DESCRIPTIONS = Duration.ofSeconds(1);
+
   /** What becomes of the member. */
   interface Watcher {
     /** The status that stands on the bus is not the member's: it has to say that it is there. */
@@ -49,6 +52,9 @@ final class Namesake {
 
     /** Somebody cleared it: what is retained besides may be gone too. */
     void cleared();
+
+    /** The description that stands on the bus is not the member's. */
+    void misdescribed();
 
     /** The member is off the bus for a while. */
     void left();
@@ -69,6 +75,8 @@ final class Namesake {
   private Optional<Question> open = Optional.empty();
   private Optional<String> leftFor = Optional.empty();
   private Duration absence = FIRST_ABSENCE;
+  private Duration nextDescription = Duration.ZERO;
+  private boolean isToDescribe;
   private volatile boolean away;
 
   Namesake(
@@ -119,6 +127,22 @@ final class Namesake {
       }
       watcher.contradicted();
     }
+  }
+
+  /** Who reads another's would take the member for what it is not, or for nothing. */
+  void descriptionHeard(Message message) {
+    if (voice.isDescription(message.payload()) || isToDescribe) {
+      return;
+    }
+    isToDescribe = true;
+    clock.schedule(
+        nextDescription.minus(clock.now()),
+        id,
+        () -> {
+          isToDescribe = false;
+          nextDescription = clock.now().plus(BETWEEN_DESCRIPTIONS);
+          watcher.misdescribed();
+        });
   }
 
   private void statusHeard(MemberStatus status) {

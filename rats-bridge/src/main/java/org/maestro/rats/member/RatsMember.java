@@ -222,8 +222,14 @@ public final class RatsMember implements AutoCloseable {
 
   private void open() {
     boolean overhears = Impatience.isOf(profile);
+    // On a secured site only controllers read what members say of themselves.
+    if (!policy.isSecured()) {
+      transport.subscribe(
+          topics.description(profile.id()),
+          Transport.RetainedMessages.SEND,
+          message -> perform(() -> whenConnected(() -> namesake.descriptionHeard(message))));
+    }
     if (overhears && !policy.isSecured()) {
-      // On a secured site only controllers read what members say of themselves.
       transport.subscribe(
           topics.states(),
           Transport.RetainedMessages.IGNORE,
@@ -246,7 +252,7 @@ public final class RatsMember implements AutoCloseable {
     transport.subscribe(
         topics.status(profile.id()),
         Transport.RetainedMessages.SEND,
-        message -> perform(() -> readOwnStatus(message)));
+        message -> perform(() -> whenConnected(() -> namesake.statusHeard(message))));
     transport.subscribe(
         topics.controllerStatuses(),
         Transport.RetainedMessages.SEND,
@@ -314,9 +320,9 @@ public final class RatsMember implements AutoCloseable {
     voice.status(MemberStatus.Phase.READY);
   }
 
-  private void readOwnStatus(Message message) {
+  private void whenConnected(Runnable action) {
     if (connected) {
-      namesake.statusHeard(message);
+      action.run();
     }
   }
 
@@ -374,6 +380,11 @@ public final class RatsMember implements AutoCloseable {
     @Override
     public void cleared() {
       describe();
+    }
+
+    @Override
+    public void misdescribed() {
+      whenConnected(voice::description);
     }
 
     @Override

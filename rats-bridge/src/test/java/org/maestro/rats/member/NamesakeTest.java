@@ -2,6 +2,8 @@ package org.maestro.rats.member;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -63,6 +65,22 @@ class NamesakeTest extends MemberOnABus {
       assertThat(member.isRefused()).isFalse();
     }
     assertThatTheLastWordIsItsOwn();
+  }
+
+  @Test
+  void aForgedDescriptionIsNotTheLastWord() {
+    for (String forged : List.of("{}", "rubbish", "")) {
+      retained.clear();
+      for (int time = 0; time < 50; time++) {
+        publish(
+            Publication.retained(
+                topics.description("rose"), forged.getBytes(StandardCharsets.UTF_8)));
+        clock.run(Duration.ofMillis(100));
+      }
+      run(2);
+      assertThat(retained).last().isEqualTo("description {\"@id\":\"rose\"}");
+      assertThat(retained).as("once a second").hasSizeBetween(52, 58);
+    }
   }
 
   @Test
