@@ -49,6 +49,9 @@ public final class ChaosBench {
     rows.add(BenchReport.Row.of("seeds from " + first, chaos.runs(), ""));
     rows.add(BenchReport.Row.of("seeds that failed", chaos.failed().size(), ""));
     chaos
+        .claims()
+        .forEach((kind, goals) -> rows.add(BenchReport.Row.of("  " + kind, goals, "goals")));
+    chaos
         .kinds()
         .forEach((kind, seeds) -> rows.add(BenchReport.Row.of("  " + kind, seeds, "seeds")));
     return new BenchReport(
