@@ -2,12 +2,14 @@ package org.maestro.launch;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import jade.lang.acl.ACLMessage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -18,6 +20,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.Words;
+import org.maestro.platform.JoinedContainer;
+import org.maestro.platform.PlatformStartException;
 import org.maestro.rats.broker.EmbeddedBroker;
 import org.maestro.rats.time.PacedClock;
 
@@ -30,6 +36,9 @@ import org.maestro.rats.time.PacedClock;
 class FrozenMainTest {
   private static final Duration LIMIT = Duration.ofSeconds(180);
   private static final int PICK_MILLIS = 6_000;
+
+  /** All of Bob's home. */
+  private static final int DEVICES = 10;
 
   @TempDir Path directory;
 
@@ -45,19 +54,42 @@ class FrozenMainTest {
             maestro("run", "bob", "--no-sim", "--port", "0", "--broker", broker.uri().toString())) {
       until(() -> main.output().contains("runs: "));
       String port = main.output().replaceAll("(?s).*JADE on port (\\d+).*", "$1");
-      try (JavaProcess devices = maestro("devices", "bob", "--broker", broker.uri().toString());
-          JavaProcess goal = maestro("goal", "(nextTo Cup Bob)", "--main", "127.0.0.1:" + port)) {
-        until(() -> goal.output().contains(": rose picks up Cup."));
-        pass(clock, at);
-        main.freeze();
-        pass(clock, lasting);
-        main.thaw();
-        int code = goal.await(LIMIT).exitCode();
-        assertThat(code)
-            .as("frozen for %s:%n%s%n%s", lasting, goal.output(), main.output())
-            .isZero();
+      try (JavaProcess devices = maestro("devices", "bob", "--broker", broker.uri().toString())) {
+        until(() -> readyAgents(Integer.parseInt(port), clock) == DEVICES);
         assertThat(devices.isAlive()).isTrue();
+        bringsTheCup(port, main, clock, at, lasting);
       }
+    }
+  }
+
+  private void bringsTheCup(
+      String port, JavaProcess main, PacedClock clock, Duration at, Duration lasting)
+      throws Exception {
+    try (JavaProcess goal = maestro("goal", "(nextTo Cup Bob)", "--main", "127.0.0.1:" + port)) {
+      until(() -> !goal.isAlive() || goal.output().contains(": rose picks up Cup."));
+      pass(clock, at);
+      main.freeze();
+      pass(clock, lasting);
+      main.thaw();
+      assertThat(goal.await(LIMIT).exitCode())
+          .as(() -> "frozen for %s:%n%s%n%s".formatted(lasting, goal.output(), main.output()))
+          .isZero();
+    }
+  }
+
+  private static long readyAgents(int port, PacedClock clock) {
+    try (JoinedContainer desk =
+        JoinedContainer.join(
+            Optional.of("maestro"), "127.0.0.1", port, "desk-" + System.nanoTime(), clock)) {
+      ACLMessage answer =
+          desk.ask(ACLMessage.QUERY_REF, SupervisorAgent.NAME, Words.content("query-ref"));
+      return Words.parse(answer.getContent()).stream()
+          .map(Words::of)
+          .filter(line -> line.string("phase").equals(Optional.of("ready")))
+          .filter(line -> line.find("services").isPresent())
+          .count();
+    } catch (PlatformStartException e) {
+      return 0;
     }
   }
 
