@@ -3,6 +3,7 @@ package org.maestro.planning;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -54,36 +55,55 @@ final class NumberRanges {
   private boolean grows() {
     boolean grew = false;
     for (Operator operator : problem.operators()) {
+      Map<NumberVariable, List<Change.Adjust>> adjusted = new LinkedHashMap<>();
       for (Change change : operator.changes()) {
-        if (change.target() instanceof NumberVariable variable && values.containsKey(variable)) {
-          grew |= grows(variable, change);
+        if (change instanceof Change.Measure measure && values.containsKey(measure.variable())) {
+          TreeSet<Double> known = values.get(measure.variable());
+          grew |= known.contains(Quantity.UNKNOWN) && known.add(Quantity.ANY);
+        } else if (change instanceof Change.Adjust adjust) {
+          adjusted.computeIfAbsent(adjust.variable(), key -> new ArrayList<>()).add(adjust);
+        }
+      }
+      for (Map.Entry<NumberVariable, List<Change.Adjust>> own : adjusted.entrySet()) {
+        for (List<Change> some : parts(own.getValue())) {
+          grew |= values.containsKey(own.getKey()) && grows(own.getKey(), some);
         }
       }
     }
     return grew;
   }
 
-  private boolean grows(NumberVariable variable, Change change) {
-    if (change instanceof Change.Measure) {
-      return values.get(variable).contains(Quantity.UNKNOWN)
-          && values.get(variable).add(Quantity.ANY);
+  /** Of several changes of one number by one step, those of which the conditions held happen. */
+  private static List<List<Change>> parts(List<Change.Adjust> changes) {
+    List<List<Change>> parts = new ArrayList<>();
+    parts.add(List.of());
+    for (Change change : changes) {
+      for (List<Change> part : List.copyOf(parts)) {
+        List<Change> longer = new ArrayList<>(part);
+        longer.add(change);
+        parts.add(longer);
+      }
     }
-    Change.Adjust adjust = (Change.Adjust) change;
+    return parts.subList(1, parts.size());
+  }
+
+  /**
+   * @param changes of the number, which all happen
+   */
+  private boolean grows(NumberVariable variable, List<Change> changes) {
     Set<NumberVariable> read = new LinkedHashSet<>();
-    adjust.value().forEachVariable(read::add);
-    if (adjust.assignment() != Assignment.ASSIGN) {
-      read.add(variable);
+    for (Change change : changes) {
+      Change.Adjust adjust = (Change.Adjust) change;
+      adjust.value().forEachVariable(read::add);
+      if (adjust.assignment() != Assignment.ASSIGN) {
+        read.add(variable);
+      }
     }
     if (read.stream().anyMatch(this::isSum)) {
       return values.remove(variable) != null;
     }
     Set<Double> reached = new TreeSet<>();
-    forEachChoice(
-        read,
-        numbers ->
-            reached.add(
-                Successors.adjusted(
-                    adjust, numbers.get(variable.index()), adjust.value().value(numbers))));
+    forEachChoice(read, numbers -> reached.add(Successors.after(changes, numbers, variable)));
     boolean grew = values.get(variable).addAll(reached);
     if (values.get(variable).size() > MOST_VALUES) {
       values.remove(variable);

@@ -8,15 +8,14 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
-import net.jqwik.api.ShrinkingMode;
 import org.junit.jupiter.api.Test;
 
 class GroundingBudgetTest {
   private final OptimalPlanner planner = new OptimalPlanner();
 
-  @Property(tries = 100, shrinking = ShrinkingMode.OFF)
-  void aGrowingBudgetFindsWhatAllStepsTogetherGive(@ForAll long seed) {
-    PlanningTask task = OptimalityPropertyTest.homeTask(new Random(seed));
+  @Property(tries = 100)
+  void aGrowingBudgetFindsWhatAllStepsTogetherGive(@ForAll Random random) {
+    PlanningTask task = OptimalityPropertyTest.homeTask(random);
     GroundProblem whole = new Grounder(task).ground();
     OptimalSearch.Outcome expected =
         new OptimalSearch(
@@ -36,9 +35,9 @@ class GroundingBudgetTest {
     }
   }
 
-  @Property(tries = 100, shrinking = ShrinkingMode.OFF)
-  void theCheapestPlanIsFoundWithinItsOwnCost(@ForAll long seed) {
-    PlanningTask task = OptimalityPropertyTest.homeTask(new Random(seed));
+  @Property(tries = 100)
+  void theCheapestPlanIsFoundWithinItsOwnCost(@ForAll Random random) {
+    PlanningTask task = OptimalityPropertyTest.homeTask(random);
     if (planner.optimistic(task) instanceof PlanningResult.Found best) {
       double cost = best.plan().cost() + 1e-9;
       GroundProblem within = new Grounder(task).ground(cost).problem();

@@ -12,7 +12,6 @@ import java.util.OptionalDouble;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
-import net.jqwik.api.ShrinkingMode;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;
@@ -31,15 +30,13 @@ class MetamorphicTest {
 
   private final OptimalPlanner planner = new OptimalPlanner();
 
-  @Property(tries = 40, shrinking = ShrinkingMode.OFF)
-  void homes(@ForAll long seed) {
-    Random random = new Random(seed);
+  @Property(tries = 40)
+  void homes(@ForAll Random random) {
     check(OptimalityPropertyTest.homeTask(random), random);
   }
 
-  @Property(tries = 60, shrinking = ShrinkingMode.OFF)
-  void arbitraryFeatures(@ForAll long seed) {
-    Random random = new Random(seed);
+  @Property(tries = 60)
+  void arbitraryFeatures(@ForAll Random random) {
     check(OptimalityPropertyTest.puzzleTask(random), random);
   }
 

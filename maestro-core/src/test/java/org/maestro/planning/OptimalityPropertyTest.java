@@ -11,7 +11,6 @@ import java.util.Set;
 import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
-import net.jqwik.api.ShrinkingMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -35,9 +34,9 @@ class OptimalityPropertyTest {
 
   private final OptimalPlanner planner = new OptimalPlanner();
 
-  @Property(tries = 60, shrinking = ShrinkingMode.OFF)
-  void homesLikeBobs(@ForAll long seed) {
-    PlanningTask task = homeTask(new Random(seed));
+  @Property(tries = 60)
+  void homesLikeBobs(@ForAll Random random) {
+    PlanningTask task = homeTask(random);
     check(task, new Grounder(task).ground());
   }
 
@@ -91,9 +90,8 @@ class OptimalityPropertyTest {
     }
   }
 
-  @Property(tries = 400, shrinking = ShrinkingMode.OFF)
-  void arbitraryFeatures(@ForAll long seed) {
-    Random random = new Random(seed);
+  @Property(tries = 400)
+  void arbitraryFeatures(@ForAll Random random) {
     PlanningTask task = puzzleTask(random);
     check(task, Everything.ground(task));
   }

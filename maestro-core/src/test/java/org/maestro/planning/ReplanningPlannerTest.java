@@ -11,7 +11,6 @@ import java.util.Random;
 import java.util.Set;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
-import net.jqwik.api.ShrinkingMode;
 import org.junit.jupiter.api.Test;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.sl.SlParser;
@@ -24,15 +23,13 @@ class ReplanningPlannerTest {
 
   private final OptimalPlanner fresh = new OptimalPlanner(20_000);
 
-  @Property(tries = 40, shrinking = ShrinkingMode.OFF)
-  void homes(@ForAll long seed) {
-    Random random = new Random(seed);
+  @Property(tries = 40)
+  void homes(@ForAll Random random) {
     follow(OptimalityPropertyTest.homeTask(random), random);
   }
 
-  @Property(tries = 100, shrinking = ShrinkingMode.OFF)
-  void arbitraryFeatures(@ForAll long seed) {
-    Random random = new Random(seed);
+  @Property(tries = 100)
+  void arbitraryFeatures(@ForAll Random random) {
     follow(OptimalityPropertyTest.puzzleTask(random), random);
   }
 

@@ -13,7 +13,6 @@ import java.util.Set;
 import java.util.function.Supplier;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
-import net.jqwik.api.ShrinkingMode;
 import net.jqwik.api.Tag;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.sl.Facts;
@@ -70,9 +69,8 @@ class SharedGroundworkTest {
 
   private final OptimalPlanner fresh = new OptimalPlanner(20_000);
 
-  @Property(tries = 25, shrinking = ShrinkingMode.OFF)
-  void homes(@ForAll long seed) {
-    Random random = new Random(seed);
+  @Property(tries = 25)
+  void homes(@ForAll Random random) {
     follow(
         OptimalityPropertyTest.home(random),
         () -> any(OptimalityPropertyTest.HOME_GOALS, random),
@@ -80,9 +78,8 @@ class SharedGroundworkTest {
         random);
   }
 
-  @Property(tries = 40, shrinking = ShrinkingMode.OFF)
-  void arbitraryFeatures(@ForAll long seed) {
-    Random random = new Random(seed);
+  @Property(tries = 40)
+  void arbitraryFeatures(@ForAll Random random) {
     follow(
         OptimalityPropertyTest.puzzle(random),
         () -> OptimalityPropertyTest.conjunction(random, 2),
@@ -91,15 +88,15 @@ class SharedGroundworkTest {
   }
 
   @Tag("full")
-  @Property(tries = 1_000, shrinking = ShrinkingMode.OFF)
-  void manyHomes(@ForAll long seed) {
-    homes(seed);
+  @Property(tries = 1_000)
+  void manyHomes(@ForAll Random random) {
+    homes(random);
   }
 
   @Tag("full")
-  @Property(tries = 2_000, shrinking = ShrinkingMode.OFF)
-  void manyArbitraryFeatures(@ForAll long seed) {
-    arbitraryFeatures(seed);
+  @Property(tries = 2_000)
+  void manyArbitraryFeatures(@ForAll Random random) {
+    arbitraryFeatures(random);
   }
 
   private void follow(

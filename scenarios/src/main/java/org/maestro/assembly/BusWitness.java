@@ -7,6 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.MemberState;
 import org.maestro.rats.protocol.Outcome;
@@ -105,8 +107,21 @@ public final class BusWitness implements AutoCloseable {
         .toList();
   }
 
-  /** Deeds that were done more than once for the same goal, whatever the calls' ids were. */
+  /**
+   * Deeds that succeeded more than once for the same goal. Two calls are the same deed when they
+   * mean the same: the same feature of the same member, on the same things. Ids, poses and what
+   * else is told of those things may differ.
+   *
+   * @throws IllegalStateException when a feature was never called, of which the answer would say
+   *     nothing
+   */
   public synchronized List<String> doneTwice(Set<String> features) {
+    Set<String> called =
+        calls.values().stream().map(Call::feature).collect(Collectors.toCollection(TreeSet::new));
+    if (!called.containsAll(features)) {
+      throw new IllegalStateException(
+          "Not all of %s were called, only %s.".formatted(new TreeSet<>(features), called));
+    }
     Map<String, Integer> deeds = new TreeMap<>();
     for (String id : succeeded) {
       Call call = calls.get(id);
@@ -118,7 +133,7 @@ public final class BusWitness implements AutoCloseable {
                 + " "
                 + call.feature()
                 + " "
-                + call.parameters();
+                + meant(call.parameters());
         deeds.merge(deed, 1, Integer::sum);
       }
     }
@@ -126,6 +141,19 @@ public final class BusWitness implements AutoCloseable {
         .filter(entry -> entry.getValue() > 1)
         .map(Map.Entry::getKey)
         .toList();
+  }
+
+  private static Map<String, Object> meant(Map<String, Object> parameters) {
+    Map<String, Object> meant = new TreeMap<>();
+    parameters.forEach(
+        (name, value) -> {
+          if (value instanceof Map<?, ?> pointer) {
+            meant.put(name, String.valueOf(pointer.get("ref")));
+          } else if (!(value instanceof List<?>)) {
+            meant.put(name, value);
+          }
+        });
+    return meant;
   }
 
   /** Calls that were sent again. */

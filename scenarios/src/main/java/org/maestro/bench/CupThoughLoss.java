@@ -40,7 +40,7 @@ final class CupThoughLoss {
   private static final String ROBOT = "rose";
   private static final String LAMP = "lamp-b1";
   private static final String GOAL = "(nextTo Cup Bob)";
-  private static final Set<String> DEEDS = Set.of("pickUp", "placeAt");
+  private static final Set<String> DEEDS = Set.of("move", "pick", "place");
   private static final Duration CUT = Duration.ofSeconds(10);
   private static final Duration SLOW = Duration.ofMillis(50);
 

@@ -30,6 +30,13 @@ public final class LossesBench {
   }
 
   /**
+   * Whether this machine can lose that: a link only where hosts can have addresses of their own.
+   */
+  public static boolean isPossible(Loss loss) {
+    return !loss.isOfLinks() || NetworkHosts.areThere();
+  }
+
+  /**
    * @throws IllegalStateException with what happened when a goal was not reached, a step was done
    *     twice, or an agent is there twice
    */

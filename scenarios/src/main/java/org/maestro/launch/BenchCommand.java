@@ -3,6 +3,7 @@ package org.maestro.launch;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalLong;
@@ -16,6 +17,7 @@ import java.util.stream.Stream;
 import org.maestro.bench.AgentsBench;
 import org.maestro.bench.BenchReport;
 import org.maestro.bench.BusBench;
+import org.maestro.bench.CancelBench;
 import org.maestro.bench.ChaosBench;
 import org.maestro.bench.ContainersBench;
 import org.maestro.bench.CoordinationBench;
@@ -37,8 +39,8 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "bench",
     description =
-        "Run a benchmark: agents, bus, chaos, containers, coordination, growth, losses, planner,"
-            + " sim or soak.")
+        "Run a benchmark: agents, bus, cancel, chaos, containers, coordination, growth, losses, "
+            + "planner, sim or soak.")
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
   private static final int LEAST_GOALS = 250;
@@ -53,31 +55,7 @@ final class BenchCommand implements Callable<Integer> {
       Function<Consumer<String>, ChaosBench> chaos) {}
 
   private static final Map<String, BiFunction<Wanted, Consumer<String>, BenchReport>> BENCHES =
-      new TreeMap<>(
-          Map.of(
-              "agents",
-              (wanted, progress) -> new AgentsBench(AGENTS, progress).run(),
-              "chaos",
-              (wanted, progress) -> wanted.chaos().apply(progress).run(),
-              "bus",
-              (wanted, progress) -> new BusBench(progress).run(),
-              "containers",
-              (wanted, progress) -> new ContainersBench(20, 200, 1_000, 1, progress).run(),
-              "coordination",
-              (wanted, progress) ->
-                  new CoordinationBench(new LargeHome(20, 20, 5), 100, progress).run(),
-              "growth",
-              (wanted, progress) ->
-                  new GrowthBench(wanted.directory().toAbsolutePath(), wanted.sizes(), progress)
-                      .run(),
-              "losses",
-              (wanted, progress) -> new LossesBench(wanted.losses(), wanted.runs(), progress).run(),
-              "planner",
-              (wanted, progress) -> new PlannerBench(20, progress).run(),
-              "sim",
-              (wanted, progress) -> simulation(progress),
-              "soak",
-              (wanted, progress) -> soak(wanted.goals(), progress)));
+      benches();
 
   private static final Duration MEASURED_TIME = Duration.ofSeconds(10);
 
@@ -98,7 +76,7 @@ final class BenchCommand implements Callable<Integer> {
   @Option(
       names = "--runs",
       paramLabel = "N",
-      description = "How often losses has each happen; once unless it is said.")
+      description = "How often losses and cancel have each happen; once unless it is said.")
   private int runs = 1;
 
   @Option(
@@ -180,6 +158,47 @@ final class BenchCommand implements Callable<Integer> {
                                                 .map(Loss::word)
                                                 .collect(Collectors.joining(", "))))))
             .toList();
+  }
+
+  private static Map<String, BiFunction<Wanted, Consumer<String>, BenchReport>> benches() {
+    Map<String, BiFunction<Wanted, Consumer<String>, BenchReport>> benches = new TreeMap<>();
+    benches.put(
+        "agents",
+              (wanted, progress) -> new AgentsBench(AGENTS, progress).run());
+    benches.put(
+        "chaos",
+              (wanted, progress) -> wanted.chaos().apply(progress).run());
+    benches.put(
+        "bus",
+              (wanted, progress) -> new BusBench(progress).run());
+    benches.put(
+        "cancel",
+              (wanted, progress) -> new CancelBench(wanted.runs(), progress).run());
+    benches.put(
+        "containers",
+              (wanted, progress) -> new ContainersBench(20, 200, 1_000, 1, progress).run());
+    benches.put(
+        "coordination",
+              (wanted, progress) ->
+                  new CoordinationBench(new LargeHome(20, 20, 5), 100, progress).run());
+    benches.put(
+        "growth",
+              (wanted, progress) ->
+                  new GrowthBench(wanted.directory().toAbsolutePath(), wanted.sizes(), progress)
+                      .run());
+    benches.put(
+        "losses",
+              (wanted, progress) -> new LossesBench(wanted.losses(), wanted.runs(), progress).run());
+    benches.put(
+        "planner",
+              (wanted, progress) -> new PlannerBench(20, progress).run());
+    benches.put(
+        "sim",
+              (wanted, progress) -> simulation(progress));
+    benches.put(
+        "soak",
+              (wanted, progress) -> soak(wanted.goals(), progress));
+    return Collections.unmodifiableMap(benches);
   }
 
   private static BenchReport simulation(Consumer<String> progress) {

@@ -8,11 +8,11 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** Many agents in one process: all are made, described and answer. */
+/**
+ * Many agents in one process: all are made, described and answer, and none takes much room. How
+ * soon is measured by {@code ./maestro bench agents}.
+ */
 class AgentsBenchTest {
-  /** What is asked for is 5 s on Java 25; a machine that does other things is given more. */
-  private static final double MADE_WITHIN_SECONDS = 20;
-
   private static final double MOST_KIBIBYTES = 40;
 
   @Test
@@ -27,8 +27,7 @@ class AgentsBenchTest {
   @Tag("full")
   void tenThousandAgentsFitIntoAProcess() {
     Map<String, BenchReport.Row> rows = rows(10_000);
-    assertThat(rows.get("10000 agents made, platform and all").value())
-        .isLessThan(MADE_WITHIN_SECONDS);
+    assertThat(rows).containsKey("10000 devices described and in use");
     assertThat(rows.get("heap of each").value()).isBetween(1.0, MOST_KIBIBYTES);
     assertThat(rows.get("heap of each, described, with all that is known of it").value())
         .isBetween(1.0, MOST_KIBIBYTES);

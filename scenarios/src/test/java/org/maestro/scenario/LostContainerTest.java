@@ -20,7 +20,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
@@ -45,6 +44,7 @@ import org.maestro.sl.SlParser;
 /**
  * The process of the robot's agent is killed, or frozen and thawed, while the robot is at work for
  * Bob's cup: the goal is reached, no step is done twice, no agent is there twice (M78, A33, A34).
+ * How long that takes is measured by {@code ./maestro bench losses}.
  */
 @Isolated("its time is wall time, which others beside it would take")
 class LostContainerTest {
@@ -54,7 +54,7 @@ class LostContainerTest {
   private static final double SPEED_TO_THAW_IN = 2;
 
   private static final String ROBOT = "rose";
-  private static final Set<String> DEEDS = Set.of("pickUp", "placeAt");
+  private static final Set<String> DEEDS = Set.of("move", "pick", "place");
 
   @TempDir Path directory;
 
@@ -227,40 +227,12 @@ class LostContainerTest {
         Map.of("XDG_RUNTIME_DIR", directory.toString()));
   }
 
-  /**
-   * Ten runs of each on a machine without other work, and of none to compare with; what was
-   * measured goes to the output.
-   */
-  @Tag("full")
-  @RepeatedTest(10)
-  void asOftenAsItHappens() throws Exception {
-    for (Disturbance disturbance : Disturbance.values()) {
-      Measured measured = bobsCup(disturbance);
-      System.out.printf(
-          "%s noticed %.2f s, agent back %.2f s, goal %.1f s%n",
-          disturbance,
-          measured.noticedSeconds(),
-          measured.agentBackSeconds(),
-          measured.goalSeconds());
-      assertThat(measured.noticedSeconds()).isLessThan(5);
-      assertThat(measured.agentBackSeconds() - measured.noticedSeconds()).isLessThan(3);
-    }
-  }
-
   private enum Disturbance {
-    NONE,
     KILL,
     FREEZE
   }
 
-  /**
-   * @param noticedSeconds from the disturbance until the container was known to be lost
-   * @param agentBackSeconds from the disturbance until the robot had an agent again
-   * @param goalSeconds simulated, from stating the goal
-   */
-  private record Measured(double noticedSeconds, double agentBackSeconds, double goalSeconds) {}
-
-  private Measured bobsCup(Disturbance disturbance) throws Exception {
+  private void bobsCup(Disturbance disturbance) throws Exception {
     name = "lost-" + Long.toString(System.nanoTime(), Character.MAX_RADIX);
     try (EmbeddedBroker broker = EmbeddedBroker.start();
         LocalSite site = LocalSite.paced(settings(broker), SPEED);
@@ -273,16 +245,12 @@ class LostContainerTest {
       CompletableFuture<GoalReport> ended = pursued.ended();
       until(pursued.atWork()::isDone);
 
-      long began = System.nanoTime();
       switch (disturbance) {
         case KILL -> robots.kill();
         case FREEZE -> robots.freeze();
-        case NONE -> assertThat(robots.isAlive()).isTrue();
       }
-      until(() -> disturbance == Disturbance.NONE || isLost(site));
-      double noticed = secondsSince(began);
+      until(() -> isLost(site));
       until(() -> site.platform().presentMembers().contains(ROBOT));
-      double back = secondsSince(began);
       until(ended::isDone);
 
       assertThat(ended.join().reached()).as(told(pursued.story())).isTrue();
@@ -301,7 +269,6 @@ class LostContainerTest {
           .contains(ROBOT);
       assertThat(witness.executedTwice()).isEmpty();
       assertThat(witness.doneTwice(DEEDS)).isEmpty();
-      return new Measured(noticed, back, ended.join().duration().toMillis() / 1000.0);
     }
   }
 

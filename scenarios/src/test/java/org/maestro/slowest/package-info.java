@@ -1,0 +1,4 @@
+/**
+ * How long a build's tests took: read from the reports of the modules before, and from this one's.
+ */
+package org.maestro.slowest;
