@@ -35,6 +35,9 @@ public record CameraData(
       new CameraData(30, 1920, 1080, 72, 2000, 69, 0.75, 20, 0.01, 0.005, true);
   private static final double WASHED_OUT_HALF = 1.1;
 
+  /** A camera that needs no light of the room has a light of its own. */
+  private static final double LEAST_LUX = 0.01;
+
   public CameraData {
     PhysicalParameters.positive("camera.frameRate", frameRate);
     PhysicalParameters.positive("camera.width", width);
@@ -56,6 +59,44 @@ public record CameraData(
         noise,
         lightError,
         noticesGlare);
+  }
+
+  /**
+   * The same camera for other light: its detection sets in as far below the least light, in its
+   * proportion, as that of the usual one does.
+   *
+   * @param minimum above 0; so much is taken for 0
+   */
+  CameraData within(double minimum, double maximum) {
+    double scale = Math.max(LEAST_LUX, minimum) / minimumLux;
+    return new CameraData(
+        frameRate,
+        width,
+        height,
+        minimum,
+        maximum,
+        halfLux * scale,
+        slopeLux * scale,
+        washedOutSlopeLux,
+        noise,
+        lightError,
+        noticesGlare);
+  }
+
+  /** One whose software takes images in which something is over-lit as it takes all others. */
+  CameraData trusting() {
+    return new CameraData(
+        frameRate,
+        width,
+        height,
+        minimumLux,
+        maximumLux,
+        halfLux,
+        slopeLux,
+        washedOutSlopeLux,
+        noise,
+        lightError,
+        false);
   }
 
   /**

@@ -75,15 +75,9 @@ final class DriverFactory {
                   new SwitchedLamp(
                       new SimulatedSwitch(actuator, parameters.drives()),
                       parameters.lamp().whiteKelvin()));
-      case "camera" ->
-          Drivers.none()
-              .with(
-                  Camera.class,
-                  camera(
-                      device,
-                      actuator,
-                      Eye.fixed(pose(device), number(device, "viewAngle")),
-                      seed));
+      case "camera" -> ceilingCamera(device, actuator, parameters.camera(), seed);
+      case "trusting-camera" ->
+          ceilingCamera(device, actuator, parameters.camera().trusting(), seed);
       case "light-sensor" ->
           Drivers.none()
               .with(
@@ -95,7 +89,10 @@ final class DriverFactory {
                   IlluminationSensor.class,
                   new SimulatedTsl2561(actuator, parameters.sensor(), place(device)));
       case "door" ->
-          Drivers.none().with(DoorDrive.class, new SimulatedDoor(actuator, parameters.drives()));
+          Drivers.none()
+              .with(
+                  DoorDrive.class,
+                  new SimulatedDoor(actuator, parameters.drives(), Stated.truth(device, "locked")));
       case "shutter" -> shutter(device, actuator);
       case "mobile-robot" -> robot(device, actuator, this::gliding);
       case "mobile-robot-with-fingers" ->
@@ -109,6 +106,7 @@ final class DriverFactory {
                   camera(
                       device,
                       actuator,
+                      parameters.camera(),
                       Eye.onBoard(actuator, parameters.turn(), number(device, "viewAngle")),
                       seed));
       default ->
@@ -117,8 +115,8 @@ final class DriverFactory {
                   + key
                   + " of "
                   + device.id()
-                  + " cannot be simulated; known are lamp, switched-lamp, camera, light-sensor, tsl2561, door,"
-                  + " shutter, mobile-robot, mobile-robot-with-camera,"
+                  + " cannot be simulated; known are lamp, switched-lamp, camera, trusting-camera,"
+                  + " light-sensor, tsl2561, door, shutter, mobile-robot, mobile-robot-with-camera,"
                   + " mobile-robot-with-fingers, mecanum-robot, differential-robot.");
     };
   }
@@ -140,8 +138,22 @@ final class DriverFactory {
     return Drivers.none();
   }
 
-  private Camera camera(Device device, Actuator actuator, Eye eye, long seed) {
-    CameraData data = parameters.camera();
+  private Drivers ceilingCamera(Device device, Actuator actuator, CameraData kind, long seed) {
+    Eye eye = Eye.fixed(pose(device), number(device, "viewAngle"));
+    return Drivers.none().with(Camera.class, camera(device, actuator, kind, eye, seed));
+  }
+
+  /** A setting that was changed is the truth, whatever the home states of its devices. */
+  private static double believed(Device device, String word, double set, double usual) {
+    return set == usual ? Stated.number(device, word).orElse(set) : set;
+  }
+
+  private Camera camera(Device device, Actuator actuator, CameraData kind, Eye eye, long seed) {
+    CameraData usual = CameraData.LIFECAM;
+    CameraData data =
+        kind.within(
+            believed(device, "minimumLight", kind.minimumLux(), usual.minimumLux()),
+            believed(device, "maximumLight", kind.maximumLux(), usual.maximumLux()));
     double frameRate = FloorMap.number(device.individual(), "frameRate").orElse(data.frameRate());
     Photographer.Resolution resolution =
         FloorMap.pair(device.individual(), "resolution")
@@ -248,8 +260,11 @@ final class DriverFactory {
     robots.add(device.id());
     world.whereabouts().put(body.withRadius(parameters.base().radius()));
     Scene.Entry truth = scene.of(device.id());
-    BaseData base = parameters.base().atSpeed(truth.speed().orElse(parameters.base().speed()));
-    ArmData arm = parameters.arm().lifting(truth.payload().orElse(parameters.arm().payload()));
+    double speed = believed(device, "speed", parameters.base().speed(), BaseData.YOUBOT.speed());
+    BaseData base = parameters.base().atSpeed(truth.speed().orElse(speed));
+    double payload =
+        believed(device, "payload", parameters.arm().payload(), ArmData.YOUBOT.payload());
+    ArmData arm = parameters.arm().lifting(truth.payload().orElse(payload));
     world
         .batteries()
         .put(device.id(), parameters.battery(), base.power(), truth.charge().orElse(FULL_CHARGE));

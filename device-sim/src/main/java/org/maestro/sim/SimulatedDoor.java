@@ -8,14 +8,20 @@ final class SimulatedDoor implements DoorDrive {
 
   private final Actuator actuator;
   private final DriveData data;
+  private final boolean locked;
 
-  SimulatedDoor(Actuator actuator, DriveData data) {
+  SimulatedDoor(Actuator actuator, DriveData data, boolean locked) {
     this.actuator = actuator;
     this.data = data;
+    this.locked = locked;
   }
 
   @Override
   public void setOpen(boolean open, Completion completion) {
+    if (locked && open && !isOpen()) {
+      completion.failed("it is locked");
+      return;
+    }
     actuator.command(
         WorldEvent.Kind.ADJUST,
         isOpen() == open ? 0 : data.doorSeconds(),

@@ -44,7 +44,8 @@ public final class LossesBench {
     boolean areHosts = NetworkHosts.areThere();
     if (!areHosts) {
       progress.accept(
-          "No network namespaces can be made here: hosts are processes on loopback, and no link is cut or slowed.");
+          "No network namespaces can be made here: hosts are processes on loopback, and no link is"
+              + " cut or slowed.");
     }
     List<BenchReport.Row> rows = new ArrayList<>();
     for (Loss loss : losses) {

@@ -54,7 +54,8 @@ public final class SlowestTests implements TestExecutionListener {
         new StringBuilder(
             String.format(
                 Locale.ROOT,
-                "%nThe build has taken %d s, its %d tests %d s; some ran beside each other. The slowest:%n",
+                "%nThe build has taken %d s, its %d tests %d s; some ran beside each other. The"
+                    + " slowest:%n",
                 Duration.between(buildBegan, Instant.now()).toSeconds(),
                 all.size(),
                 all.stream()

@@ -1,6 +1,8 @@
 package org.maestro.ontology.home;
 
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -36,6 +38,8 @@ final class HomeCheck {
           "glassFrom", Glass::corner,
           "glassTo", Glass::corner);
 
+  private static final Node HAS = Maestro.term("has");
+
   private final SourceGraph graph;
   private final Vocabulary vocabulary;
   private final Set<String> namespaces = new TreeSet<>(Set.of(Maestro.NAMESPACE));
@@ -56,6 +60,38 @@ final class HomeCheck {
     }
     checkClasses(node);
     graph.predicates(node).forEach(property -> checkProperty(node, property, true));
+  }
+
+  /**
+   * A property that belongs to other classes of devices, and of which no feature of this one
+   * speaks: nothing would come of it. A device of which no class says what it has may state
+   * anything.
+   */
+  void checkUse(Node node, Device device) {
+    Set<Node> own = has(graph.objects(node, RDF.type.asNode()));
+    Set<Node> known = has(graph.subjectsWith(HAS));
+    if (own.isEmpty()) {
+      return;
+    }
+    for (Node property : graph.predicates(node)) {
+      String name = Literals.name(property);
+      if (known.contains(property)
+          && !own.contains(property)
+          && device.features().stream().noneMatch(feature -> feature.speaksOf(name))) {
+        graph.fault(
+            node,
+            property,
+            Optional.empty(),
+            "is stated in vain, as nothing of this device makes use of it",
+            "remove it, or give the device a class that has it");
+      }
+    }
+  }
+
+  private Set<Node> has(Collection<Node> classes) {
+    Set<Node> properties = new LinkedHashSet<>();
+    classes.forEach(type -> properties.addAll(graph.objects(type, HAS)));
+    return properties;
   }
 
   /** The same for a device described on its own: other things are not described with it. */
@@ -220,7 +256,8 @@ final class HomeCheck {
                       Maestro.term("glassFrom"),
                       Optional.empty(),
                       wrong,
-                      "put its lower corner and the opposite upper one on an outer wall of one room"));
+                      "put its lower corner and the opposite upper one on an outer wall of one"
+                          + " room"));
     }
     for (Term shaded : thing.properties().getOrDefault("shades", List.of())) {
       boolean isWindow =

@@ -178,6 +178,14 @@ public final class SourceGraph {
     return byObject.getOrDefault(object, Map.of()).getOrDefault(predicate, List.of());
   }
 
+  /** Everything of which this is said, in order of first mention. */
+  public List<Node> subjectsWith(Node predicate) {
+    return bySubject.entrySet().stream()
+        .filter(entry -> entry.getValue().containsKey(predicate))
+        .map(Map.Entry::getKey)
+        .toList();
+  }
+
   public boolean isA(Node subject, Node type) {
     return objects(subject, RDF.type.asNode()).contains(type);
   }

@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
+import org.maestro.sl.SlPrinter;
 
 /**
  * A feature as data, f = (Id, r, I, O, phi, Pr, Po, Freq, Cost) of the paper's section 3.2.2 (M46):
@@ -63,6 +64,22 @@ public record FeatureType(
     doubts = List.copyOf(doubts);
     occupies = Collections.unmodifiableSet(new TreeSet<>(occupies));
     refersTo = Collections.unmodifiableMap(new TreeMap<>(refersTo));
+  }
+
+  /** Whether a condition, effect, price or duration of it speaks of that predicate or number. */
+  public boolean speaksOf(String predicate) {
+    Expression price =
+        cost instanceof Price.Stated stated ? stated.cost() : ((Price.Asked) cost).atLeast();
+    String all =
+        String.join(
+            " ",
+            SlPrinter.print(precondition),
+            SlPrinter.print(effect),
+            learns.map(SlPrinter::print).orElse(""),
+            SlPrinter.print(price),
+            SlPrinter.print(seconds),
+            String.join(" ", refersTo.values()));
+    return all.contains("(" + predicate + " ");
   }
 
   /** The same feature with another effect. */
