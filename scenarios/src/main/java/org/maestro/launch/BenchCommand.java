@@ -162,42 +162,25 @@ final class BenchCommand implements Callable<Integer> {
 
   private static Map<String, BiFunction<Wanted, Consumer<String>, BenchReport>> benches() {
     Map<String, BiFunction<Wanted, Consumer<String>, BenchReport>> benches = new TreeMap<>();
+    benches.put("agents", (wanted, progress) -> new AgentsBench(AGENTS, progress).run());
+    benches.put("chaos", (wanted, progress) -> wanted.chaos().apply(progress).run());
+    benches.put("bus", (wanted, progress) -> new BusBench(progress).run());
+    benches.put("cancel", (wanted, progress) -> new CancelBench(wanted.runs(), progress).run());
     benches.put(
-        "agents",
-              (wanted, progress) -> new AgentsBench(AGENTS, progress).run());
-    benches.put(
-        "chaos",
-              (wanted, progress) -> wanted.chaos().apply(progress).run());
-    benches.put(
-        "bus",
-              (wanted, progress) -> new BusBench(progress).run());
-    benches.put(
-        "cancel",
-              (wanted, progress) -> new CancelBench(wanted.runs(), progress).run());
-    benches.put(
-        "containers",
-              (wanted, progress) -> new ContainersBench(20, 200, 1_000, 1, progress).run());
+        "containers", (wanted, progress) -> new ContainersBench(20, 200, 1_000, 1, progress).run());
     benches.put(
         "coordination",
-              (wanted, progress) ->
-                  new CoordinationBench(new LargeHome(20, 20, 5), 100, progress).run());
+        (wanted, progress) -> new CoordinationBench(new LargeHome(20, 20, 5), 100, progress).run());
     benches.put(
         "growth",
-              (wanted, progress) ->
-                  new GrowthBench(wanted.directory().toAbsolutePath(), wanted.sizes(), progress)
-                      .run());
+        (wanted, progress) ->
+            new GrowthBench(wanted.directory().toAbsolutePath(), wanted.sizes(), progress).run());
     benches.put(
         "losses",
-              (wanted, progress) -> new LossesBench(wanted.losses(), wanted.runs(), progress).run());
-    benches.put(
-        "planner",
-              (wanted, progress) -> new PlannerBench(20, progress).run());
-    benches.put(
-        "sim",
-              (wanted, progress) -> simulation(progress));
-    benches.put(
-        "soak",
-              (wanted, progress) -> soak(wanted.goals(), progress));
+        (wanted, progress) -> new LossesBench(wanted.losses(), wanted.runs(), progress).run());
+    benches.put("planner", (wanted, progress) -> new PlannerBench(20, progress).run());
+    benches.put("sim", (wanted, progress) -> simulation(progress));
+    benches.put("soak", (wanted, progress) -> soak(wanted.goals(), progress));
     return Collections.unmodifiableMap(benches);
   }
 
