@@ -73,11 +73,12 @@ public final class Maestro implements Runnable {
     }
     SLF4JBridgeHandler.removeHandlersForRootLogger();
     SLF4JBridgeHandler.install();
-    CommandLine commandLine = commandLine(System.out, System.err);
+    PrintStream out = System.out;
     PrintStream people = System.err;
+    // Before the command line is made: picocli goes back to plain writers when these change later.
     System.setOut(StrayOutput.before(people));
     System.setErr(StrayOutput.before(people));
-    System.exit(commandLine.execute(arguments));
+    System.exit(commandLine(out, people).execute(arguments));
   }
 
   static CommandLine commandLine(PrintStream out, PrintStream err) {

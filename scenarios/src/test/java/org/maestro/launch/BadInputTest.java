@@ -52,6 +52,15 @@ class BadInputTest {
     assertOneSentence(ended).contains("nowhere.ttl");
   }
 
+  /** A name that would steer the terminal is shown: by the whole program, not only by its parts. */
+  @Test
+  void aNameWithControlCharactersIsShownAndNotObeyed() throws Exception {
+    JavaProcess.Ended ended = maestro("check", "no\u001b[31mwhere.ttl");
+
+    assertThat(ended.exitCode()).isEqualTo(2);
+    assertThat(ended.errors()).contains("no\\u001b[31mwhere.ttl").doesNotContain("\u001b");
+  }
+
   @Test
   void anUnknownCommandIsToldTheNearest() throws Exception {
     JavaProcess.Ended ended = maestro("demmo");
