@@ -64,7 +64,7 @@ class PythonDeviceInAPlanTest {
     }
   }
 
-  private static boolean hasPython() throws InterruptedException {
+  static boolean hasPython() throws InterruptedException {
     try {
       return new ProcessBuilder("python3", "-c", "import paho.mqtt.enums").start().waitFor() == 0;
     } catch (IOException none) {
