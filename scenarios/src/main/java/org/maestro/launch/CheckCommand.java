@@ -4,10 +4,12 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeFaultException;
+import org.maestro.ontology.home.ImpossibleUses;
 import org.maestro.ontology.home.UnstatedNeeds;
 import org.maestro.ontology.validation.Fault;
 import picocli.CommandLine.Command;
@@ -32,7 +34,8 @@ final class CheckCommand implements Callable<Integer> {
     PrintWriter out = spec.commandLine().getOut();
     try {
       Home loaded = Shipped.home(home);
-      List<String> notes = UnstatedNeeds.of(loaded);
+      List<String> notes = new ArrayList<>(UnstatedNeeds.of(loaded));
+      notes.addAll(ImpossibleUses.of(loaded));
       if (json) {
         out.println(document(List.of(), notes));
       } else {
