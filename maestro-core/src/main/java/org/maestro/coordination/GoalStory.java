@@ -2,7 +2,6 @@ package org.maestro.coordination;
 
 import java.time.Duration;
 import java.util.Collection;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -17,7 +16,6 @@ import org.maestro.planning.PlanningResult;
 import org.maestro.planning.Step;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Formula;
-import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
@@ -43,21 +41,11 @@ final class GoalStory {
     tell(
         StoryEntry.Kind.GOAL,
         request.requester() + " asks for: " + sentences().fact(request.goal()) + ".");
-    List<String> texts =
+    List<String> known =
         knowledge.snapshot().beliefs().stream().map(Belief::fact).collect(Collectors.toList());
-    List<String> named = names(request);
-    for (String name : named) {
-      List<String> facts =
-          texts.stream()
-              .filter(fact -> mentions(fact, name))
-              .map(sentences()::fact)
-              .limit(MOST_FACTS)
-              .toList();
-      tell(
-          StoryEntry.Kind.KNOWN,
-          facts.isEmpty()
-              ? "Where " + name + " is, nobody knows."
-              : "Known of " + name + ": " + String.join("; ", facts) + ".");
+    KnownOf knownOf = new KnownOf(knowledge.home(), known);
+    for (String name : names(request)) {
+      tell(StoryEntry.Kind.KNOWN, knownOf.sentences(name));
     }
   }
 
@@ -84,16 +72,8 @@ final class GoalStory {
   }
 
   private List<String> names(GoalRequest request) {
-    Set<String> words = words(SlPrinter.print(request.goal()));
+    Set<String> words = KnownOf.words(SlPrinter.print(request.goal()));
     return knowledge.home().individuals().keySet().stream().filter(words::contains).toList();
-  }
-
-  private static boolean mentions(String fact, String name) {
-    return fact.contains(name) && words(fact).contains(name);
-  }
-
-  private static Set<String> words(String fact) {
-    return new HashSet<>(List.of(fact.replaceAll("[()]", " ").trim().split("\\s+")));
   }
 
   void takesWhatIsFree(
@@ -211,8 +191,7 @@ final class GoalStory {
   }
 
   void done(Step step, KnowledgeBase.Change change) {
-    String news = change.facts().isEmpty() ? "done" : facts(change);
-    tell(StoryEntry.Kind.DONE, step.member() + " reports: " + news + ".");
+    tell(StoryEntry.Kind.DONE, step.member() + " reports: " + news().report(change) + ".");
   }
 
   void failed(Step step, String problem, KnowledgeBase.Change change) {
@@ -221,7 +200,7 @@ final class GoalStory {
         "That failed: "
             + (problem.startsWith(step.member() + " ") ? "" : step.member() + " says ")
             + Sentences.withoutFullStop(problem)
-            + (change.facts().isEmpty() ? "" : " (so " + facts(change) + ")")
+            + (change.facts().isEmpty() ? "" : " (so " + news().all(change) + ")")
             + ".");
   }
 
@@ -325,39 +304,27 @@ final class GoalStory {
   }
 
   String becauseOf(KnowledgeBase.Change change) {
-    return facts(change);
+    return news().all(change);
+  }
+
+  /** Why the rest is thought over after a step that was done. */
+  String becauseOf(Step step, KnowledgeBase.Change change) {
+    return change.facts().isEmpty()
+        ? "what %s reports is what was known before".formatted(step.member())
+        : news().all(change);
+  }
+
+  /** Nothing is left to be done. */
+  String endedInVain() {
+    return "all steps are done, and the goal is not reached";
   }
 
   String sentence(Step step) {
     return sentences().step(step);
   }
 
-  /** What is so now says most; what is not so comes second, what was lost last. */
-  private String facts(KnowledgeBase.Change change) {
-    List<Formula> all =
-        change.facts().stream()
-            .map(fact -> SlParser.formula(fact, knowledge.home().vocabulary()::isFluent))
-            .toList();
-    List<Formula> telling = all.stream().filter(GoalStory::isSo).toList();
-    if (telling.isEmpty()) {
-      telling = all.stream().filter(Formula.Not.class::isInstance).toList();
-    }
-    if (telling.isEmpty()) {
-      telling = all;
-    }
-    if (telling.isEmpty()) {
-      return "nothing new";
-    }
-    int more = telling.size() - MOST_FACTS;
-    return telling.stream()
-            .limit(MOST_FACTS)
-            .map(sentences()::fact)
-            .collect(Collectors.joining(", "))
-        + (more > 0 ? " and " + more + " more" : "");
-  }
-
-  private static boolean isSo(Formula formula) {
-    return formula instanceof Formula.Atom || formula instanceof Formula.Comparison;
+  private NewsSentences news() {
+    return new NewsSentences(knowledge.home().vocabulary());
   }
 
   private WitnessSentences witnesses() {

@@ -24,20 +24,35 @@ import org.maestro.sl.Term;
 public final class ObstacleSentences {
   private final Home home;
   private final Facts facts;
+  private final Set<String> gone;
   private final Sentences sentences;
 
   /**
    * @param facts what is known, for the numbers of comparisons
    */
   public ObstacleSentences(Home home, Facts facts) {
+    this(home, facts, Set.of());
+  }
+
+  /**
+   * @param gone who is not there, and could do nothing
+   */
+  private ObstacleSentences(Home home, Facts facts, Set<String> gone) {
     this.home = home;
     this.facts = facts;
+    this.gone = gone;
     this.sentences = new Sentences(home.vocabulary());
   }
 
   /** One text for each obstacle. */
   public List<String> all(Explanation explanation) {
-    return explanation.obstacles().stream().map(this::obstacle).toList();
+    Set<String> absent =
+        explanation.obstacles().stream()
+            .filter(obstacle -> obstacle.kind() == Kind.MEMBER && !isThere(obstacle))
+            .map(Obstacle::condition)
+            .collect(Collectors.toSet());
+    ObstacleSentences together = new ObstacleSentences(home, facts, absent);
+    return explanation.obstacles().stream().map(together::obstacle).toList();
   }
 
   /** What is needed, for what, what is possible, and what would help. */
@@ -198,6 +213,9 @@ public final class ObstacleSentences {
               + ")";
       case STEP ->
           wanted.subject().map(StepKey::member).orElse("somebody")
+              + (wanted.subject().map(StepKey::member).filter(gone::contains).isPresent()
+                  ? " were there and"
+                  : "")
               + " did it after all ("
               + step(wanted.subject().orElseThrow())
               + ")";

@@ -235,12 +235,18 @@ final class PlanFollowing {
     }
     parts.contention().letGoOfWhatIsDone();
     if (course.isPlanning()) {
-      course.makePlanAgain("meanwhile " + story.becauseOf(ended.change()));
+      course.makePlanAgain("meanwhile " + story.becauseOf(ended.step(), ended.change()));
     } else if (plan.exists()) {
-      reconsider(() -> ended.report().problem().orElseGet(() -> story.becauseOf(ended.change())));
+      reconsider(() -> ended.report().problem().orElseGet(() -> becauseOf(ended)));
     } else if (underway.isEmpty()) {
       course.makePlan(Optional.of("what was under way has ended"));
     }
+  }
+
+  private String becauseOf(StepExecution.Ended ended) {
+    return ended.change().facts().isEmpty() && plan.remaining().isEmpty()
+        ? story.endedInVain()
+        : story.becauseOf(ended.step(), ended.change());
   }
 
   /** Is the rest of the plan still good, from what is known now? */

@@ -204,17 +204,19 @@ public final class CollectiveKnowledge implements KnowledgeBase {
           Snapshot present = view(world);
           Lesson lesson = new Lesson(world, present, run, lastWords);
           Source itself = new Source(Source.Kind.STATED, run.member());
-          return write(
-              Confidence.voice(world.home(), lesson.source(), run, present),
-              (draft, positions) -> {
-                List<Fact> facts = lesson.facts(draft, positions::forget);
-                positions.write(lesson.ownWords(), Confidence.voice(world.home(), itself));
-                sights.note(run, facts, world, present);
-                if (lesson.source().kind() == Source.Kind.EXPECTED) {
-                  statements.expects(world, run.member(), facts);
-                }
-                return facts;
-              });
+          Change change =
+              write(
+                  Confidence.voice(world.home(), lesson.source(), run, present),
+                  (draft, positions) -> {
+                    List<Fact> facts = lesson.facts(draft, positions::forget);
+                    positions.write(lesson.ownWords(), Confidence.voice(world.home(), itself));
+                    sights.note(run, facts, world, present);
+                    if (lesson.source().kind() == Source.Kind.EXPECTED) {
+                      statements.expects(world, run.member(), facts);
+                    }
+                    return facts;
+                  });
+          return change.with(lesson.reported());
         });
   }
 
@@ -309,7 +311,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     world = isNews ? written : written.with(written.cells(), world.version());
     store(outcome, first, now);
     ageing.expect(draft.nextExpiry());
-    Change change = new Change(world.version(), source, outcome.facts());
+    Change change = new Change(world.version(), source, outcome.facts(), outcome.expected());
     return isNews ? tell(change) : change;
   }
 

@@ -3,6 +3,7 @@ package org.maestro.knowledge;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 
@@ -65,6 +66,26 @@ public interface KnowledgeBase extends AutoCloseable {
    * What one write changed.
    *
    * @param facts the new beliefs, and {@code (unknown ...)} for what was lost, in MAESTRO-SL
+   * @param expected those of them that nobody has reported: they follow from what a step is for
    */
-  record Change(long version, Source source, List<String> facts) {}
+  record Change(long version, Source source, List<String> facts, List<String> expected) {
+
+    public Change(long version, Source source, List<String> facts) {
+      this(version, source, facts, List.of());
+    }
+
+    /** What somebody has reported. */
+    public List<String> reported() {
+      return facts.stream().filter(fact -> !expected.contains(fact)).toList();
+    }
+
+    /** The same, where this was reported, be it that it was known already. */
+    public Change with(List<String> words) {
+      return new Change(
+          version,
+          source,
+          Stream.concat(words.stream(), facts.stream()).distinct().toList(),
+          expected.stream().filter(fact -> !words.contains(fact)).toList());
+    }
+  }
 }

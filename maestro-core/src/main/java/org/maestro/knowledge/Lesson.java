@@ -12,7 +12,10 @@ import java.util.function.Consumer;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Fact;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
 
 /** What the result of a feature teaches. */
 final class Lesson {
@@ -26,6 +29,7 @@ final class Lesson {
   private final LastWords lastWords;
   private final OwnWord own;
   private final List<Fact> ownWords = new ArrayList<>();
+  private final Set<Fact> reported = new LinkedHashSet<>();
 
   Lesson(World world, Snapshot present, FeatureRun run, LastWords lastWords) {
     this.world = world;
@@ -63,12 +67,19 @@ final class Lesson {
         switch (own.verdict(variable, fact)) {
           case PREDICTED -> {
             ownWords.addAll(own.news(variable));
+            if (own.agrees(variable, fact)) {
+              reported.add(fact);
+            }
             predicted(fact, before, facts, forget);
           }
-          case OWN_WORD -> ownWords.addAll(own.news(variable));
+          case OWN_WORD -> {
+            ownWords.addAll(own.news(variable));
+            reported.addAll(own.news(variable));
+          }
           case OWN_WORD_FOR_NOW -> {
             forget.accept(variable);
             facts.addAll(own.news(variable));
+            reported.addAll(own.news(variable));
           }
           case SPOKEN_SINCE -> {
             // What is known of it is later than the step.
@@ -95,6 +106,20 @@ final class Lesson {
   /** What the member itself said of what the step changes; to be written before the facts. */
   List<Fact> ownWords() {
     return List.copyOf(ownWords);
+  }
+
+  /** What the member has told of the step's doing; it may have been known already. */
+  List<String> reported() {
+    return reported.stream().filter(fact -> !wasKnown(fact)).map(SlPrinter::print).toList();
+  }
+
+  private boolean wasKnown(Fact fact) {
+    Formula.Atom atom = FactReader.atom(fact);
+    Snapshot before = run.before().orElse(present);
+    return fact instanceof Fact.Equation equation
+        ? equation.value() instanceof Term.Number number
+            && before.number(equation.fluent()).equals(OptionalDouble.of(number.value()))
+        : before.truth(atom) == Truth.of(fact instanceof Fact.Holds);
   }
 
   /** As predicted, unless somebody else has measured it meanwhile. */

@@ -11,10 +11,11 @@ import org.maestro.sl.Term;
  * leaves the dataset.
  *
  * @param facts what is, then what is not, then {@code (unknown ...)} for what was lost
+ * @param expected those of them that are only expected
  * @param news every new belief, losers included
  * @param gone beliefs that are not current any more
  */
-record Outcome(List<String> facts, List<News> news, List<News> gone) {
+record Outcome(List<String> facts, List<String> expected, List<News> news, List<News> gone) {
 
   /**
    * @param has whether the variable has the value, or is known not to have it
@@ -28,6 +29,7 @@ record Outcome(List<String> facts, List<News> news, List<News> gone) {
 
   Outcome {
     facts = List.copyOf(facts);
+    expected = List.copyOf(expected);
     news = List.copyOf(news);
     gone = List.copyOf(gone);
   }
@@ -44,7 +46,7 @@ record Outcome(List<String> facts, List<News> news, List<News> gone) {
     List<String> facts = new ArrayList<>(comparison.facts);
     facts.addAll(comparison.exclusions);
     facts.addAll(comparison.losses);
-    return new Outcome(facts, comparison.news, comparison.gone);
+    return new Outcome(facts, comparison.expected, comparison.news, comparison.gone);
   }
 
   /** Cell by cell, before and after. */
@@ -52,6 +54,7 @@ record Outcome(List<String> facts, List<News> news, List<News> gone) {
     private final List<String> facts = new ArrayList<>();
     private final List<String> exclusions = new ArrayList<>();
     private final List<String> losses = new ArrayList<>();
+    private final List<String> expected = new ArrayList<>();
     private final List<News> news = new ArrayList<>();
     private final List<News> gone = new ArrayList<>();
     private final Draft draft;
@@ -112,6 +115,9 @@ record Outcome(List<String> facts, List<News> news, List<News> gone) {
               .isPresent();
       if (!same && !rulesOutWhatNobodyBelieved(held, has, before)) {
         (says ? facts : exclusions).add(came.fact());
+        if (held.isExpected()) {
+          expected.add(came.fact());
+        }
       }
     }
 

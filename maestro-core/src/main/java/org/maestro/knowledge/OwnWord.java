@@ -114,6 +114,11 @@ final class OwnWord {
             <= ROUNDING * Math.max(1, Math.abs(expected.value()));
   }
 
+  /** Whether the member has said just that since the step began. */
+  boolean agrees(StateVariable variable, Fact predicted) {
+    return isSaidSinceBegun(variable) && said.get(variable).contains(predicted);
+  }
+
   private boolean includesStep() {
     return run.account().filter(StepAccount::includesStep).isPresent();
   }

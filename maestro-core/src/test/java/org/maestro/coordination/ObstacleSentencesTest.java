@@ -6,14 +6,18 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
+import org.maestro.planning.PlanningResult.Explanation;
 import org.maestro.planning.PlanningResult.Obstacle;
 import org.maestro.planning.PlanningResult.Obstacle.Extent;
 import org.maestro.planning.PlanningResult.Obstacle.Kind;
+import org.maestro.planning.StepKey;
+import org.maestro.sl.Term;
 
 /** A number is called a limit only where it is one, and by whose help. */
 class ObstacleSentencesTest {
@@ -61,28 +65,64 @@ class ObstacleSentencesTest {
             "It is not known that Cup is in zone-b; as things are now nobody can find out.");
   }
 
+  /** It has failed, and has left since. */
+  @Test
+  void whoIsGoneIsNotNamedAsWhoCouldDoItAfterAll() throws IOException {
+    StepKey step = new StepKey("rose", "pickUp", Map.of("object", new Term.Name("Cup")));
+    Obstacle failed = obstacle(Kind.STEP, "rose picks up Cup", "it failed twice", step);
+    Obstacle absent =
+        obstacle(Kind.MEMBER, "rose", "lost since 3 s", new StepKey("rose", "", Map.of()));
+    ObstacleSentences sentences = sentences();
+
+    assertThat(sentences.all(new Explanation(List.of(failed), true)))
+        .singleElement()
+        .asString()
+        .contains("It would do if rose did it after all");
+    assertThat(sentences.all(new Explanation(List.of(failed, absent), true)))
+        .first()
+        .asString()
+        .contains("It would do if rose were there and did it after all");
+  }
+
+  private static Obstacle obstacle(Kind kind, String what, String why, StepKey subject) {
+    return new Obstacle(
+        kind,
+        what,
+        "",
+        why,
+        Extent.KNOWN,
+        OptionalDouble.empty(),
+        Optional.empty(),
+        Optional.of(subject),
+        List.of());
+  }
+
   private static String said(String condition, String possible, Extent extent) throws IOException {
     return said(Kind.NUMBER, condition, possible, extent);
   }
 
   private static String said(Kind kind, String condition, String possible, Extent extent)
       throws IOException {
+    return sentences()
+        .obstacle(
+            new Obstacle(
+                kind,
+                condition,
+                "",
+                possible,
+                extent,
+                OptionalDouble.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                List.of()));
+  }
+
+  private static ObstacleSentences sentences() throws IOException {
     try (InputStream turtle = ObstacleSentencesTest.class.getResourceAsStream("/bob.ttl")) {
       Home home =
           new HomeLoader()
               .load(new String(turtle.readAllBytes(), StandardCharsets.UTF_8), "bob.ttl");
-      return new ObstacleSentences(home, new PretendHouse(home).knowledge.snapshot())
-          .obstacle(
-              new Obstacle(
-                  kind,
-                  condition,
-                  "",
-                  possible,
-                  extent,
-                  OptionalDouble.empty(),
-                  Optional.empty(),
-                  Optional.empty(),
-                  List.of()));
+      return new ObstacleSentences(home, new PretendHouse(home).knowledge.snapshot());
     }
   }
 }
