@@ -71,12 +71,11 @@ final class JadeRuntime {
     premises.letters().ifPresent(box -> ContainerProfile.exchange(properties, box));
     properties.setProperty(Profile.MAIN, "true");
     properties.setProperty(Profile.PLATFORM_ID, platformName);
-    properties.setProperty(Profile.LOCAL_PORT, String.valueOf(port));
     properties.setProperty(Profile.MAIN_PORT, String.valueOf(port));
     properties.setProperty(Profile.MAIN_HOST, premises.host());
     properties.setProperty(MOST_FOUND, String.valueOf(Integer.MAX_VALUE));
     guard.ifPresent(own -> own.guard(properties));
-    guard.ifPresent(own -> own.listen(properties));
+    ContainerProfile.listen(properties, guard, port);
     AgentContainer container =
         begun(
             () ->
@@ -131,10 +130,11 @@ final class JadeRuntime {
     platformName.ifPresent(name -> properties.setProperty(Profile.PLATFORM_ID, name));
     properties.setProperty(Profile.MAIN_HOST, host);
     properties.setProperty(Profile.MAIN_PORT, String.valueOf(mainPort));
-    properties.setProperty(Profile.LOCAL_PORT, String.valueOf(Sockets.free(entry.from())));
     properties.setProperty(Profile.CONTAINER_NAME, containerName);
     entry.guard().ifPresent(own -> own.guard(properties));
-    entry.guard().filter(own -> entry.first()).ifPresent(own -> own.listen(properties));
+    if (entry.first()) {
+      ContainerProfile.listen(properties, entry.guard(), Sockets.free(entry.from()));
+    }
     AgentContainer container =
         begun(
             () ->
@@ -175,8 +175,8 @@ final class JadeRuntime {
    * How a container comes into a platform.
    *
    * @param guard of a secured site; empty on an open one
-   * @param first whether no other container of the platform is in this process
-   * @param from the address of this machine on which it listens for other containers
+   * @param first whether no other container of the platform is in this process: it listens for all
+   * @param from the address of this machine on which the first one listens for other containers
    */
   record Entry(Optional<Guard> guard, boolean first, String from) {
     static final Entry OPEN = new Entry(Optional.empty(), true, LOOPBACK);

@@ -1,5 +1,6 @@
 package org.maestro.launch;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -43,6 +44,12 @@ public final class JavaProcess implements AutoCloseable {
     return start(List.of(), mainClass, arguments, environment);
   }
 
+  /** Starts a main class that finds these classes too, which nobody else has. */
+  public static JavaProcess startWith(Path classes, String mainClass, List<String> arguments)
+      throws IOException {
+    return start(List.of(), List.of(), mainClass, arguments, Map.of(), classes.toString());
+  }
+
   /** Starts a main class that logs as it does for its users: more than tests do, and to a file. */
   public static JavaProcess startLogging(
       String mainClass, List<String> arguments, Map<String, String> environment)
@@ -76,11 +83,27 @@ public final class JavaProcess implements AutoCloseable {
       List<String> arguments,
       Map<String, String> environment)
       throws IOException {
+    return start(before, options, mainClass, arguments, environment, "");
+  }
+
+  private static JavaProcess start(
+      List<String> before,
+      List<String> options,
+      String mainClass,
+      List<String> arguments,
+      Map<String, String> environment,
+      String classesOfItsOwn)
+      throws IOException {
     List<String> command = new ArrayList<>(before);
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xshare:auto"));
     command.addAll(options);
-    command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));
+    String classes = System.getProperty("java.class.path");
+    command.addAll(
+        List.of(
+            "-cp",
+            classesOfItsOwn.isEmpty() ? classes : classes + File.pathSeparator + classesOfItsOwn,
+            mainClass));
     command.addAll(arguments);
     Path output = Files.createTempFile("maestro-process", ".out");
     Path errors = Files.createTempFile("maestro-process", ".err");
@@ -108,6 +131,10 @@ public final class JavaProcess implements AutoCloseable {
               .formatted(limit.toSeconds(), output(), read(errors)));
     }
     return new Ended(process.exitValue(), output(), read(errors));
+  }
+
+  public long pid() {
+    return process.pid();
   }
 
   public boolean isAlive() {

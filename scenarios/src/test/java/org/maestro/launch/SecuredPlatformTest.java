@@ -2,6 +2,7 @@ package org.maestro.launch;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import jade.lang.acl.ACLMessage;
 import java.io.ByteArrayInputStream;
@@ -13,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -212,6 +214,22 @@ class SecuredPlatformTest {
       assertThat(plain.output() + plain.errors()).doesNotContain("is ready");
     }
     assertThat(site.platform().agents()).isNotEmpty();
+  }
+
+  /** The process has three containers, of which two are for other things than letting others in. */
+  @Test
+  void aProcessHasOneDoorHoweverManyContainersItHasAndNoStrangerComesIn() throws Exception {
+    assumeTrue(Files.isDirectory(Path.of("/proc/self/fd")), "ports are looked for in /proc");
+    Set<Integer> doors = Doors.of(lights.pid());
+    assertThat(doors).hasSize(1);
+    int door = doors.iterator().next();
+    Path witness = directory.resolve("witness");
+    try (JavaProcess evil =
+        Stranger.in(directory).joining(door, "evil", "Main-Container", witness)) {
+      await().atMost(SOON).until(() -> evil.errors().contains("joining agent platform"));
+      assertThat(evil.errors()).doesNotContain("is ready");
+    }
+    assertThat(witness).doesNotExist();
   }
 
   private static Path copy(String name) throws Exception {

@@ -62,7 +62,6 @@ public final class Guard {
 
   /** Has a container of this process signed and checked; to be called once for each. */
   public void guard(Properties profile) {
-    SerialFilter.install();
     profile.setProperty(FILES, site.directory().toString());
     profile.setProperty(USER, access.user());
     String others = profile.getProperty(Profile.SERVICES, "");
@@ -74,12 +73,11 @@ public final class Guard {
   }
 
   /**
-   * Has the process listen for other containers, and call them, by TLS: for the first container of
-   * a platform in a process only, the others use what it has opened.
+   * The class of what listens for other containers, and calls them, by TLS: for the first container
+   * of a platform in a process only, the others use what it has opened.
    */
-  public void listen(Properties profile) {
-    profile.setProperty("icps", GuardedPeer.class.getName());
-    profile.setProperty("jade_imtp_leap_JICP_JICPServer_acceptmediators", "false");
+  public static String peer() {
+    return GuardedPeer.class.getName();
   }
 
   ContainerAccess access() {

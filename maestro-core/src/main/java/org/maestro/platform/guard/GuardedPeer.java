@@ -3,7 +3,6 @@ package org.maestro.platform.guard;
 import jade.core.Profile;
 import jade.imtp.leap.ICP;
 import jade.imtp.leap.ICPException;
-import jade.imtp.leap.JICP.Connection;
 import jade.imtp.leap.JICP.ConnectionFactory;
 import jade.imtp.leap.JICP.JICPConnection;
 import jade.imtp.leap.JICP.JICPPeer;
@@ -12,7 +11,6 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
-import java.net.Socket;
 import javax.net.ssl.SSLServerSocket;
 import org.maestro.platform.wires.Wires;
 import org.maestro.rats.security.SecurityFilesException;
@@ -41,22 +39,8 @@ public final class GuardedPeer extends JICPPeer {
 
   @Override
   public ConnectionFactory getConnectionFactory() {
-    ConnectionFactory guarded = guarded();
-    return wires.factory(guarded::createConnection, guarded);
-  }
-
-  private ConnectionFactory guarded() {
-    return new ConnectionFactory() {
-      @Override
-      public Connection createConnection(Socket admitted) {
-        return new JICPConnection(admitted);
-      }
-
-      @Override
-      public Connection createConnection(TransportAddress to) throws IOException {
-        return new JICPConnection(guard.call(to.getHost(), Integer.parseInt(to.getPort())));
-      }
-    };
+    return wires.factory(
+        to -> new JICPConnection(guard.call(to.getHost(), Integer.parseInt(to.getPort()))));
   }
 
   @Override

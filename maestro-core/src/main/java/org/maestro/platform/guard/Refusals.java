@@ -2,6 +2,7 @@ package org.maestro.platform.guard;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.regex.Pattern;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -9,6 +10,9 @@ import org.slf4j.LoggerFactory;
 final class Refusals {
   private static final Logger LOG = LoggerFactory.getLogger(Refusals.class);
   private static final int REMEMBERED = 1_000;
+
+  /** Names in it are those that strangers give themselves. */
+  private static final Pattern CONTROL = Pattern.compile("\\p{Cntrl}");
 
   private final Map<String, Boolean> logged =
       new LinkedHashMap<>() {
@@ -22,7 +26,7 @@ final class Refusals {
 
   synchronized void log(String sentence) {
     if (logged.putIfAbsent(sentence, true) == null) {
-      LOG.warn("{}", sentence);
+      LOG.warn("{}", CONTROL.matcher(sentence).replaceAll("?"));
     }
   }
 }

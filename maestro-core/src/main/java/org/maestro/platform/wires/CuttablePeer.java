@@ -33,6 +33,6 @@ public final class CuttablePeer extends JICPPeer {
 
   @Override
   public ConnectionFactory getConnectionFactory() {
-    return wires.factory(CuttableConnection::new, super.getConnectionFactory());
+    return wires.factory(CuttableConnection::new);
   }
 }

@@ -63,16 +63,12 @@ public final class Wires {
     return profile instanceof WiredProfile wired ? wired.wires() : new Wires();
   }
 
-  /**
-   * Makes connections that can be cut.
-   *
-   * @param incoming takes those that others make, which end with who made them
-   */
-  public ConnectionFactory factory(Maker maker, ConnectionFactory incoming) {
+  /** Makes connections that can be cut; those that others make end with who made them. */
+  public ConnectionFactory factory(Maker maker) {
     return new ConnectionFactory() {
       @Override
       public Connection createConnection(Socket socket) {
-        return incoming.createConnection(socket);
+        return new IncomingConnection(socket);
       }
 
       @Override

@@ -1,0 +1,168 @@
+package org.maestro.platform.guard;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
+
+import jade.core.AID;
+import jade.core.Agent;
+import jade.lang.acl.ACLMessage;
+import jade.tools.DummyAgent.DummyAgent;
+import java.io.ByteArrayOutputStream;
+import java.io.File;
+import java.io.IOException;
+import java.io.ObjectOutputStream;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Hashtable;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.PriorityQueue;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.Vector;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.UnaryOperator;
+import javax.swing.event.EventListenerList;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Example;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.constraints.IntRange;
+import net.jqwik.api.constraints.Size;
+import org.maestro.agents.GenericAgent;
+
+/** Which agents may arrive from another container, and how long one that is none takes at most. */
+class ArrivalTest {
+  private static final Duration BOUND = Duration.ofSeconds(5);
+
+  /** Ways to put something into something else, in one of which gadgets begin. */
+  private static final List<UnaryOperator<Object>> SHAPES =
+      List.of(
+          inner -> new HashSet<>(Set.of(inner, new Object[] {inner})),
+          inner -> new LinkedHashSet<>(List.of(inner, "beside")),
+          inner -> new Vector<>(List.of(inner, inner)),
+          inner -> new Hashtable<>(Map.of(inner, inner)),
+          inner -> new HashMap<>(Map.of(inner, "value")),
+          inner -> new ConcurrentHashMap<>(Map.of(inner, "value")),
+          inner -> new ArrayList<>(List.of(inner, inner)),
+          inner -> new Object[] {inner, inner},
+          inner -> new TreeMap<>(Map.of("key", inner)),
+          inner -> new PriorityQueue<>(Arrays.asList("one", "two")),
+          inner -> new File("/"),
+          inner -> new EventListenerList());
+
+  @Example
+  void aGenericAgentArrives() throws Exception {
+    assertThat(Arrival.of(bytes(new GenericAgent()))).isInstanceOf(GenericAgent.class);
+  }
+
+  @Example
+  void anotherAgentOfThisProcessDoesNot() throws Exception {
+    for (Agent other : List.of(new Agent(), new DummyAgent())) {
+      byte[] bytes = bytes(other);
+      assertThatThrownBy(() -> Arrival.of(bytes)).isInstanceOf(IOException.class);
+    }
+  }
+
+  @Example
+  void whatIsNoAgentDoesNot() throws Exception {
+    for (Object other : List.of("text", new AID("rose@home", AID.ISGUID), new ACLMessage(1))) {
+      byte[] none = bytes(other);
+      assertThatThrownBy(() -> Arrival.of(none))
+          .isInstanceOf(IOException.class)
+          .hasMessageContaining("it is no generic agent");
+    }
+  }
+
+  /** Each level doubles the time that Java's own reading takes: 32 of them are some minutes. */
+  @Example
+  void aNestOfSetsTakesNoTime() throws Exception {
+    Object root = nest(32);
+    refusedInTime(bytes(root));
+    refusedInTime(bytes(new Object[] {"before", root}));
+  }
+
+  @Example
+  void whatContainsItselfIsRefused() throws Exception {
+    Vector<Object> endless = new Vector<>();
+    endless.add(endless);
+    refusedInTime(bytes(endless));
+  }
+
+  @Property(tries = 200)
+  void gadgetsOfAnyShapeAreRefusedInTime(@ForAll("shapes") List<UnaryOperator<Object>> shapes)
+      throws Exception {
+    Object gadget = "inmost";
+    for (UnaryOperator<Object> shape : shapes) {
+      gadget = shape.apply(gadget);
+    }
+    refusedInTime(bytes(gadget));
+  }
+
+  @Provide
+  Arbitrary<List<UnaryOperator<Object>>> shapes() {
+    return Arbitraries.of(SHAPES).list().ofMinSize(1).ofMaxSize(14);
+  }
+
+  @Property(tries = 500)
+  void anAgentWithOtherBytesInItIsReadOrRefusedInTime(
+      @ForAll @Size(min = 1, max = 8) List<@IntRange(min = 0, max = 1_000_000) Integer> places,
+      @ForAll byte other)
+      throws Exception {
+    byte[] changed = bytes(new GenericAgent());
+    for (int place : places) {
+      changed[place % changed.length] = other;
+    }
+    inTime(changed);
+  }
+
+  private static Set<Object> nest(int depth) {
+    Set<Object> root = new HashSet<>();
+    Set<Object> one = root;
+    Set<Object> other = new HashSet<>();
+    for (int level = 0; level < depth; level++) {
+      Set<Object> first = new HashSet<>();
+      Set<Object> second = new HashSet<>();
+      first.add("differs");
+      one.add(first);
+      one.add(second);
+      other.add(first);
+      other.add(second);
+      one = first;
+      other = second;
+    }
+    return root;
+  }
+
+  private static void refusedInTime(byte[] bytes) {
+    assertThat(inTime(bytes)).as("arrives").isFalse();
+  }
+
+  /** Whether it arrives; nothing but what refuses an agent may be thrown. */
+  private static boolean inTime(byte[] bytes) {
+    return assertTimeoutPreemptively(
+        BOUND,
+        () -> {
+          try {
+            return Arrival.of(bytes) != null;
+          } catch (IOException | ClassNotFoundException | RuntimeException refused) {
+            return false;
+          }
+        });
+  }
+
+  private static byte[] bytes(Object written) throws IOException {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+      out.writeObject(written);
+    }
+    return bytes.toByteArray();
+  }
+}
