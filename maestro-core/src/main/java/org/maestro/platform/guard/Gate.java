@@ -6,6 +6,7 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.net.SocketException;
+import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -13,8 +14,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
-import javax.net.ssl.SSLServerSocket;
-import javax.net.ssl.SSLSocket;
+import java.util.concurrent.locks.LockSupport;
 
 /**
  * A server socket that hands out only those who were let in. Strangers are dealt with beside it, a
@@ -23,8 +23,9 @@ import javax.net.ssl.SSLSocket;
 final class Gate extends ServerSocket {
   private static final int MOST_AT_THE_GATE = 32;
   private static final int IDLE_SECONDS = 10;
+  private static final Duration LOOKED_EVERY = Duration.ofMillis(500);
 
-  private final SSLServerSocket outside;
+  private final ServerSocket outside;
   private final Guard guard;
   private final BlockingQueue<Optional<Socket>> admitted = new LinkedBlockingQueue<>();
   private final ThreadPoolExecutor doorkeepers =
@@ -37,10 +38,21 @@ final class Gate extends ServerSocket {
           work -> daemon(work, "gate-keeper"));
   private volatile boolean closed;
 
-  Gate(SSLServerSocket outside, Guard guard) throws IOException {
+  /**
+   * @param outside a plain one: who comes speaks TLS by the certificate that is good then
+   */
+  Gate(ServerSocket outside, Guard guard) throws IOException {
     this.outside = outside;
     this.guard = guard;
     daemon(this::open, "gate-" + outside.getLocalPort()).start();
+    daemon(this::watch, "gate-watch-" + outside.getLocalPort()).start();
+  }
+
+  private void watch() {
+    while (!closed) {
+      LockSupport.parkNanos(LOOKED_EVERY.toNanos());
+      guard.cutRevoked();
+    }
   }
 
   private static Thread daemon(Runnable work, String name) {
@@ -54,7 +66,7 @@ final class Gate extends ServerSocket {
       try {
         Socket stranger = outside.accept();
         try {
-          doorkeepers.execute(() -> receive((SSLSocket) stranger));
+          doorkeepers.execute(() -> receive(stranger));
         } catch (RejectedExecutionException tooMany) {
           stranger.close();
         }
@@ -68,14 +80,14 @@ final class Gate extends ServerSocket {
     }
   }
 
-  private void receive(SSLSocket stranger) {
+  private void receive(Socket stranger) {
     String from = stranger.getInetAddress().getHostAddress();
     try {
       Guard.Admission admission = guard.admit(stranger);
       if (admission.refusal().isPresent()) {
         refused(from, admission.refusal().get());
       } else if (admission.stays()) {
-        admitted.add(Optional.of(stranger));
+        admitted.add(Optional.of(admission.socket()));
         return;
       }
     } catch (EOFException gone) {

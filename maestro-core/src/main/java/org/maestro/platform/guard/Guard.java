@@ -9,13 +9,16 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.file.Path;
 import java.security.cert.X509Certificate;
+import java.time.Duration;
 import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import javax.net.ssl.SSLException;
-import javax.net.ssl.SSLServerSocket;
 import javax.net.ssl.SSLSocket;
 import org.maestro.rats.security.ContainerAccess;
 import org.maestro.rats.security.SecurityFilesException;
 import org.maestro.rats.security.SiteSecurity;
+import org.maestro.rats.security.WatchedFiles;
 
 /**
  * A user's part in a secured site's platform: who lets other containers in, and is let in by them.
@@ -32,13 +35,25 @@ public final class Guard {
   /** Long enough for a slow machine, and all that a stranger can keep a thread for. */
   private static final int INTRODUCED_WITHIN_MILLIS = 5_000;
 
-  private final SiteSecurity site;
-  private final ContainerAccess access;
-  private final Refusals refusals = new Refusals();
+  /** How long it takes until what has changed in the site's files counts. */
+  private static final Duration LOOKED_EVERY = Duration.ofMillis(500);
 
-  private Guard(SiteSecurity site, ContainerAccess access) {
+  private final SiteSecurity site;
+  private final String user;
+  private final WatchedFiles files;
+  private final Refusals refusals = new Refusals();
+  private final Set<SSLSocket> connected = ConcurrentHashMap.newKeySet();
+
+  /** Both guarded by this. */
+  private ContainerAccess access;
+
+  private long lookedNanos = System.nanoTime();
+
+  private Guard(SiteSecurity site, String user) {
     this.site = site;
-    this.access = access;
+    this.user = user;
+    this.files = site.containerFiles(user);
+    this.access = site.container(user);
   }
 
   /**
@@ -46,7 +61,7 @@ public final class Guard {
    * @throws SecurityFilesException when the site has no such user, or its files cannot be used
    */
   public static Guard open(SiteSecurity site, String user) {
-    return new Guard(site, site.container(user));
+    return new Guard(site, user);
   }
 
   /**
@@ -63,7 +78,7 @@ public final class Guard {
   /** Has a container of this process signed and checked; to be called once for each. */
   public void guard(Properties profile) {
     profile.setProperty(FILES, site.directory().toString());
-    profile.setProperty(USER, access.user());
+    profile.setProperty(USER, user);
     String others = profile.getProperty(Profile.SERVICES, "");
     profile.setProperty(
         Profile.SERVICES,
@@ -80,20 +95,43 @@ public final class Guard {
     return GuardedPeer.class.getName();
   }
 
-  ContainerAccess access() {
+  /** As the site's files have it now; when they cannot be used, as they had it. */
+  synchronized ContainerAccess access() {
+    if (System.nanoTime() - lookedNanos > LOOKED_EVERY.toNanos()) {
+      lookedNanos = System.nanoTime();
+      if (files.haveChanged()) {
+        try {
+          access = SiteSecurity.open(site.directory()).container(user);
+        } catch (SecurityFilesException unusable) {
+          refusals.log("The security files stay as they were read: " + unusable.getMessage());
+        }
+      }
+    }
     return access;
+  }
+
+  /** Ends the connections of those who are containers of the site no more. */
+  void cutRevoked() {
+    for (SSLSocket socket : connected) {
+      try {
+        if (socket.isClosed()) {
+          connected.remove(socket);
+        } else if (holder(socket).isEmpty()) {
+          refusals.log(
+              "The connection with %s ends: the certificate %s is no longer good."
+                  .formatted(
+                      socket.getRemoteSocketAddress(), socket.getSession().getPeerPrincipal()));
+          connected.remove(socket);
+          socket.close();
+        }
+      } catch (IOException gone) {
+        connected.remove(socket);
+      }
+    }
   }
 
   Refusals refusals() {
     return refusals;
-  }
-
-  SSLServerSocket serverSocket() throws IOException {
-    SSLServerSocket socket =
-        (SSLServerSocket) access.tls().getServerSocketFactory().createServerSocket();
-    socket.setNeedClientAuth(true);
-    socket.setEnabledProtocols(new String[] {PROTOCOL});
-    return socket;
   }
 
   /**
@@ -119,7 +157,7 @@ public final class Guard {
    * @param stays false when it only wants to know whether it would be let in
    */
   private Socket connect(String host, int port, boolean stays) throws IOException {
-    SSLSocket socket = (SSLSocket) access.tls().getSocketFactory().createSocket();
+    SSLSocket socket = (SSLSocket) access().tls().getSocketFactory().createSocket();
     try {
       socket.setEnabledProtocols(new String[] {PROTOCOL});
       socket.setTcpNoDelay(true);
@@ -127,6 +165,9 @@ public final class Guard {
       socket.setSoTimeout(INTRODUCED_WITHIN_MILLIS);
       introduce(socket, host + ":" + port, stays);
       socket.setSoTimeout(0);
+      if (stays) {
+        connected.add(socket);
+      }
       return socket;
     } catch (IOException refused) {
       socket.close();
@@ -143,7 +184,7 @@ public final class Guard {
                 .formatted(address, site.users().site()));
       }
       DataOutputStream out = new DataOutputStream(socket.getOutputStream());
-      byte[] token = access.token();
+      byte[] token = access().token();
       out.writeShort(token.length);
       out.write(token);
       out.writeBoolean(stays);
@@ -151,12 +192,12 @@ public final class Guard {
       String refusal = new DataInputStream(socket.getInputStream()).readUTF();
       if (!refusal.isEmpty()) {
         throw new IOException(
-            "The user %s was refused at %s: %s.".formatted(access.user(), address, refusal));
+            "The user %s was refused at %s: %s.".formatted(user, address, refusal));
       }
     } catch (SSLException notOfOneSite) {
       throw new IOException(
           "Nobody of the secured site %s answers at %s, or it does not know the certificate of the user %s (%s); see that both use the files of one site."
-              .formatted(site.users().site(), address, access.user(), notOfOneSite.getMessage()),
+              .formatted(site.users().site(), address, user, notOfOneSite.getMessage()),
           notOfOneSite);
     }
   }
@@ -166,9 +207,22 @@ public final class Guard {
    *
    * @throws IOException when it went away, or spoke no TLS of the site
    */
-  Admission admit(SSLSocket socket) throws IOException {
-    socket.setSoTimeout(INTRODUCED_WITHIN_MILLIS);
-    socket.setTcpNoDelay(true);
+  Admission admit(Socket stranger) throws IOException {
+    stranger.setSoTimeout(INTRODUCED_WITHIN_MILLIS);
+    stranger.setTcpNoDelay(true);
+    SSLSocket socket =
+        (SSLSocket)
+            access()
+                .tls()
+                .getSocketFactory()
+                .createSocket(
+                    stranger,
+                    stranger.getInetAddress().getHostAddress(),
+                    stranger.getPort(),
+                    true);
+    socket.setUseClientMode(false);
+    socket.setNeedClientAuth(true);
+    socket.setEnabledProtocols(new String[] {PROTOCOL});
     socket.startHandshake();
     DataInputStream in = new DataInputStream(socket.getInputStream());
     int length = in.readUnsignedShort();
@@ -179,16 +233,20 @@ public final class Guard {
     out.writeUTF(refusal.orElse(""));
     out.flush();
     socket.setSoTimeout(0);
-    return new Admission(refusal, stays);
+    if (refusal.isEmpty() && stays) {
+      connected.add(socket);
+    }
+    return new Admission(socket, refusal, stays);
   }
 
   /**
    * What is made of who has connected.
    *
+   * @param socket over which it is heard
    * @param refusal why it was not let in, in a part of a sentence
    * @param stays false when it only wanted to know
    */
-  record Admission(Optional<String> refusal, boolean stays) {}
+  record Admission(Socket socket, Optional<String> refusal, boolean stays) {}
 
   private Optional<String> refusal(SSLSocket socket, byte[] token) throws SSLException {
     Optional<String> holder = holder(socket);
@@ -197,12 +255,12 @@ public final class Guard {
           "its certificate is that of nobody who may be a container of the site "
               + site.users().site());
     }
-    return access.isToken(token)
+    return access().isToken(token)
         ? Optional.empty()
         : Optional.of("%s does not show the site's join token".formatted(holder.get()));
   }
 
   private Optional<String> holder(SSLSocket socket) throws SSLException {
-    return access.holder((X509Certificate) socket.getSession().getPeerCertificates()[0]);
+    return access().holder((X509Certificate) socket.getSession().getPeerCertificates()[0]);
   }
 }

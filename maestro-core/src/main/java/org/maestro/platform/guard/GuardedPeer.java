@@ -11,7 +11,6 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
-import javax.net.ssl.SSLServerSocket;
 import org.maestro.platform.wires.Wires;
 import org.maestro.rats.security.SecurityFilesException;
 
@@ -54,10 +53,10 @@ public final class GuardedPeer extends JICPPeer {
   }
 
   /** JADE gives no host where all interfaces are meant. */
-  private SSLServerSocket bound(String host, int port, boolean changePortIfBusy)
+  private static ServerSocket bound(String host, int port, boolean changePortIfBusy)
       throws IOException {
     InetAddress address = host == null ? null : InetAddress.getByName(host);
-    SSLServerSocket socket = guard.serverSocket();
+    ServerSocket socket = new ServerSocket();
     try {
       socket.bind(new InetSocketAddress(address, port), BACKLOG);
       return socket;
@@ -66,7 +65,7 @@ public final class GuardedPeer extends JICPPeer {
       if (!changePortIfBusy) {
         throw busy;
       }
-      SSLServerSocket another = guard.serverSocket();
+      ServerSocket another = new ServerSocket();
       another.bind(new InetSocketAddress(address, 0), BACKLOG);
       return another;
     }

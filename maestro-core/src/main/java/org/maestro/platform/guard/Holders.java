@@ -10,23 +10,24 @@ import jade.core.ServiceException;
 import jade.core.ServiceFinder;
 import jade.core.messaging.MessagingSlice;
 import java.security.GeneralSecurityException;
-import java.security.cert.X509Certificate;
 import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
+import org.maestro.rats.security.ContainerAccess;
 
 /**
- * By which certificate an agent's messages have to be signed: that of the process it lives in, as
- * the platform's own tables and then that process say. What was found out is remembered for a
- * while. Thread-safe.
+ * By whose certificate an agent's messages have to be signed: that of the user whose process it
+ * lives in, as the platform's own tables and then that process say. What was found out is
+ * remembered for a while. Thread-safe.
  */
 final class Holders {
   private static final Duration REMEMBERED = Duration.ofSeconds(60);
   private static final int MOST = 20_000;
 
   private final AgentContainer container;
-  private final X509Certificate own;
+  private final Supplier<ContainerAccess> access;
   private final Slices slices;
   private final Map<String, Known> knownByAgent =
       new LinkedHashMap<>() {
@@ -38,7 +39,7 @@ final class Holders {
         }
       };
 
-  private record Known(X509Certificate certificate, long sinceNanos) {
+  private record Known(String user, long sinceNanos) {
     boolean isFresh() {
       return System.nanoTime() - sinceNanos < REMEMBERED.toNanos();
     }
@@ -49,42 +50,49 @@ final class Holders {
     Service.Slice of(String container) throws ServiceException;
   }
 
-  Holders(AgentContainer container, X509Certificate own, Slices slices) {
+  /**
+   * @param access of this process, as it is now
+   */
+  Holders(AgentContainer container, Supplier<ContainerAccess> access, Slices slices) {
     this.container = container;
-    this.own = own;
+    this.access = access;
     this.slices = slices;
   }
 
-  /** Whether the agent lives where messages are signed by that certificate. */
-  boolean isHeldBy(AID agent, X509Certificate certificate) {
+  /**
+   * Whether the agent lives in a process of that user, who may have had another certificate when it
+   * spoke.
+   */
+  boolean isHeldBy(AID agent, String user) {
     if (container.isLocalAgent(agent)) {
-      return own.equals(certificate);
+      return access.get().user().equals(user);
     }
     Optional<Known> known = known(agent);
-    if (known.filter(k -> k.isFresh() && k.certificate().equals(certificate)).isPresent()) {
+    if (known.filter(k -> k.isFresh() && k.user().equals(user)).isPresent()) {
       return true;
     }
-    Optional<X509Certificate> found = found(agent);
+    Optional<String> found = found(agent);
     // Who has ended since it sent the message is found no more.
-    return found.or(() -> known.map(Known::certificate)).filter(certificate::equals).isPresent();
+    return found.or(() -> known.map(Known::user)).filter(user::equals).isPresent();
   }
 
   private synchronized Optional<Known> known(AID agent) {
     return Optional.ofNullable(knownByAgent.get(agent.getName()));
   }
 
-  private Optional<X509Certificate> found(AID agent) {
+  private Optional<String> found(AID agent) {
     try {
       MessagingSlice main =
           (MessagingSlice)
               container.getServiceFinder().findSlice(MessagingSlice.NAME, ServiceFinder.MAIN_SLICE);
       ContainerID place = main.getAgentLocation(agent);
       SignedMailSlice there = (SignedMailSlice) slices.of(place.getName());
-      X509Certificate certificate = Seal.certificate(there.certificate());
+      Optional<String> user = access.get().holder(Seal.certificate(there.certificate()));
       synchronized (this) {
-        knownByAgent.put(agent.getName(), new Known(certificate, System.nanoTime()));
+        user.ifPresent(
+            its -> knownByAgent.put(agent.getName(), new Known(its, System.nanoTime())));
       }
-      return Optional.of(certificate);
+      return user;
     } catch (NotFoundException
         | IMTPException
         | ServiceException

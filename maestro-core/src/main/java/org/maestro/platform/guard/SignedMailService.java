@@ -63,7 +63,7 @@ public final class SignedMailService extends BaseService {
     } catch (SecurityFilesException unusable) {
       throw new ProfileException(unusable.getMessage(), unusable);
     }
-    holders = new Holders(owner, guard.access().certificate(), this::getSlice);
+    holders = new Holders(owner, guard::access, this::getSlice);
   }
 
   @Override
@@ -189,7 +189,7 @@ public final class SignedMailService extends BaseService {
     if (!seal.fits(message, receiver)) {
       return Optional.of("the signature of " + user.get() + " is not of this message");
     }
-    if (!isOwnFailure(message, seal) && !holders.isHeldBy(sender, seal.certificate())) {
+    if (!isOwnFailure(message, user.get()) && !holders.isHeldBy(sender, user.get())) {
       return Optional.of("it is signed by " + user.get() + ", where no agent of that name lives");
     }
     if (!come.come(seal.life(), seal.number())) {
@@ -199,10 +199,10 @@ public final class SignedMailService extends BaseService {
   }
 
   /** That a message cannot be delivered a container tells its own agents in the AMS's name. */
-  private boolean isOwnFailure(ACLMessage message, Seal seal) {
+  private boolean isOwnFailure(ACLMessage message, String user) {
     return message.getPerformative() == ACLMessage.FAILURE
         && message.getSender().equals(container.getAMS())
-        && seal.certificate().equals(guard.access().certificate());
+        && user.equals(guard.access().user());
   }
 
   private static String name(AID agent) {

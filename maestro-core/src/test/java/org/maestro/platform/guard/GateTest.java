@@ -1,17 +1,19 @@
 package org.maestro.platform.guard;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.net.SocketException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.security.cert.X509Certificate;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -29,6 +31,8 @@ import org.maestro.rats.security.SiteSecurity;
 /** Who is let in at the port where containers join: certificate and token, and nobody else. */
 class GateTest {
   private static final String LOOPBACK = "127.0.0.1";
+  private static final int BACKLOG = 50;
+  private static final Duration SOON = Duration.ofSeconds(30);
 
   @TempDir static Path directory;
   private static Path site;
@@ -38,9 +42,7 @@ class GateTest {
   static void open() throws IOException {
     site = files("site", "home");
     Guard main = guard(site, "maestro");
-    SSLServerSocket outside = main.serverSocket();
-    outside.bind(new InetSocketAddress(LOOPBACK, 0));
-    gate = new Gate(outside, main);
+    gate = new Gate(new ServerSocket(0, BACKLOG, InetAddress.getByName(LOOPBACK)), main);
   }
 
   @AfterAll
@@ -131,9 +133,7 @@ class GateTest {
   @Test
   void whoWaitsAtAGateThatClosesWaitsNoMore() throws Exception {
     Guard main = guard(site, "maestro");
-    SSLServerSocket outside = main.serverSocket();
-    outside.bind(new InetSocketAddress(LOOPBACK, 0));
-    Gate another = new Gate(outside, main);
+    Gate another = new Gate(new ServerSocket(0, BACKLOG, InetAddress.getByName(LOOPBACK)), main);
     CompletableFuture<Exception> ended = new CompletableFuture<>();
     Thread waiting =
         new Thread(
@@ -147,6 +147,77 @@ class GateTest {
     waiting.start();
     another.close();
     assertThat(ended.get(10, TimeUnit.SECONDS)).isInstanceOf(SocketException.class);
+  }
+
+  /** Nothing is started again: neither the platform's process nor that of the others. */
+  @Test
+  void whoIsTakenOutOfTheSiteIsCutOffAndLetInNoMore() throws Exception {
+    Path files = files("shrinking", "home");
+    try (ServerSocket own = gate(files);
+        SSLSocket robots = call(files, "container-robots", own);
+        Socket there = own.accept();
+        SSLSocket console = call(files, "console", own);
+        Socket its = own.accept()) {
+      Guard former = guard(files, "container-robots");
+      SecureSite.in(files).revoke(List.of("container-robots"));
+      robots.setSoTimeout((int) SOON.toMillis());
+      assertThat(robots.getInputStream().read()).isNegative();
+      assertThat(there.isClosed()).isTrue();
+      assertThat(former.objection(LOOPBACK, own.getLocalPort()).orElse(""))
+          .contains("its certificate is that of nobody who may be a container");
+      assertThat(its.isClosed()).isFalse();
+      console.getOutputStream().write(1);
+      assertThat(its.getInputStream().read()).isEqualTo(1);
+    }
+  }
+
+  @Test
+  void whatWasTakenBackIsNoGoodThoughSomebodyHasTheNameAgain() throws Exception {
+    Path files = files("changing", "home");
+    try (ServerSocket own = gate(files)) {
+      X509Certificate former = SiteSecurity.open(files).container("console").certificate();
+      SecureSite.in(files).revoke(List.of("console"));
+      files("changing", "home");
+      await()
+          .atMost(SOON)
+          .until(() -> guard(files, "console").objection(LOOPBACK, own.getLocalPort()).isEmpty());
+      assertThat(SiteSecurity.open(files).container("console").holder(former)).isEmpty();
+    }
+  }
+
+  @Test
+  void aNewCertificateIsShownAndBelievedAtOnce() throws Exception {
+    Path files = files("renewed", "home");
+    try (ServerSocket own = gate(files);
+        SSLSocket before = call(files, "console", own);
+        Socket there = own.accept()) {
+      X509Certificate first = shown(before);
+      SecureSite.in(files).renew(List.of("maestro", "console"));
+      await()
+          .atMost(SOON)
+          .untilAsserted(
+              () -> {
+                try (SSLSocket now = call(files, "console", own);
+                    Socket its = own.accept()) {
+                  assertThat(shown(now)).isNotEqualTo(first);
+                }
+              });
+      before.getOutputStream().write(1);
+      assertThat(there.getInputStream().read()).as("what was open stays so").isEqualTo(1);
+    }
+  }
+
+  private static ServerSocket gate(Path files) throws IOException {
+    return new Gate(
+        new ServerSocket(0, BACKLOG, InetAddress.getByName(LOOPBACK)), guard(files, "maestro"));
+  }
+
+  private static SSLSocket call(Path files, String user, ServerSocket to) throws IOException {
+    return (SSLSocket) guard(files, user).call(LOOPBACK, to.getLocalPort());
+  }
+
+  private static X509Certificate shown(SSLSocket socket) throws IOException {
+    return (X509Certificate) socket.getSession().getPeerCertificates()[0];
   }
 
   private static String objection(Guard guard) {

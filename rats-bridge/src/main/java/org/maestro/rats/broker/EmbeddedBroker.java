@@ -30,10 +30,15 @@ public final class EmbeddedBroker implements AutoCloseable {
 
   private final EmbeddedActiveMQ server;
   private final URI uri;
+  private final AutoCloseable beside;
 
-  private EmbeddedBroker(EmbeddedActiveMQ server, URI uri) {
+  /**
+   * @param beside ends before the broker does
+   */
+  private EmbeddedBroker(EmbeddedActiveMQ server, URI uri, AutoCloseable beside) {
     this.server = server;
     this.uri = uri;
+    this.beside = beside;
   }
 
   /** Starts on a free port. */
@@ -47,11 +52,14 @@ public final class EmbeddedBroker implements AutoCloseable {
    */
   public static EmbeddedBroker start(int port) {
     int chosen = usable(port);
-    return start(new EmbeddedActiveMQ(), configuration(chosen), "tcp", chosen);
+    EmbeddedActiveMQ server = new EmbeddedActiveMQ();
+    start(server, configuration(chosen), chosen);
+    return new EmbeddedBroker(server, uri("tcp", chosen), () -> {});
   }
 
   /**
-   * Starts for a secured site: over TLS, for the site's users, who may do what its files allow.
+   * Starts for a secured site: over TLS, for the site's users, who may do what its files allow. What
+   * changes in the files is taken up within a second or two.
    *
    * @param files the directory with the site's broker.xml and login.config
    * @param port 0 for a free one; what broker.xml says of it is for an Artemis of its own
@@ -62,11 +70,16 @@ public final class EmbeddedBroker implements AutoCloseable {
     SecuredConfiguration secured = SecuredConfiguration.read(files);
     EmbeddedActiveMQ server = new EmbeddedActiveMQ();
     server.setSecurityManager(secured.securityManager());
-    return start(server, secured.configuration(HOST, chosen), "ssl", chosen);
+    start(server, secured.configuration(HOST, chosen), chosen);
+    return new EmbeddedBroker(
+        server, uri("ssl", chosen), SiteWatch.begin(server.getActiveMQServer(), files));
   }
 
-  private static EmbeddedBroker start(
-      EmbeddedActiveMQ server, Configuration configuration, String scheme, int chosen) {
+  private static URI uri(String scheme, int port) {
+    return URI.create(scheme + "://" + HOST + ":" + port);
+  }
+
+  private static void start(EmbeddedActiveMQ server, Configuration configuration, int chosen) {
     server.setConfiguration(configuration);
     try {
       server.start();
@@ -78,7 +91,6 @@ public final class EmbeddedBroker implements AutoCloseable {
       stop(server);
       throw new BrokerStartException(chosen);
     }
-    return new EmbeddedBroker(server, URI.create(scheme + "://" + HOST + ":" + chosen));
   }
 
   /** What clients connect to. */
@@ -88,7 +100,13 @@ public final class EmbeddedBroker implements AutoCloseable {
 
   @Override
   public void close() {
-    stop(server);
+    try {
+      beside.close();
+    } catch (Exception failure) {
+      throw new IllegalStateException("The embedded broker could not be let alone", failure);
+    } finally {
+      stop(server);
+    }
   }
 
   private static void stop(EmbeddedActiveMQ server) {

@@ -4,12 +4,15 @@ import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.URIParameter;
+import java.util.Map;
+import java.util.Set;
 import javax.security.auth.login.AppConfigurationEntry;
 import javax.security.auth.login.Configuration;
 import org.apache.activemq.artemis.api.core.TransportConfiguration;
 import org.apache.activemq.artemis.core.config.impl.SecurityConfiguration;
 import org.apache.activemq.artemis.core.deployers.impl.FileConfigurationParser;
 import org.apache.activemq.artemis.core.remoting.impl.netty.TransportConstants;
+import org.apache.activemq.artemis.core.security.Role;
 import org.apache.activemq.artemis.spi.core.security.ActiveMQJAASSecurityManager;
 
 /** The files of an Artemis that guards a site, as the embedded one uses them. */
@@ -51,6 +54,11 @@ final class SecuredConfiguration {
     }
     broker.setName("rats-" + port);
     return broker;
+  }
+
+  /** Who may do what at which addresses. */
+  Map<String, Set<Role>> rights() {
+    return broker.getSecurityRoles();
   }
 
   ActiveMQJAASSecurityManager securityManager() {

@@ -62,12 +62,14 @@ final class ArtemisFiles {
         activemq {
           org.apache.activemq.artemis.spi.core.security.jaas.PropertiesLoginModule required
             baseDir="%1$s/artemis"
+            reload=true
             org.apache.activemq.jaas.properties.user="users.properties"
             org.apache.activemq.jaas.properties.role="roles.properties";
         };
         certificates {
           org.apache.activemq.artemis.spi.core.security.jaas.TextFileCertificateLoginModule required
             baseDir="%1$s/artemis"
+            reload=true
             org.apache.activemq.jaas.textfiledn.user="certificates.properties"
             org.apache.activemq.jaas.textfiledn.role="roles.properties";
         };
@@ -96,7 +98,7 @@ final class ArtemisFiles {
               <broker-plugin class-name="org.maestro.rats.broker.NoRetainedCalls"/>
             </broker-plugins>
             <acceptors>
-              <acceptor name="mqtt">tcp://0.0.0.0:%2$d?protocols=MQTT;tcpNoDelay=true;sslEnabled=true;wantClientAuth=true;keyStoreType=PKCS12;keyStorePath=%1$s/broker/broker.p12;keyStorePassword=%3$s;trustStoreType=PKCS12;trustStorePath=%1$s/broker/trust.p12;trustStorePassword=%3$s</acceptor>
+              <acceptor name="mqtt">tcp://0.0.0.0:%2$d?protocols=MQTT;tcpNoDelay=true;sslEnabled=true;wantClientAuth=true;keyStoreType=PKCS12;keyStorePath=%1$s/broker/broker.p12;keyStorePassword=%3$s;trustStoreType=PKCS12;trustStorePath=%1$s/broker/trust.p12;trustStorePassword=%3$s;crlPath=%1$s/ca/revoked.pem</acceptor>
             </acceptors>
             <address-settings>
               <address-setting match="#">

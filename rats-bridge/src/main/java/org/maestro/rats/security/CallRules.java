@@ -1,8 +1,10 @@
 package org.maestro.rats.security;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.maestro.rats.member.CallPolicy;
 
 /**
@@ -62,6 +64,19 @@ public final class CallRules implements CallPolicy {
       }
     }
     return new CallRules(users, lines);
+  }
+
+  /** The text of rules in which no line names one of those any more. */
+  static String without(Collection<String> ids, String text) {
+    return text.lines()
+            .map(line -> isAbout(ids, line) ? "# revoked: " + line : line)
+            .collect(Collectors.joining("\n"))
+        + "\n";
+  }
+
+  private static boolean isAbout(Collection<String> ids, String line) {
+    String[] words = line.replaceFirst("#.*", "").strip().split("\\s+");
+    return words.length > 2 && (ids.contains(words[1]) || ids.contains(words[2]));
   }
 
   @Override

@@ -8,6 +8,7 @@ import java.security.KeyPair;
 import java.security.KeyPairGenerator;
 import java.security.PrivateKey;
 import java.security.SecureRandom;
+import java.security.cert.X509CRL;
 import java.security.cert.X509Certificate;
 import java.security.spec.ECGenParameterSpec;
 import java.time.Duration;
@@ -25,7 +26,9 @@ import org.bouncycastle.asn1.x509.GeneralName;
 import org.bouncycastle.asn1.x509.GeneralNames;
 import org.bouncycastle.asn1.x509.KeyPurposeId;
 import org.bouncycastle.asn1.x509.KeyUsage;
+import org.bouncycastle.cert.X509v2CRLBuilder;
 import org.bouncycastle.cert.X509v3CertificateBuilder;
+import org.bouncycastle.cert.jcajce.JcaX509CRLConverter;
 import org.bouncycastle.cert.jcajce.JcaX509CertificateConverter;
 import org.bouncycastle.cert.jcajce.JcaX509ExtensionUtils;
 import org.bouncycastle.cert.jcajce.JcaX509v3CertificateBuilder;
@@ -38,6 +41,8 @@ final class CertificateAuthority {
   private static final Duration LIFE = Duration.ofDays(3650);
   private static final Duration CLOCKS_DIFFER_BY = Duration.ofDays(1);
   private static final int SERIAL_BITS = 120;
+  private static final int NO_REASON = 0;
+  private static final String ALGORITHM = "SHA256withECDSA";
   private static final SecureRandom RANDOM = new SecureRandom();
 
   /** A certificate with the key that it belongs to. */
@@ -110,13 +115,33 @@ final class CertificateAuthority {
     return issued(id, List.of(), KeyPurposeId.id_kp_clientAuth, KeyPurposeId.id_kp_serverAuth);
   }
 
+  /** In the form in which brokers read it, too. */
+  X509CRL revoking(RevocationList list) {
+    Instant now = Instant.now();
+    X509v2CRLBuilder builder =
+        new X509v2CRLBuilder(own(), Date.from(now.minus(CLOCKS_DIFFER_BY)))
+            .setNextUpdate(Date.from(now.plus(LIFE)));
+    list.numbers().forEach(number -> builder.addCRLEntry(number, Date.from(now), NO_REASON));
+    try {
+      return new JcaX509CRLConverter()
+          .getCRL(builder.build(new JcaContentSignerBuilder(ALGORITHM).build(key)));
+    } catch (GeneralSecurityException | OperatorCreationException unable) {
+      throw new SecurityFilesException(
+          "This Java cannot take certificates back: " + unable.getMessage(), unable);
+    }
+  }
+
+  private X500Name own() {
+    return X500Name.getInstance(certificate.getSubjectX500Principal().getEncoded());
+  }
+
   private record NamedExtension(GeneralNames names) {}
 
   private Identity issued(String name, List<NamedExtension> names, KeyPurposeId... purposes) {
     KeyPair keys = keys();
     X509Certificate issued =
         signed(
-            X500Name.getInstance(certificate.getSubjectX500Principal().getEncoded()),
+            own(),
             key,
             name(name),
             keys,
@@ -156,7 +181,7 @@ final class CertificateAuthority {
       extensions.add(builder, new JcaX509ExtensionUtils(), keys);
       return new JcaX509CertificateConverter()
           .getCertificate(
-              builder.build(new JcaContentSignerBuilder("SHA256withECDSA").build(issuerKey)));
+              builder.build(new JcaContentSignerBuilder(ALGORITHM).build(issuerKey)));
     } catch (IOException | GeneralSecurityException | OperatorCreationException unable) {
       throw new SecurityFilesException(
           "This Java cannot make certificates: " + unable.getMessage(), unable);

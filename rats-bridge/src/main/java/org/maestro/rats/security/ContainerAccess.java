@@ -22,6 +22,7 @@ public final class ContainerAccess {
   private final String user;
   private final SortedSet<String> containers;
   private final X509Certificate authority;
+  private final RevocationList revoked;
   private final CertificateAuthority.Identity identity;
   private final SSLContext tls;
   private final byte[] token;
@@ -30,15 +31,22 @@ public final class ContainerAccess {
       String user,
       SortedSet<String> containers,
       X509Certificate authority,
+      RevocationList revoked,
       CertificateAuthority.Identity identity,
       SSLContext tls,
       String token) {
     this.user = user;
     this.containers = containers;
     this.authority = authority;
+    this.revoked = revoked;
     this.identity = identity;
     this.tls = tls;
     this.token = token.getBytes(UTF_8);
+    if (!isSigned(this.token, sign(this.token), identity.certificate())) {
+      throw new SecurityFilesException(
+          "The key and the certificate of the user %s do not belong together; have both made anew with ./maestro secure --renew %s"
+              .formatted(user, user));
+    }
   }
 
   /** The user whose process it is. */
@@ -91,13 +99,15 @@ public final class ContainerAccess {
   /**
    * The user of whom the certificate is.
    *
-   * @return empty unless the site has issued it to a container, and it is still valid
+   * @return empty unless the site has issued it to a container and not taken it back, and it is in
+   *     date
    */
   public Optional<String> holder(X509Certificate certificate) {
     try {
       certificate.verify(authority.getPublicKey());
       certificate.checkValidity();
-      return Optional.of(commonName(certificate)).filter(containers::contains);
+      return Optional.of(commonName(certificate))
+          .filter(name -> containers.contains(name) && !revoked.holds(certificate));
     } catch (GeneralSecurityException | InvalidNameException notOfTheSite) {
       return Optional.empty();
     }

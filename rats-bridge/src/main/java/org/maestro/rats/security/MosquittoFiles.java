@@ -50,12 +50,14 @@ final class MosquittoFiles {
 
         listener %2$d
         cafile %1$s/ca/ca.pem
+        crlfile %1$s/ca/revoked.pem
         certfile %1$s/broker/certificate.pem
         keyfile %1$s/broker/key.pem
         use_username_as_clientid true
 
         listener %3$d
         cafile %1$s/ca/ca.pem
+        crlfile %1$s/ca/revoked.pem
         certfile %1$s/broker/certificate.pem
         keyfile %1$s/broker/key.pem
         require_certificate true

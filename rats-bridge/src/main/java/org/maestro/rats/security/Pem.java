@@ -8,6 +8,7 @@ import java.security.PrivateKey;
 import java.security.cert.CertificateExpiredException;
 import java.security.cert.CertificateFactory;
 import java.security.cert.CertificateNotYetValidException;
+import java.security.cert.X509CRL;
 import java.security.cert.X509Certificate;
 import java.security.spec.PKCS8EncodedKeySpec;
 import java.util.Base64;
@@ -17,11 +18,16 @@ final class Pem {
 
   private static final String KEY = "PRIVATE KEY";
   private static final String CERTIFICATE = "CERTIFICATE";
+  private static final String LIST = "X509 CRL";
 
   private Pem() {}
 
   static String of(X509Certificate certificate) throws GeneralSecurityException {
     return wrapped(CERTIFICATE, certificate.getEncoded());
+  }
+
+  static String of(X509CRL list) throws GeneralSecurityException {
+    return wrapped(LIST, list.getEncoded());
   }
 
   static String of(PrivateKey key) {

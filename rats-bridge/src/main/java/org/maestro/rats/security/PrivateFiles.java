@@ -3,6 +3,7 @@ package org.maestro.rats.security;
 import static java.nio.charset.StandardCharsets.UTF_8;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -11,12 +12,26 @@ import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /** Files that only their owner may read and write: mode 600, in directories of mode 700. */
 final class PrivateFiles {
 
   private static final Set<PosixFilePermission> OF_OTHERS =
       PosixFilePermissions.fromString("---rwxrwx");
+
+  /** Names of files that hold a secret, wherever they are below the directory of a site. */
+  static final Set<String> SECRETS =
+      Set.of(
+          "password",
+          "key.pem",
+          "container-key.pem",
+          "join-token",
+          "passwords",
+          "users.properties",
+          "broker.xml",
+          "broker.p12",
+          "trust.p12");
 
   private PrivateFiles() {}
 
@@ -50,6 +65,22 @@ final class PrivateFiles {
     }
   }
 
+  /** Deletes a directory with the files in it, if it is there. */
+  static void delete(Path directory) {
+    if (!Files.exists(directory)) {
+      return;
+    }
+    try (Stream<Path> files = Files.list(directory)) {
+      for (Path file : files.toList()) {
+        Files.delete(file);
+      }
+      Files.delete(directory);
+    } catch (IOException refused) {
+      throw new SecurityFilesException(
+          "The directory " + directory + " cannot be deleted; delete it yourself.", refused);
+    }
+  }
+
   static String text(Path file) {
     return new String(bytes(file), UTF_8);
   }
@@ -73,6 +104,24 @@ final class PrivateFiles {
     String text = text(file);
     requirePrivate(file);
     return text;
+  }
+
+  /**
+   * Requires of each secret file below a site's directory, of whomever it is, that it is open to
+   * nobody else.
+   */
+  static void requireSecretsPrivate(Path directory) {
+    try (Stream<Path> files = Files.walk(directory)) {
+      files
+          .filter(file -> SECRETS.contains(file.getFileName().toString()))
+          .sorted()
+          .forEach(PrivateFiles::requirePrivate);
+    } catch (IOException | UncheckedIOException unreadable) {
+      throw new SecurityFilesException(
+          "The directory %s cannot be looked through (%s); give yourself the right to."
+              .formatted(directory, unreadable.getMessage()),
+          unreadable);
+    }
   }
 
   static void requirePrivate(Path file) {

@@ -1,30 +1,48 @@
 package org.maestro.rats.security;
 
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
+import java.math.BigInteger;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
-import java.security.KeyStore;
-import java.security.PrivateKey;
-import java.security.cert.Certificate;
 import java.security.cert.X509Certificate;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
- * Makes a site's security files, and adds users to them: what is there already (authority,
- * passwords, certificates, rules) stays as it is.
+ * Makes a site's security files, adds users to them, gives them new certificates, and takes users
+ * out again. What there is otherwise (authority, passwords, certificates, rules) stays as it is.
+ * What runs by the files takes up what has changed.
  */
 public final class SecureSite {
+  private static final Pattern STORE_PASSWORD = Pattern.compile("keyStorePassword=([^;<]+)");
 
   private final Path directory;
+  private final Path authorityKey;
 
-  private SecureSite(Path directory) {
+  private SecureSite(Path directory, Path authorityKey) {
     this.directory = directory;
+    this.authorityKey = authorityKey;
+  }
+
+  /** A site whose authority's key is kept with its other files. */
+  public static SecureSite in(Path directory) {
+    return in(directory, directory.resolve("ca"));
+  }
+
+  /**
+   * @param authority where the key of the site's authority is kept, which signs certificates and is
+   *     not needed to run
+   */
+  public static SecureSite in(Path directory, Path authority) {
+    return new SecureSite(
+        directory.toAbsolutePath().normalize(),
+        authority.toAbsolutePath().normalize().resolve(SiteSecurity.KEY));
   }
 
   /** Makes the files of a site without guests. */
@@ -37,6 +55,17 @@ public final class SecureSite {
     return make(directory, site, hosts, controllers, members, List.of());
   }
 
+  /** Makes the files of a site, the key of its authority among them. */
+  public static SiteUsers make(
+      Path directory,
+      String site,
+      List<String> hosts,
+      Collection<String> controllers,
+      Collection<String> members,
+      Collection<String> guests) {
+    return in(directory).make(site, hosts, controllers, members, guests);
+  }
+
   /**
    * Writes all files below the directory, each for its owner only.
    *
@@ -46,37 +75,98 @@ public final class SecureSite {
    * @return everybody who belongs to the site now
    * @throws SecurityFilesException when a file cannot be written, or a name cannot be one
    */
-  public static SiteUsers make(
-      Path directory,
+  public SiteUsers make(
       String site,
       List<String> hosts,
       Collection<String> controllers,
       Collection<String> members,
       Collection<String> guests) {
-    SecureSite secure = new SecureSite(directory.toAbsolutePath().normalize());
-    return secure.make(
+    SiteUsers users =
         new SiteUsers(
             site,
             hosts,
             new TreeSet<>(controllers),
             new TreeSet<>(members),
-            new TreeSet<>(guests)));
-  }
-
-  private SiteUsers make(SiteUsers wanted) {
-    SiteUsers users = wanted;
+            new TreeSet<>(guests));
     Path file = directory.resolve(SiteSecurity.USERS);
     if (Files.exists(file)) {
       SiteUsers former = SiteUsers.parse(PrivateFiles.text(file), file.toString());
-      if (!former.site().equals(wanted.site())) {
+      if (!former.site().equals(site)) {
         throw new SecurityFilesException(
             "%s is of the site %s; choose another directory for the site %s"
-                .formatted(directory, former.site(), wanted.site()));
+                .formatted(directory, former.site(), site));
       }
-      users = wanted.and(former);
+      users = users.and(former);
     }
     PrivateFiles.directory(directory);
     CertificateAuthority authority = authority(users.site());
+    revoke(Set.of(), authority);
+    if (!Files.exists(directory.resolve(SiteSecurity.RULES))) {
+      write(SiteSecurity.RULES, CallRules.USUAL);
+    }
+    write(users, authority);
+    return users;
+  }
+
+  /**
+   * Gives users new keys and certificates, and the broker too; those they have had stay good until
+   * they are out of date.
+   *
+   * @throws SecurityFilesException when one is no user of the site, or a file cannot be written
+   */
+  public void renew(Collection<String> ids) {
+    SiteUsers users = present(ids);
+    CertificateAuthority authority = authority(users.site());
+    for (String id : ids) {
+      if (users.all().contains(id)) {
+        certify(id, authority);
+      }
+      if (users.containers().contains(id)) {
+        certifyContainer(id, authority);
+      }
+    }
+    write(users, authority);
+  }
+
+  /**
+   * Takes users out of the site, and their certificates back.
+   *
+   * @throws SecurityFilesException when one is no user of the site, or a file cannot be written
+   */
+  public void revoke(Collection<String> ids) {
+    SiteUsers users = present(ids);
+    CertificateAuthority authority = authority(users.site());
+    Set<BigInteger> numbers = new TreeSet<>();
+    for (String id : ids) {
+      for (String name : List.of(SiteSecurity.CERTIFICATE, SiteSecurity.CONTAINER_CERTIFICATE)) {
+        Path file = directory.resolve(SiteSecurity.ofUser(id) + name);
+        if (Files.exists(file)) {
+          numbers.add(Pem.certificate(file).getSerialNumber());
+        }
+      }
+    }
+    revoke(numbers, authority);
+    write(
+        SiteSecurity.RULES,
+        CallRules.without(ids, PrivateFiles.text(directory.resolve(SiteSecurity.RULES))));
+    write(users.without(ids), authority);
+    ids.forEach(id -> PrivateFiles.delete(directory.resolve(SiteSecurity.ofUser(id))));
+  }
+
+  private SiteUsers present(Collection<String> ids) {
+    Path file = directory.resolve(SiteSecurity.USERS);
+    SiteUsers users = SiteUsers.parse(PrivateFiles.text(file), file.toString());
+    for (String id : ids) {
+      if (!users.all().contains(id) && !users.containers().contains(id)) {
+        throw new SecurityFilesException(
+            "The secured site %s has no user %s; its users stand in %s."
+                .formatted(users.site(), id, file));
+      }
+    }
+    return users;
+  }
+
+  private void write(SiteUsers users, CertificateAuthority authority) {
     Map<String, String> passwords = new LinkedHashMap<>();
     for (String id : users.all()) {
       passwords.put(id, user(id, authority));
@@ -88,37 +178,71 @@ public final class SecureSite {
     String storePassword = broker(users, authority);
     new MosquittoFiles(users, directory).texts(passwords).forEach(this::write);
     new ArtemisFiles(users, directory).texts(passwords, storePassword).forEach(this::write);
-    if (!Files.exists(directory.resolve(SiteSecurity.RULES))) {
-      write(SiteSecurity.RULES, CallRules.USUAL);
-    }
     write(SiteSecurity.USERS, users.text());
-    return users;
   }
 
   private CertificateAuthority authority(String site) {
     Path certificate = directory.resolve(SiteSecurity.AUTHORITY);
-    Path key = directory.resolve("ca/key.pem");
     if (Files.exists(certificate)) {
-      return CertificateAuthority.read(certificate, key);
+      if (!Files.exists(authorityKey)) {
+        throw new SecurityFilesException(
+            "The key of the site's authority, %s, is not there; it signs certificates and is not needed to run: name the directory where it is kept with --ca DIR."
+                .formatted(authorityKey));
+      }
+      return CertificateAuthority.read(certificate, authorityKey);
     }
     CertificateAuthority made = CertificateAuthority.make(site);
-    PrivateFiles.write(key, Pem.of(made.key()));
+    PrivateFiles.write(authorityKey, Pem.of(made.key()));
     PrivateFiles.write(certificate, pem(made.certificate()));
     return made;
   }
 
+  private void revoke(Set<BigInteger> numbers, CertificateAuthority authority) {
+    Path file = directory.resolve(SiteSecurity.REVOKED);
+    RevocationList former =
+        Files.exists(file)
+            ? RevocationList.read(file, authority.certificate())
+            : RevocationList.none();
+    try {
+      write(SiteSecurity.REVOKED, Pem.of(authority.revoking(former.and(numbers))));
+    } catch (GeneralSecurityException unable) {
+      throw new SecurityFilesException("This Java cannot write lists of certificates.", unable);
+    }
+  }
+
   /** Returns the password. */
   private String user(String id, CertificateAuthority authority) {
-    String own = SiteSecurity.ofUser(id);
-    Path password = directory.resolve(own + SiteSecurity.PASSWORD);
+    Path password = directory.resolve(SiteSecurity.ofUser(id) + SiteSecurity.PASSWORD);
     if (!Files.exists(password)) {
-      CertificateAuthority.Identity identity = authority.user(id);
-      write(own + SiteSecurity.KEY, Pem.of(identity.key()));
-      write(own + SiteSecurity.CERTIFICATE, pem(identity.certificate()));
-      write(own + "ca.pem", pem(authority.certificate()));
+      certify(id, authority);
       PrivateFiles.write(password, PasswordHashes.newPassword() + "\n");
     }
     return PrivateFiles.secret(password).strip();
+  }
+
+  private void certify(String id, CertificateAuthority authority) {
+    write(id, authority, authority.user(id), SiteSecurity.KEY, SiteSecurity.CERTIFICATE);
+  }
+
+  private void certifyContainer(String id, CertificateAuthority authority) {
+    write(
+        id,
+        authority,
+        authority.container(id),
+        SiteSecurity.CONTAINER_KEY,
+        SiteSecurity.CONTAINER_CERTIFICATE);
+  }
+
+  private void write(
+      String id,
+      CertificateAuthority authority,
+      CertificateAuthority.Identity identity,
+      String key,
+      String certificate) {
+    String own = SiteSecurity.ofUser(id);
+    write(own + key, Pem.of(identity.key()));
+    write(own + certificate, pem(identity.certificate()));
+    write(own + "ca.pem", pem(authority.certificate()));
   }
 
   /** The site's own, made once: to have another one, remove its file and make the site again. */
@@ -133,10 +257,7 @@ public final class SecureSite {
   private void container(String id, CertificateAuthority authority, String token) {
     String own = SiteSecurity.ofUser(id);
     if (!Files.exists(directory.resolve(own + SiteSecurity.CONTAINER_CERTIFICATE))) {
-      CertificateAuthority.Identity identity = authority.container(id);
-      write(own + SiteSecurity.CONTAINER_KEY, Pem.of(identity.key()));
-      write(own + SiteSecurity.CONTAINER_CERTIFICATE, pem(identity.certificate()));
-      write(own + "ca.pem", pem(authority.certificate()));
+      certifyContainer(id, authority);
     }
     write(own + SiteSecurity.TOKEN, token);
   }
@@ -146,13 +267,26 @@ public final class SecureSite {
     CertificateAuthority.Identity identity = authority.broker(users.hosts());
     write("broker/certificate.pem", pem(identity.certificate()));
     write("broker/key.pem", Pem.of(identity.key()));
-    String storePassword = PasswordHashes.newPassword();
+    String password = storePassword();
     PrivateFiles.write(
         directory.resolve("broker/broker.p12"),
-        store(storePassword, identity.key(), identity.certificate(), authority.certificate()));
+        BrokerStores.own(password, identity, authority.certificate()));
     PrivateFiles.write(
-        directory.resolve("broker/trust.p12"), trust(storePassword, authority.certificate()));
-    return storePassword;
+        directory.resolve("broker/trust.p12"),
+        BrokerStores.trusted(password, authority.certificate()));
+    return password;
+  }
+
+  /** A broker that runs knows the one that it has begun with. */
+  private String storePassword() {
+    Path file = directory.resolve("artemis/broker.xml");
+    if (Files.exists(file)) {
+      Matcher known = STORE_PASSWORD.matcher(PrivateFiles.secret(file));
+      if (known.find()) {
+        return known.group(1);
+      }
+    }
+    return PasswordHashes.newPassword();
   }
 
   private void write(String name, String text) {
@@ -163,40 +297,7 @@ public final class SecureSite {
     try {
       return Pem.of(certificate);
     } catch (GeneralSecurityException unable) {
-      throw unable(unable);
+      throw new SecurityFilesException("This Java cannot write certificates.", unable);
     }
-  }
-
-  private static byte[] store(String password, PrivateKey key, Certificate... chain) {
-    try {
-      KeyStore store = KeyStore.getInstance("PKCS12");
-      store.load(null, null);
-      store.setKeyEntry("broker", key, password.toCharArray(), chain);
-      return bytes(store, password);
-    } catch (GeneralSecurityException | IOException unable) {
-      throw unable(unable);
-    }
-  }
-
-  private static byte[] trust(String password, Certificate authority) {
-    try {
-      KeyStore store = KeyStore.getInstance("PKCS12");
-      store.load(null, null);
-      store.setCertificateEntry("site", authority);
-      return bytes(store, password);
-    } catch (GeneralSecurityException | IOException unable) {
-      throw unable(unable);
-    }
-  }
-
-  private static byte[] bytes(KeyStore store, String password)
-      throws GeneralSecurityException, IOException {
-    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    store.store(bytes, password.toCharArray());
-    return bytes.toByteArray();
-  }
-
-  private static SecurityFilesException unable(Exception cause) {
-    return new SecurityFilesException("This Java cannot write key stores.", cause);
   }
 }

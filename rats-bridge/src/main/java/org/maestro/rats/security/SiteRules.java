@@ -1,12 +1,6 @@
 package org.maestro.rats.security;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.BasicFileAttributes;
-import java.time.Duration;
-import java.time.Instant;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
 import org.maestro.rats.member.CallPolicy;
@@ -22,31 +16,19 @@ final class SiteRules implements CallPolicy {
 
   private static final Logger LOG = LoggerFactory.getLogger(SiteRules.class);
 
-  /** Two changes within the grain of a file system's clock may leave the same date. */
-  private static final Duration GRAIN = Duration.ofSeconds(2);
-
-  private final List<Path> files;
+  private final Path source;
+  private final WatchedFiles files;
   private final Supplier<CallRules> reading;
   private CallRules rules;
-  private List<Stamp> read;
-
-  private record Stamp(Instant changedAt, long bytes, Object key, int hash) {
-    private boolean isSurelyThat(Stamp other) {
-      return changedAt.equals(other.changedAt)
-          && bytes == other.bytes
-          && String.valueOf(key).equals(String.valueOf(other.key))
-          && Duration.between(changedAt, Instant.now()).compareTo(GRAIN) > 0;
-    }
-  }
 
   /**
-   * @param files from which the rules are read, looked at for each question
+   * @param files from which the rules are read, looked at for each question; the rules' own first
    * @param reading throws {@link SecurityFilesException} when they cannot be used
    */
   SiteRules(List<Path> files, Supplier<CallRules> reading) {
-    this.files = List.copyOf(files);
+    this.source = files.get(0);
+    this.files = new WatchedFiles(files);
     this.reading = reading;
-    this.read = files.stream().map(file -> stamp(file, true)).toList();
     this.rules = reading.get();
   }
 
@@ -61,45 +43,18 @@ final class SiteRules implements CallPolicy {
   }
 
   private synchronized CallRules present() {
-    if (hasChanged()) {
-      List<Stamp> now = files.stream().map(file -> stamp(file, true)).toList();
-      if (!now.equals(read)) {
-        read = now;
-        readAgain();
-      }
+    if (files.haveChanged()) {
+      readAgain();
     }
     return rules;
-  }
-
-  private boolean hasChanged() {
-    for (int file = 0; file < files.size(); file++) {
-      if (!stamp(files.get(file), false).isSurelyThat(read.get(file))) {
-        return true;
-      }
-    }
-    return false;
   }
 
   private void readAgain() {
     try {
       rules = reading.get();
-      LOG.info("The rules of {} were read again", files.get(0));
+      LOG.info("The rules of {} were read again", source);
     } catch (SecurityFilesException unusable) {
       LOG.error("The rules stay as they were: {}", unusable.getMessage());
-    }
-  }
-
-  /** A file that is not there has a stamp too, so that its coming back is noticed. */
-  private static Stamp stamp(Path file, boolean withContent) {
-    try {
-      BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
-      return new Stamp(
-          attributes.lastModifiedTime().toInstant(),
-          attributes.size(),
-          attributes.fileKey(),
-          withContent ? Arrays.hashCode(Files.readAllBytes(file)) : 0);
-    } catch (IOException missing) {
-      return new Stamp(Instant.EPOCH, 0, "", 0);
     }
   }
 }

@@ -23,6 +23,7 @@ public final class SiteSecurity {
   static final String USERS = "users.txt";
   static final String RULES = "rules.txt";
   static final String AUTHORITY = "ca/ca.pem";
+  static final String REVOKED = "ca/revoked.pem";
   static final String PASSWORD = "password";
   static final String CERTIFICATE = "certificate.pem";
   static final String KEY = "key.pem";
@@ -56,6 +57,7 @@ public final class SiteSecurity {
       throw new SecurityFilesException(
           "There is no directory " + directory + "; ./maestro secure " + directory + " makes it.");
     }
+    PrivateFiles.requireSecretsPrivate(absolute);
     Path usersFile = absolute.resolve(USERS);
     SiteUsers users = SiteUsers.parse(PrivateFiles.text(usersFile), usersFile.toString());
     Path rulesFile = absolute.resolve(RULES);
@@ -150,7 +152,24 @@ public final class SiteSecurity {
         new CertificateAuthority.Identity(
             Pem.certificate(file(id, CONTAINER_CERTIFICATE)), Pem.key(file(id, CONTAINER_KEY)));
     return new ContainerAccess(
-        id, users.containers(), authority, identity, context(Optional.of(identity)), token);
+        id,
+        users.containers(),
+        authority,
+        RevocationList.read(directory.resolve(REVOKED), authority),
+        identity,
+        context(Optional.of(identity)),
+        token);
+  }
+
+  /** What {@link #container} reads, to see when that has to be read again. */
+  public WatchedFiles containerFiles(String id) {
+    return new WatchedFiles(
+        List.of(
+            directory.resolve(USERS),
+            directory.resolve(REVOKED),
+            file(id, CONTAINER_KEY),
+            file(id, CONTAINER_CERTIFICATE),
+            file(id, TOKEN)));
   }
 
   /** Where the files are. */

@@ -1,6 +1,7 @@
 package org.maestro.rats.security;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.List;
 import java.util.SortedSet;
@@ -82,6 +83,22 @@ public record SiteUsers(
         both(controllers, others.controllers),
         both(members, others.members),
         both(guests, others.guests));
+  }
+
+  /** The same site without those. */
+  SiteUsers without(Collection<String> ids) {
+    return new SiteUsers(
+        site,
+        hosts,
+        without(controllers, ids),
+        without(members, ids),
+        without(guests, ids));
+  }
+
+  private static SortedSet<String> without(SortedSet<String> names, Collection<String> ids) {
+    TreeSet<String> rest = new TreeSet<>(names);
+    rest.removeAll(ids);
+    return rest;
   }
 
   String text() {

@@ -87,6 +87,15 @@ final class Mosquitto implements TestBroker.Running {
   }
 
   @Override
+  public void told() {
+    try {
+      new ProcessBuilder("kill", "-HUP", String.valueOf(process.pid())).start().onExit().join();
+    } catch (IOException unable) {
+      throw new UncheckedIOException(unable);
+    }
+  }
+
+  @Override
   public void close() {
     process.destroyForcibly().onExit().join();
     Runtime.getRuntime().removeShutdownHook(atExit);

@@ -14,6 +14,11 @@ public final class TestBroker {
   interface Running extends AutoCloseable {
     URI uri();
 
+    /** Has it read its files again, if it has to be told. */
+    default void told() {
+      // It looks by itself.
+    }
+
     @Override
     void close();
   }
@@ -70,6 +75,11 @@ public final class TestBroker {
     Running started = kind.apply(port);
     port = started.uri().getPort();
     running = Optional.of(started);
+  }
+
+  /** Tells it that its files have changed, in the way in which it has to be told. */
+  public void tellOfChanges() {
+    running.ifPresent(Running::told);
   }
 
   /** At once, without farewell to its clients. */

@@ -9,6 +9,9 @@ import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.read.ListAppender;
+import java.io.IOException;
+import java.security.cert.X509Certificate;
+import javax.net.ssl.SSLSocket;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -304,6 +307,140 @@ abstract class SecuredBusContract {
       assertThat(outcome(new PahoTransport(site.uri(), otherCa)))
           .as("to a broker that another authority vouches for")
           .startsWith("lost");
+    }
+  }
+
+  /** Neither the broker nor anybody else is started again. */
+  @Test
+  void whoIsTakenOutOfTheSiteIsCutOffAndComesInNoMore() {
+    Path files = SecuredSite.files(directory);
+    TestBroker broker = byPassword(files);
+    try (SecuredSite site = new SecuredSite(files, broker)) {
+      takenOut(
+          site, files, id -> SiteSecurity.open(files).password(id), broker::tellOfChanges, true);
+    }
+  }
+
+  @Test
+  void soIsWhoCameByItsCertificate() {
+    Path files = SecuredSite.files(directory);
+    TestBroker broker = byCertificate(files);
+    try (SecuredSite site = new SecuredSite(files, broker)) {
+      takenOut(
+          site,
+          files,
+          id -> SiteSecurity.open(files).certificate(id),
+          () -> tellOfRevokedCertificates(broker),
+          othersStayWhenCertificatesAreRevoked());
+    }
+  }
+
+  /** What a broker needs to know of certificates that were taken back. */
+  void tellOfRevokedCertificates(TestBroker broker) {
+    broker.tellOfChanges();
+  }
+
+  boolean othersStayWhenCertificatesAreRevoked() {
+    return true;
+  }
+
+  private static void takenOut(
+      SecuredSite site,
+      Path files,
+      Function<String, Credentials> credentials,
+      Runnable telling,
+      boolean othersStay) {
+    Credentials former = credentials.apply("lamp");
+    Kept lamp = new Kept(site, former);
+    Kept door = new Kept(site, credentials.apply("door"));
+    try (lamp;
+        door) {
+      await(() -> lamp.connects > 0 && door.connects > 0);
+
+      SecureSite.in(files).revoke(List.of("lamp"));
+      telling.run();
+      await(() -> lamp.losses > 0);
+      int before = lamp.connects;
+      assertThat(outcome(new PahoTransport(site.uri(), former))).startsWith("lost");
+      assertThat(lamp.connects).isEqualTo(before);
+      assertThat(!othersStay || door.losses == 0).isTrue();
+    }
+    SecureSite.make(files, SecuredSite.SITE, List.of("127.0.0.1"), List.of(), List.of("lamp"));
+    telling.run();
+    await(
+        () ->
+            outcome(new PahoTransport(site.uri(), credentials.apply("lamp"))).equals("connected"));
+    assertThat(outcome(new PahoTransport(site.uri(), former)))
+        .as("what the former one of that name had")
+        .startsWith("lost");
+  }
+
+  @Test
+  void theBrokerShowsTheCertificateThatItWasGivenWhileItRuns() {
+    Path files = SecuredSite.files(directory);
+    TestBroker broker = byPassword(files);
+    try (SecuredSite site = new SecuredSite(files, broker);
+        Kept door = new Kept(site, site.security.password("door"))) {
+      await(() -> door.connects > 0);
+      String first = shown(site);
+
+      SecureSite.in(files).renew(List.of("lamp"));
+      broker.tellOfChanges();
+      String second =
+          Pem.certificate(files.resolve("broker/certificate.pem")).getSerialNumber().toString();
+      await(() -> shown(site).equals(second));
+      assertThat(second).isNotEqualTo(first);
+      assertThat(door.losses).isZero();
+      assertThat(outcome(new PahoTransport(site.uri(), site.security.password("lamp"))))
+          .isEqualTo("connected");
+    }
+  }
+
+  /** The number of the certificate that the broker shows to who comes now. */
+  private static String shown(SecuredSite site) {
+    try (SSLSocket socket =
+        (SSLSocket)
+            site.security
+                .password("cca")
+                .tls()
+                .getSocketFactory()
+                .createSocket(site.uri().getHost(), site.uri().getPort())) {
+      socket.setSoTimeout(10_000);
+      socket.startHandshake();
+      return ((X509Certificate) socket.getSession().getPeerCertificates()[0])
+          .getSerialNumber()
+          .toString();
+    } catch (IOException between) {
+      return "none: " + between.getMessage();
+    }
+  }
+
+  /** A connection that is made again whenever it is lost. */
+  private static final class Kept implements AutoCloseable {
+    private final PahoTransport transport;
+    private volatile int connects;
+    private volatile int losses;
+
+    private Kept(SecuredSite site, Credentials credentials) {
+      transport = new PahoTransport(site.uri(), credentials);
+      transport.open(
+          Optional.empty(),
+          new Transport.ConnectionListener() {
+            @Override
+            public void connected() {
+              connects++;
+            }
+
+            @Override
+            public void lost(String reason) {
+              losses++;
+            }
+          });
+    }
+
+    @Override
+    public void close() {
+      transport.die();
     }
   }
 

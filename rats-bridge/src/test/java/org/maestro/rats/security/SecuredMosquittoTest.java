@@ -17,4 +17,16 @@ class SecuredMosquittoTest extends SecuredBusContract {
   TestBroker byCertificate(Path files) {
     return TestBroker.mosquittoSecured(files, MosquittoFiles.CERTIFICATE_PORT);
   }
+
+  /** It reads its list of revoked certificates, and who came by one, only when it begins. */
+  @Override
+  void tellOfRevokedCertificates(TestBroker broker) {
+    broker.stop();
+    broker.start();
+  }
+
+  @Override
+  boolean othersStayWhenCertificatesAreRevoked() {
+    return false;
+  }
 }

@@ -63,6 +63,7 @@ class SiteSecurityTest {
         "users.txt",
         "rules.txt",
         "ca/ca.pem",
+        "ca/revoked.pem",
         "users/lamp/password",
         "users/lamp/certificate.pem",
         "users/lamp/key.pem",
@@ -85,20 +86,143 @@ class SiteSecurityTest {
         .hasMessageContaining("maestro secure");
   }
 
+  /** Each by itself, whoever needs it: also one that this process would not read. */
   @ParameterizedTest
-  @ValueSource(strings = {"users/lamp/password", "users/lamp/key.pem", "artemis/broker.xml"})
-  void refusesSecretsThatOthersCanRead(String name) throws IOException {
+  @ValueSource(
+      strings = {
+        "join-token",
+        "ca/key.pem",
+        "broker/key.pem",
+        "broker/broker.p12",
+        "broker/trust.p12",
+        "artemis/broker.xml",
+        "artemis/users.properties",
+        "mosquitto/passwords",
+        "users/lamp/password",
+        "users/lamp/key.pem",
+        "users/door/password",
+        "users/door/key.pem",
+        "users/cca/password",
+        "users/cca/key.pem",
+        "users/cca/join-token",
+        "users/cca/container-key.pem"
+      })
+  void refusesASecretThatOthersCanRead(String name) throws IOException {
     SecuredSite.files(directory);
     Files.setPosixFilePermissions(
         directory.resolve(name), PosixFilePermissions.fromString("rw-r--r--"));
-    assertThatThrownBy(this::useAll)
+    assertThatThrownBy(() -> SiteSecurity.open(directory))
         .isInstanceOf(SecurityFilesException.class)
         .hasMessageContaining(directory.resolve(name).toString())
         .hasMessageContaining("chmod 600");
   }
 
+  /** So that the list above is whole: all others hold what anybody may know. */
+  @Test
+  void noOtherFileHoldsASecret() throws IOException {
+    SecuredSite.files(directory);
+    try (Stream<Path> files = Files.walk(directory)) {
+      assertThat(
+              files
+                  .filter(Files::isRegularFile)
+                  .map(file -> file.getFileName().toString())
+                  .filter(name -> !PrivateFiles.SECRETS.contains(name)))
+          .containsOnly(
+              "users.txt",
+              "rules.txt",
+              "ca.pem",
+              "revoked.pem",
+              "certificate.pem",
+              "container.pem",
+              "login.config",
+              "roles.properties",
+              "certificates.properties",
+              "mosquitto.conf",
+              "acl");
+    }
+  }
+
+  @Test
+  void runsWithoutTheKeyOfItsAuthorityAndSaysWhoNeedsIt() throws IOException {
+    Path safe = directory.resolve("safe");
+    Path files = directory.resolve("files");
+    SecuredSite.files(files);
+    Files.createDirectory(safe);
+    Files.move(files.resolve("ca/key.pem"), safe.resolve("key.pem"));
+    SiteSecurity site = SiteSecurity.open(files);
+    site.artemis();
+    site.container("cca");
+    assertThatThrownBy(() -> SecureSite.in(files).revoke(List.of("lamp")))
+        .isInstanceOf(SecurityFilesException.class)
+        .hasMessageContaining("not needed to run")
+        .hasMessageContaining("--ca DIR");
+    assertThat(site.users().members()).contains("lamp");
+    SecureSite.in(files, safe).revoke(List.of("lamp"));
+    assertThat(SiteSecurity.open(files).users().members()).doesNotContain("lamp");
+    assertThat(files.resolve("users/lamp")).doesNotExist();
+    assertThat(files.resolve("ca/key.pem")).doesNotExist();
+  }
+
+  @Test
+  void itsAuthoritysKeyCanLiveElsewhereFromTheBeginning() {
+    Path safe = directory.resolve("safe");
+    Path files = directory.resolve("files");
+    SecureSite.in(files, safe).make("home", List.of("h"), List.of("cca"), List.of(), List.of());
+    assertThat(safe.resolve("key.pem")).exists();
+    assertThat(files.resolve("ca/key.pem")).doesNotExist();
+    assertThat(SiteSecurity.open(files).container("cca").user()).isEqualTo("cca");
+  }
+
+  @Test
+  void newCertificatesAreOnesOwnAndFormerOnesStayGood() {
+    SecuredSite.files(directory);
+    ContainerAccess before = SiteSecurity.open(directory).container("cca");
+    SecureSite.in(directory).renew(List.of("cca", "lamp"));
+    ContainerAccess after = SiteSecurity.open(directory).container("cca");
+    assertThat(after.certificate()).isNotEqualTo(before.certificate());
+    assertThat(after.holder(before.certificate())).contains("cca");
+    assertThat(after.holder(after.certificate())).contains("cca");
+    assertThatThrownBy(() -> SecureSite.in(directory).renew(List.of("nobody")))
+        .isInstanceOf(SecurityFilesException.class)
+        .hasMessageContaining("no user nobody");
+  }
+
+  @Test
+  void aCertificateThatWasTakenBackIsNobodysThoughAnotherHasTheNameNow() {
+    SecuredSite.files(directory);
+    ContainerAccess before = SiteSecurity.open(directory).container("cca");
+    SecureSite.in(directory).revoke(List.of("cca"));
+    SecureSite.make(directory, "home", List.of("127.0.0.1"), List.of("cca"), List.of());
+    ContainerAccess after = SiteSecurity.open(directory).container("cca");
+    assertThat(after.holder(before.certificate())).isEmpty();
+    assertThat(after.holder(after.certificate())).contains("cca");
+  }
+
+  /** Between the writing of the one and of the other a process that reads them waits. */
+  @Test
+  void aKeyAndACertificateOfDifferentAgeAreNotUsed() throws IOException {
+    SecuredSite.files(directory);
+    byte[] former = Files.readAllBytes(directory.resolve("users/cca/container.pem"));
+    SecureSite.in(directory).renew(List.of("cca"));
+    PrivateFiles.write(directory.resolve("users/cca/container.pem"), former);
+    assertThatThrownBy(() -> SiteSecurity.open(directory).container("cca"))
+        .isInstanceOf(SecurityFilesException.class)
+        .hasMessageContaining("do not belong together");
+  }
+
+  @Test
+  void rulesAboutWhoWasTakenOutAreRulesNoMore() {
+    SecuredSite.files(directory);
+    rules("allow lamp door wave\nallow door lamp *\nallow cca door *");
+    SecureSite.in(directory).revoke(List.of("lamp"));
+    assertThat(PrivateFiles.text(directory.resolve("rules.txt")))
+        .isEqualTo(
+            "# revoked: allow lamp door wave\n# revoked: allow door lamp *\nallow cca door *\n");
+    assertThat(SiteSecurity.open(directory).rules().allows("cca", "door", "x")).isTrue();
+  }
+
   @ParameterizedTest
-  @ValueSource(strings = {"users/lamp/certificate.pem", "users/lamp/key.pem", "ca/ca.pem"})
+  @ValueSource(strings = {"users/lamp/certificate.pem", "users/lamp/key.pem", "ca/ca.pem", "ca/revoked.pem"})
   void refusesWhatHoldsSomethingElse(String name) {
     SecuredSite.files(directory);
     PrivateFiles.write(directory.resolve(name), "garbage");
