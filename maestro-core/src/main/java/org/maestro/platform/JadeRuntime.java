@@ -162,7 +162,8 @@ final class JadeRuntime {
         } catch (IllegalThreadStateException e) {
           if (attempt == MOST_BEGINNINGS) {
             throw new PlatformStartException(
-                "JADE could not begin a container while another of this process ended; start it again.",
+                "JADE could not begin a container while another of this process ended; start it"
+                    + " again.",
                 e);
           }
           LockSupport.parkNanos(BETWEEN_BEGINNINGS.toNanos());

@@ -19,7 +19,8 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "secure",
     description =
-        "Make a secured site's certificates, users, rules and broker files; again: add users, give them new certificates, or take them out. What runs by the files takes it up.")
+        "Make a secured site's certificates, users, rules and broker files; again: add users, give"
+            + " them new certificates, or take them out. What runs by the files takes it up.")
 final class SecureCommand implements Callable<Integer> {
   private static final List<String> LOCAL_HOSTS = List.of("localhost", "127.0.0.1");
   private static final List<String> USUAL_CONTROLLERS =
@@ -93,7 +94,8 @@ final class SecureCommand implements Callable<Integer> {
       names = "--ca",
       paramLabel = "DIR",
       description =
-          "Where the key of the site's authority is kept, which is not needed to run; without: in ca below the site's directory.")
+          "Where the key of the site's authority is kept, which is not needed to run; without: in"
+              + " ca below the site's directory.")
   private Optional<Path> authority = Optional.empty();
 
   @Override
@@ -108,13 +110,15 @@ final class SecureCommand implements Callable<Integer> {
     if (!revoked.isEmpty()) {
       files.revoke(revoked);
       out.printf(
-          "Taken out of the site: %s. What runs here cuts them off within seconds; whoever has a copy of the files needs the new ones, and mosquitto is to be started again.%n",
+          "Taken out of the site: %s. What runs here cuts them off within seconds; whoever has a"
+              + " copy of the files needs the new ones, and mosquitto is to be started again.%n",
           String.join(", ", revoked));
     }
     if (!renewed.isEmpty()) {
       files.renew(renewed);
       out.printf(
-          "New certificates: %s, and the broker. What runs here takes them up within seconds; a device elsewhere needs its folder anew.%n",
+          "New certificates: %s, and the broker. What runs here takes them up within seconds; a"
+              + " device elsewhere needs its folder anew.%n",
           String.join(", ", renewed));
     }
     return ExitCode.DONE;
@@ -149,7 +153,8 @@ final class SecureCommand implements Callable<Integer> {
         "Who may call what: %s. A device gets its folder below %s.%n",
         directory.resolve("rules.txt"), directory.resolve("users"));
     out.printf(
-        "The key of its authority, %s, is not needed to run: keep it elsewhere, and name it with --ca.%n",
+        "The key of its authority, %s, is not needed to run: keep it elsewhere, and name it with"
+            + " --ca.%n",
         authority.orElse(directory.resolve("ca")).resolve("key.pem"));
     out.printf("Run it with: ./maestro run HOME --security %s%n", directory);
   }

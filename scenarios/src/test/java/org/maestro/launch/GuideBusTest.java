@@ -85,10 +85,16 @@ class GuideBusTest {
           lines
               .filter(line -> line.startsWith("./maestro secure "))
               .map(line -> line.replaceFirst("#.*", "").replace("site-files", files.toString()))
+              .map(line -> line.replace("/media/stick", directory.resolve("stick").toString()))
               .toList();
     }
-    assertThat(commands).hasSize(2);
+    assertThat(commands).hasSize(5);
+    Files.createDirectory(directory.resolve("stick"));
     for (String command : commands) {
+      if (command.contains("--ca") && Files.exists(files.resolve("ca/key.pem"))) {
+        assertThat(files.resolve("users/kettle-1/password")).isRegularFile();
+        Files.move(files.resolve("ca/key.pem"), directory.resolve("stick/key.pem"));
+      }
       String[] arguments = command.strip().split("\\s+");
       ByteArrayOutputStream said = new ByteArrayOutputStream();
       PrintStream stream = new PrintStream(said, true, StandardCharsets.UTF_8);
@@ -97,8 +103,9 @@ class GuideBusTest {
               .execute(Arrays.copyOfRange(arguments, 1, arguments.length));
       assertThat(code).as(said.toString(StandardCharsets.UTF_8)).isEqualTo(ExitCode.DONE);
     }
-    assertThat(files.resolve("users/kettle-1/password")).isRegularFile();
+    assertThat(files.resolve("users/kettle-1")).doesNotExist();
     assertThat(files.resolve("users/rose/password")).isRegularFile();
+    assertThat(files.resolve("ca/key.pem")).doesNotExist();
   }
 
   @Test

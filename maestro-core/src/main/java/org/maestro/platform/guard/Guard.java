@@ -216,10 +216,7 @@ public final class Guard {
                 .tls()
                 .getSocketFactory()
                 .createSocket(
-                    stranger,
-                    stranger.getInetAddress().getHostAddress(),
-                    stranger.getPort(),
-                    true);
+                    stranger, stranger.getInetAddress().getHostAddress(), stranger.getPort(), true);
     socket.setUseClientMode(false);
     socket.setNeedClientAuth(true);
     socket.setEnabledProtocols(new String[] {PROTOCOL});

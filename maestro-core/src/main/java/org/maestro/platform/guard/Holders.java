@@ -89,8 +89,7 @@ final class Holders {
       SignedMailSlice there = (SignedMailSlice) slices.of(place.getName());
       Optional<String> user = access.get().holder(Seal.certificate(there.certificate()));
       synchronized (this) {
-        user.ifPresent(
-            its -> knownByAgent.put(agent.getName(), new Known(its, System.nanoTime())));
+        user.ifPresent(its -> knownByAgent.put(agent.getName(), new Known(its, System.nanoTime())));
       }
       return user;
     } catch (NotFoundException

@@ -58,8 +58,8 @@ public final class EmbeddedBroker implements AutoCloseable {
   }
 
   /**
-   * Starts for a secured site: over TLS, for the site's users, who may do what its files allow. What
-   * changes in the files is taken up within a second or two.
+   * Starts for a secured site: over TLS, for the site's users, who may do what its files allow.
+   * What changes in the files is taken up within a second or two.
    *
    * @param files the directory with the site's broker.xml and login.config
    * @param port 0 for a free one; what broker.xml says of it is for an Artemis of its own

@@ -37,6 +37,7 @@ import org.slf4j.LoggerFactory;
 final class SiteWatch implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(SiteWatch.class);
   private static final Duration LOOKED_EVERY = Duration.ofMillis(500);
+  private static final Duration LONGEST_LOOK = Duration.ofSeconds(10);
 
   private final ActiveMQServer server;
   private final Path artemis;
@@ -63,8 +64,7 @@ final class SiteWatch implements AutoCloseable {
                 artemis.resolve("certificates.properties"),
                 artemis.resolve("broker.xml")));
     this.certificates =
-        new WatchedFiles(
-            List.of(revoked, artemis.resolveSibling("broker").resolve("broker.p12")));
+        new WatchedFiles(List.of(revoked, artemis.resolveSibling("broker").resolve("broker.p12")));
   }
 
   /**
@@ -129,8 +129,16 @@ final class SiteWatch implements AutoCloseable {
     return shown != null && shown.length > 0 && list.isRevoked(shown[0]);
   }
 
+  /** Waits until it is done with what it is at: the broker is not to be changed while it stops. */
   @Override
   public void close() {
-    looking.shutdownNow();
+    looking.shutdown();
+    try {
+      if (!looking.awaitTermination(LONGEST_LOOK.toMillis(), TimeUnit.MILLISECONDS)) {
+        LOG.warn("The broker ends while it takes up what has changed");
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
   }
 }

@@ -59,58 +59,58 @@ final class ArtemisFiles {
 
   private String login() {
     return """
-        activemq {
-          org.apache.activemq.artemis.spi.core.security.jaas.PropertiesLoginModule required
-            baseDir="%1$s/artemis"
-            reload=true
-            org.apache.activemq.jaas.properties.user="users.properties"
-            org.apache.activemq.jaas.properties.role="roles.properties";
-        };
-        certificates {
-          org.apache.activemq.artemis.spi.core.security.jaas.TextFileCertificateLoginModule required
-            baseDir="%1$s/artemis"
-            reload=true
-            org.apache.activemq.jaas.textfiledn.user="certificates.properties"
-            org.apache.activemq.jaas.textfiledn.role="roles.properties";
-        };
-        """
+    activemq {
+      org.apache.activemq.artemis.spi.core.security.jaas.PropertiesLoginModule required
+        baseDir="%1$s/artemis"
+        reload=true
+        org.apache.activemq.jaas.properties.user="users.properties"
+        org.apache.activemq.jaas.properties.role="roles.properties";
+    };
+    certificates {
+      org.apache.activemq.artemis.spi.core.security.jaas.TextFileCertificateLoginModule required
+        baseDir="%1$s/artemis"
+        reload=true
+        org.apache.activemq.jaas.textfiledn.user="certificates.properties"
+        org.apache.activemq.jaas.textfiledn.role="roles.properties";
+    };
+    """
         .formatted(directory);
   }
 
   private String broker(String storePassword) {
     return """
-        <?xml version="1.0" encoding="UTF-8"?>
-        <!-- For Artemis 2.40 and newer: its login.config is beside this file, and the jar of
-             rats-bridge belongs into its lib folder for the interceptor and the plugin. -->
-        <configuration xmlns="urn:activemq">
-          <core xmlns="urn:activemq:core">
-            <name>rats</name>
-            <persistence-enabled>false</persistence-enabled>
-            <connection-ttl-check-interval>200</connection-ttl-check-interval>
-            <security-enabled>true</security-enabled>
-            <jmx-management-enabled>false</jmx-management-enabled>
-            <journal-pool-files>10</journal-pool-files>
-            <max-disk-usage>-1</max-disk-usage>
-            <remoting-incoming-interceptors>
-              <class-name>org.maestro.rats.broker.OwnNameOnly</class-name>
-            </remoting-incoming-interceptors>
-            <broker-plugins>
-              <broker-plugin class-name="org.maestro.rats.broker.NoRetainedCalls"/>
-            </broker-plugins>
-            <acceptors>
-              <acceptor name="mqtt">tcp://0.0.0.0:%2$d?protocols=MQTT;tcpNoDelay=true;sslEnabled=true;wantClientAuth=true;keyStoreType=PKCS12;keyStorePath=%1$s/broker/broker.p12;keyStorePassword=%3$s;trustStoreType=PKCS12;trustStorePath=%1$s/broker/trust.p12;trustStorePassword=%3$s;crlPath=%1$s/ca/revoked.pem</acceptor>
-            </acceptors>
-            <address-settings>
-              <address-setting match="#">
-                <dead-letter-address>dead-letters</dead-letter-address>
-                <expiry-address>expired</expiry-address>
-              </address-setting>
-            </address-settings>
-            <security-settings>
-        %4$s    </security-settings>
-          </core>
-        </configuration>
-        """
+    <?xml version="1.0" encoding="UTF-8"?>
+    <!-- For Artemis 2.40 and newer: its login.config is beside this file, and the jar of
+         rats-bridge belongs into its lib folder for the interceptor and the plugin. -->
+    <configuration xmlns="urn:activemq">
+      <core xmlns="urn:activemq:core">
+        <name>rats</name>
+        <persistence-enabled>false</persistence-enabled>
+        <connection-ttl-check-interval>200</connection-ttl-check-interval>
+        <security-enabled>true</security-enabled>
+        <jmx-management-enabled>false</jmx-management-enabled>
+        <journal-pool-files>10</journal-pool-files>
+        <max-disk-usage>-1</max-disk-usage>
+        <remoting-incoming-interceptors>
+          <class-name>org.maestro.rats.broker.OwnNameOnly</class-name>
+        </remoting-incoming-interceptors>
+        <broker-plugins>
+          <broker-plugin class-name="org.maestro.rats.broker.NoRetainedCalls"/>
+        </broker-plugins>
+        <acceptors>
+          <acceptor name="mqtt">tcp://0.0.0.0:%2$d?protocols=MQTT;tcpNoDelay=true;sslEnabled=true;wantClientAuth=true;keyStoreType=PKCS12;keyStorePath=%1$s/broker/broker.p12;keyStorePassword=%3$s;trustStoreType=PKCS12;trustStorePath=%1$s/broker/trust.p12;trustStorePassword=%3$s;crlPath=%1$s/ca/revoked.pem</acceptor>
+        </acceptors>
+        <address-settings>
+          <address-setting match="#">
+            <dead-letter-address>dead-letters</dead-letter-address>
+            <expiry-address>expired</expiry-address>
+          </address-setting>
+        </address-settings>
+        <security-settings>
+    %4$s    </security-settings>
+      </core>
+    </configuration>
+    """
         .formatted(directory, PORT, storePassword, settings());
   }
 

@@ -180,8 +180,7 @@ final class CertificateAuthority {
     try {
       extensions.add(builder, new JcaX509ExtensionUtils(), keys);
       return new JcaX509CertificateConverter()
-          .getCertificate(
-              builder.build(new JcaContentSignerBuilder(ALGORITHM).build(issuerKey)));
+          .getCertificate(builder.build(new JcaContentSignerBuilder(ALGORITHM).build(issuerKey)));
     } catch (IOException | GeneralSecurityException | OperatorCreationException unable) {
       throw new SecurityFilesException(
           "This Java cannot make certificates: " + unable.getMessage(), unable);

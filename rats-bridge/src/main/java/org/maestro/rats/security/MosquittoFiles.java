@@ -36,34 +36,34 @@ final class MosquittoFiles {
 
   private String configuration() {
     return """
-        # mosquitto -c %1$s/mosquitto/mosquitto.conf
-        # These files are open to their owner only, so that is whom mosquitto runs as.
-        # Users with a password come to %2$d, those with a certificate to %3$d.
-        user %4$s
-        per_listener_settings false
-        allow_anonymous false
-        password_file %1$s/mosquitto/passwords
-        acl_file %1$s/mosquitto/acl
-        persistence false
-        set_tcp_nodelay true
-        max_queued_messages 10000
+    # mosquitto -c %1$s/mosquitto/mosquitto.conf
+    # These files are open to their owner only, so that is whom mosquitto runs as.
+    # Users with a password come to %2$d, those with a certificate to %3$d.
+    user %4$s
+    per_listener_settings false
+    allow_anonymous false
+    password_file %1$s/mosquitto/passwords
+    acl_file %1$s/mosquitto/acl
+    persistence false
+    set_tcp_nodelay true
+    max_queued_messages 10000
 
-        listener %2$d
-        cafile %1$s/ca/ca.pem
-        crlfile %1$s/ca/revoked.pem
-        certfile %1$s/broker/certificate.pem
-        keyfile %1$s/broker/key.pem
-        use_username_as_clientid true
+    listener %2$d
+    cafile %1$s/ca/ca.pem
+    crlfile %1$s/ca/revoked.pem
+    certfile %1$s/broker/certificate.pem
+    keyfile %1$s/broker/key.pem
+    use_username_as_clientid true
 
-        listener %3$d
-        cafile %1$s/ca/ca.pem
-        crlfile %1$s/ca/revoked.pem
-        certfile %1$s/broker/certificate.pem
-        keyfile %1$s/broker/key.pem
-        require_certificate true
-        use_identity_as_username true
-        use_username_as_clientid true
-        """
+    listener %3$d
+    cafile %1$s/ca/ca.pem
+    crlfile %1$s/ca/revoked.pem
+    certfile %1$s/broker/certificate.pem
+    keyfile %1$s/broker/key.pem
+    require_certificate true
+    use_identity_as_username true
+    use_username_as_clientid true
+    """
         .formatted(directory, PASSWORD_PORT, CERTIFICATE_PORT, System.getProperty("user.name"));
   }
 

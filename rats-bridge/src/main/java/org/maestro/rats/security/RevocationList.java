@@ -32,8 +32,7 @@ record RevocationList(Set<BigInteger> numbers) {
     try {
       X509CRL list =
           (X509CRL)
-              CertificateFactory.getInstance("X.509")
-                  .generateCRL(new ByteArrayInputStream(bytes));
+              CertificateFactory.getInstance("X.509").generateCRL(new ByteArrayInputStream(bytes));
       list.verify(authority.getPublicKey());
       Set<BigInteger> numbers = new TreeSet<>();
       if (list.getRevokedCertificates() != null) {

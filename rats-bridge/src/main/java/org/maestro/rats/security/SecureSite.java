@@ -83,11 +83,7 @@ public final class SecureSite {
       Collection<String> guests) {
     SiteUsers users =
         new SiteUsers(
-            site,
-            hosts,
-            new TreeSet<>(controllers),
-            new TreeSet<>(members),
-            new TreeSet<>(guests));
+            site, hosts, new TreeSet<>(controllers), new TreeSet<>(members), new TreeSet<>(guests));
     Path file = directory.resolve(SiteSecurity.USERS);
     if (Files.exists(file)) {
       SiteUsers former = SiteUsers.parse(PrivateFiles.text(file), file.toString());

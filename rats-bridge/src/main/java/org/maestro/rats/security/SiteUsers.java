@@ -88,11 +88,7 @@ public record SiteUsers(
   /** The same site without those. */
   SiteUsers without(Collection<String> ids) {
     return new SiteUsers(
-        site,
-        hosts,
-        without(controllers, ids),
-        without(members, ids),
-        without(guests, ids));
+        site, hosts, without(controllers, ids), without(members, ids), without(guests, ids));
   }
 
   private static SortedSet<String> without(SortedSet<String> names, Collection<String> ids) {

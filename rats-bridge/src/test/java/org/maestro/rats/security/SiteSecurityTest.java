@@ -222,7 +222,8 @@ class SiteSecurityTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"users/lamp/certificate.pem", "users/lamp/key.pem", "ca/ca.pem", "ca/revoked.pem"})
+  @ValueSource(
+      strings = {"users/lamp/certificate.pem", "users/lamp/key.pem", "ca/ca.pem", "ca/revoked.pem"})
   void refusesWhatHoldsSomethingElse(String name) {
     SecuredSite.files(directory);
     PrivateFiles.write(directory.resolve(name), "garbage");
