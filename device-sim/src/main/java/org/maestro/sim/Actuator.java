@@ -29,6 +29,10 @@ final class Actuator {
     return device;
   }
 
+  Flaw flaw() {
+    return world.faults().flaw(device);
+  }
+
   World world() {
     return world;
   }

@@ -26,6 +26,8 @@ final class Faults {
   private final Map<String, Duration> frozenUntil = new TreeMap<>();
   private final Map<String, Double> slips = new TreeMap<>();
   private final Map<String, Distortion> distortions = new TreeMap<>();
+  private final Map<String, Flaw> flaws = new TreeMap<>();
+  private final Map<String, Double> shown = new TreeMap<>();
   private final Map<String, Map<WorldEvent.Kind, List<Runnable>>> triggers = new TreeMap<>();
 
   Faults(Object lock, Clock clock) {
@@ -111,6 +113,32 @@ final class Faults {
       Distortion distortion = distortions.get(sensor);
       return distortion == null ? 1 : distortion.at(clock.now());
     }
+  }
+
+  void flaw(String device, Flaw flaw) {
+    synchronized (lock) {
+      flaws.put(device, flaw);
+    }
+  }
+
+  Flaw flaw(String device) {
+    synchronized (lock) {
+      return flaws.getOrDefault(device, Flaw.NONE);
+    }
+  }
+
+  /** What the sensor makes of the true light, without noise. */
+  double shown(String sensor, double lux) {
+    synchronized (lock) {
+      return flaw(sensor) == Flaw.STUCK && shown.containsKey(sensor)
+          ? shown.get(sensor)
+          : remember(sensor, lux * distortion(sensor));
+    }
+  }
+
+  private double remember(String sensor, double lux) {
+    shown.put(sensor, lux);
+    return lux;
   }
 
   private record Distortion(double factor, double sharePerHour, Duration since) {

@@ -19,6 +19,10 @@ final class SimulatedArm implements GripperArm {
   private final Grasp grasp;
   private final Hand hand;
   private final ArmMotion motion;
+  private Optional<Boast> boast = Optional.empty();
+
+  /** What the hand is said to hold. */
+  private record Boast(Optional<String> held) {}
 
   SimulatedArm(Actuator actuator, ArmData data, Grasp grasp, Hand hand) {
     this.actuator = actuator;
@@ -52,7 +56,10 @@ final class SimulatedArm implements GripperArm {
   public void grasp(Target target, Completion completion) {
     actuator.tell(WorldEvent.Kind.GRASP);
     grasp.aimAt(target.name());
-    withHand(completion, hand::close);
+    withHand(
+        completion,
+        telling ->
+            pretendOr(hand::close, hand.closeSeconds(), Optional.of(target.name()), telling));
   }
 
   @Override
@@ -63,7 +70,25 @@ final class SimulatedArm implements GripperArm {
   @Override
   public void release(Completion completion) {
     actuator.tell(WorldEvent.Kind.RELEASE);
-    withHand(completion, hand::letGo);
+    withHand(
+        completion,
+        telling -> pretendOr(hand::letGo, hand.letGoSeconds(), Optional.empty(), telling));
+  }
+
+  private void pretendOr(
+      Consumer<Completion> command, double seconds, Optional<String> held, Completion completion) {
+    if (!actuator.flaw().isIdle()) {
+      boast = Optional.empty();
+      command.accept(completion);
+      return;
+    }
+    motion.run(
+        seconds,
+        completion,
+        () -> {
+          boast = Optional.of(new Boast(held));
+          return Optional.empty();
+        });
   }
 
   private void withHand(Completion completion, Consumer<Completion> command) {
@@ -84,7 +109,10 @@ final class SimulatedArm implements GripperArm {
 
   @Override
   public Optional<String> held() {
-    return grasp.held();
+    return boast
+        .filter(told -> actuator.flaw().repeatsOrders())
+        .map(Boast::held)
+        .orElseGet(grasp::held);
   }
 
   @Override

@@ -1,5 +1,6 @@
 package org.maestro.sim;
 
+import java.util.Optional;
 import org.maestro.hal.Completion;
 import org.maestro.hal.DoorDrive;
 
@@ -9,6 +10,7 @@ final class SimulatedDoor implements DoorDrive {
   private final Actuator actuator;
   private final DriveData data;
   private final boolean locked;
+  private Optional<Boolean> order = Optional.empty();
 
   SimulatedDoor(Actuator actuator, DriveData data, boolean locked) {
     this.actuator = actuator;
@@ -27,13 +29,18 @@ final class SimulatedDoor implements DoorDrive {
         isOpen() == open ? 0 : data.doorSeconds(),
         completion::failed,
         () -> {
-          actuator.world().setDoor(actuator.device(), open);
+          if (!actuator.flaw().isIdle()) {
+            actuator.world().setDoor(actuator.device(), open);
+          }
+          order = Optional.of(open);
           completion.done();
         });
   }
 
   @Override
   public boolean isOpen() {
-    return actuator.world().isOpen(actuator.device());
+    return order
+        .filter(told -> actuator.flaw().repeatsOrders())
+        .orElseGet(() -> actuator.world().isOpen(actuator.device()));
   }
 }

@@ -1,6 +1,7 @@
 package org.maestro.sim;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.maestro.hal.Completion;
 import org.maestro.hal.DimmableLamp;
@@ -11,6 +12,7 @@ final class SimulatedLamp implements DimmableLamp {
   private final Actuator actuator;
   private final LampData data;
   private int whiteKelvin;
+  private OptionalDouble order = OptionalDouble.empty();
 
   SimulatedLamp(Actuator actuator, LampData data) {
     this.actuator = actuator;
@@ -29,7 +31,12 @@ final class SimulatedLamp implements DimmableLamp {
         data.transitionSeconds(),
         completion::failed,
         () -> {
-          actuator.world().lighting().setLevel(actuator.device(), level);
+          double before = actuator.world().lampLevel(actuator.device());
+          actuator
+              .world()
+              .lighting()
+              .setLevel(actuator.device(), actuator.flaw().reached(before, level));
+          order = OptionalDouble.of(level);
           white.ifPresent(kelvin -> whiteKelvin = kelvin);
           actuator.tell(WorldEvent.Kind.LIT);
           completion.done();
@@ -38,7 +45,9 @@ final class SimulatedLamp implements DimmableLamp {
 
   @Override
   public double level() {
-    return actuator.world().lampLevel(actuator.device());
+    return actuator.flaw().repeatsOrders() && order.isPresent()
+        ? order.getAsDouble()
+        : actuator.world().lampLevel(actuator.device());
   }
 
   @Override

@@ -25,8 +25,7 @@ final class SimulatedSensor implements IlluminationSensor {
         () ->
             listener.measured(
                 reading(
-                    actuator.world().lux(place)
-                        * actuator.world().faults().distortion(actuator.device())
+                    actuator.world().faults().shown(actuator.device(), actuator.world().lux(place))
                         * (1 + actuator.error(data.noise())))));
   }
 

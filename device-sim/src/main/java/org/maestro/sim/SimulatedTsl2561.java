@@ -30,8 +30,7 @@ final class SimulatedTsl2561 implements IlluminationSensor {
 
   private void count(Listener listener) {
     double lux =
-        actuator.world().lux(place)
-            * actuator.world().faults().distortion(actuator.device())
+        actuator.world().faults().shown(actuator.device(), actuator.world().lux(place))
             * (1 + actuator.error(data.noise()));
     Range fitting = fitting(lux);
     if (counts(lux, range) >= range.mostCounts() && fitting != range) {

@@ -270,6 +270,11 @@ public final class World {
     faults.distort(sensor, factor, sharePerHour);
   }
 
+  /** From now on the device is broken without saying so. */
+  public void flaw(String device, Flaw flaw) {
+    faults.flaw(device, flaw);
+  }
+
   /**
    * From now on the robot's wheels lose a share of their way.
    *

@@ -97,6 +97,26 @@ class SeenLatelyTest {
     assertThat(outcome.reasons().get(0)).matches("It was so when it was observed 6\\d s ago; .*");
   }
 
+  @Test
+  void howFarThingsAreApartRestsOnWhereTheyAreSeen() {
+    observe("cam-a", "(position Bob \"1.9 1.5 0\")");
+    house.clock.run(Duration.ofSeconds(20));
+
+    GoalOutcome outcome = house.achieve("(>= (distance Cup Bob) 1)");
+
+    assertThat(outcome.confirmed()).as(String.join("\n", house.story)).isTrue();
+    assertThat(house.calls).contains("observeObject cam-a", "observeObject cam-b");
+  }
+
+  @Test
+  void thatItIsElsewhereByTheWordOfItsCarrierIsNotSeen() {
+    GoalOutcome outcome = house.achieve("(not (in Cup zone-b))");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(outcome.confirmed()).as(String.join("\n", house.story)).isFalse();
+    assertThat(String.join(" ", outcome.reasons())).contains("rose says");
+  }
+
   /** A look that failed is repeated only as long as it may still lead somewhere. */
   @Test
   void aLookThatFailsAgainAndAgainIsNotRepeatedForEver() {

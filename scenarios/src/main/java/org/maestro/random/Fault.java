@@ -4,6 +4,7 @@ import java.time.Duration;
 import org.maestro.hal.Position;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.InProcessBus;
+import org.maestro.sim.Flaw;
 import org.maestro.sim.World;
 
 /** Something that goes wrong, or that somebody does, at a time after the goals were stated. */
@@ -60,6 +61,14 @@ public sealed interface Fault {
     @Override
     public void strike(World world, InProcessBus bus, Clock clock) {
       world.weaken(lamp, strength);
+    }
+  }
+
+  /** The device is broken from now on, and does not say so. */
+  record Flawed(Duration at, String device, Flaw flaw) implements Fault {
+    @Override
+    public void strike(World world, InProcessBus bus, Clock clock) {
+      world.flaw(device, flaw);
     }
   }
 

@@ -33,6 +33,7 @@ final class Judge {
   private final Map<String, Duration> changedAt = new TreeMap<>();
   private final List<Formula> held = new ArrayList<>();
   private final Set<String> cut = new TreeSet<>();
+  private final Set<String> flawed = new TreeSet<>();
   private Duration slowest = Duration.ZERO;
   private Duration lastFault = Duration.ofDays(-1);
   private Duration disturbedUntil = Duration.ofDays(-1);
@@ -69,6 +70,8 @@ final class Judge {
     } else if (fault instanceof Fault.Return back) {
       changedAt.put(back.member(), now);
       cut.remove(back.member());
+    } else if (fault instanceof Fault.Flawed lies) {
+      flawed.add(lies.device());
     } else if (fault instanceof Fault.Weakness weakness) {
       site.weakened(weakness.lamp(), weakness.strength());
     } else if (fault instanceof Fault.BrokerDown down) {
@@ -110,7 +113,7 @@ final class Judge {
   }
 
   Verdict of(Formula goal, Claim claim, Duration now) {
-    return claim.reached() ? achieved(goal, claim) : failed(goal, claim, now);
+    return claim.reached() ? achieved(goal, claim, now) : failed(goal, claim, now);
   }
 
   /** Whether it was so at some moment of the last seconds. */
@@ -121,17 +124,30 @@ final class Judge {
         .reduce(Truths.Grade.FALSE, Truths.Grade::or);
   }
 
-  private Verdict achieved(Formula goal, Claim claim) {
+  private Verdict achieved(Formula goal, Claim claim, Duration now) {
     recent.addLast(present.get());
-    return switch (lately(new Substitution(claim.binding()).apply(goal))) {
+    Formula bound = new Substitution(claim.binding()).apply(goal);
+    return switch (lately(bound)) {
       case TRUE -> verdict(claim, Verdict.Kind.ACHIEVED, "");
       case CLOSE -> verdict(claim, Verdict.Kind.ACHIEVED_CLOSELY, "");
-      case FALSE ->
-          verdict(
-              claim,
-              Verdict.Kind.FALSELY_ACHIEVED,
-              "it is not so, nor was it in the last " + NEWS.toSeconds() + " s");
+      case FALSE -> {
+        Onlookers onlookers = new Onlookers(site, present.get(), possibilities(now));
+        boolean excused =
+            !flawed.isEmpty()
+                && !onlookers.couldTell(new SpelledOut(site.home()).of(bound))
+                && (!claim.confirmed() || isOfBrokenSensors());
+        yield excused
+            ? verdict(claim, claim.confirmed() ? Verdict.Kind.MISLED : Verdict.Kind.UNSEEN, "")
+            : verdict(
+                claim,
+                Verdict.Kind.FALSELY_ACHIEVED,
+                "it is not so, nor was it in the last " + NEWS.toSeconds() + " s");
+      }
     };
+  }
+
+  private boolean isOfBrokenSensors() {
+    return site.of("LightSensor").stream().anyMatch(flawed::contains);
   }
 
   private Verdict failed(Formula goal, Claim claim, Duration now) {
@@ -162,6 +178,7 @@ final class Judge {
   private Set<String> usable(Duration now) {
     Set<String> usable = new TreeSet<>(present.get().alive());
     usable.removeAll(cut);
+    usable.removeAll(flawed);
     usable.removeIf(
         device ->
             changedAt.containsKey(device)

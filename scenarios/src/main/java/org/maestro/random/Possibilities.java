@@ -142,7 +142,8 @@ final class Possibilities {
     return moment.zone(thing).filter(this::canLook).isPresent();
   }
 
-  private boolean canLook(String zone) {
+  /** Whether a camera looks there, in a light that there is or can be made. */
+  boolean canLook(String zone) {
     return site.cameras().stream().anyMatch(camera -> canLook(camera, zone))
         && lighting.canMeet(fit(zone), site.floor().corners(zone));
   }

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import org.maestro.sim.Flaw;
 
 /**
  * Draws what goes wrong while the goals are pursued: often nothing, seldom more than two things.
@@ -36,6 +37,32 @@ final class RandomFaults {
     }
     faults.sort(Comparator.comparing(Fault::at));
     return faults;
+  }
+
+  /** Draws who does not do what it says, mostly from the beginning on: one device, or two. */
+  List<Fault.Flawed> drawFlaws() {
+    List<Fault.Flawed> flaws = new ArrayList<>();
+    int count = chance.whole(1, 2);
+    for (int i = 0; i < count; i++) {
+      switch (chance.whole(0, 5)) {
+        case 0, 1 -> flaw(flaws, cast.lamps, List.of(Flaw.IDLE, Flaw.BOASTING, Flaw.HALF));
+        case 2, 3 -> flaw(flaws, cast.robots, List.of(Flaw.IDLE, Flaw.BOASTING));
+        case 4 -> flaw(flaws, drivenDoors(), List.of(Flaw.IDLE, Flaw.BOASTING));
+        default -> flaw(flaws, cast.sensors, List.of(Flaw.STUCK));
+      }
+    }
+    return flaws;
+  }
+
+  private void flaw(List<Fault.Flawed> flaws, List<String> devices, List<Flaw> kinds) {
+    if (!devices.isEmpty()) {
+      Duration at = chance.happens(0.8) ? Duration.ZERO : Duration.ofMillis(chance.whole(0, 8_000));
+      flaws.add(new Fault.Flawed(at, chance.oneOf(devices), chance.oneOf(kinds)));
+    }
+  }
+
+  private List<String> drivenDoors() {
+    return cast.doors.stream().filter(cast.devices::contains).toList();
   }
 
   private void death() {

@@ -25,6 +25,34 @@ final class RandomGoals {
     return goals;
   }
 
+  /** What one of these devices has to do with. */
+  List<String> drawOf(List<String> devices) {
+    List<String> goals = new ArrayList<>();
+    devices.stream().distinct().forEach(device -> goals.add(goalOf(device)));
+    return goals;
+  }
+
+  private String goalOf(String device) {
+    if (cast.robots.contains(device)) {
+      return chance.happens(0.3)
+          ? "(in " + chance.oneOf(cast.items) + " " + device + ")"
+          : chance.happens(0.5) ? nextTo() : itemIn();
+    }
+    if (cast.doors.contains(device)) {
+      return "(open " + device + ")";
+    }
+    if (cast.lamps.contains(device) && chance.happens(0.3)) {
+      return "(%s (level %s) 0.5)".formatted(chance.happens(0.7) ? ">=" : "<=", device);
+    }
+    return "(>= (illuminance %s) %d)".formatted(placeOf(device), lux());
+  }
+
+  /** Lamps and sensors are named after the place in which they are. */
+  private String placeOf(String device) {
+    String place = device.replaceFirst("^lamp-(.).*$", "zone-$1").replaceFirst("^lux-", "");
+    return place.length() == 1 ? "zone-" + place : place;
+  }
+
   /** What is asked where the sun shines in. */
   List<String> drawLight() {
     List<String> goals = new ArrayList<>();

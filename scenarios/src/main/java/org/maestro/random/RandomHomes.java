@@ -71,6 +71,20 @@ public final class RandomHomes {
         home.faults());
   }
 
+  /** The home of a seed in which devices are broken, or say what is not so. */
+  public static RandomHome withLiars(long seed) {
+    RandomHomes draft = new RandomHomes(seed);
+    RandomHome home = draft.drawn(seed);
+    List<Fault> faults = new ArrayList<>(home.faults());
+    List<Fault.Flawed> flaws = new RandomFaults(draft.chance, draft.cast, draft.floor).drawFlaws();
+    faults.addAll(flaws);
+    List<String> goals =
+        new RandomGoals(draft.chance, draft.cast, draft.floor)
+            .drawOf(flaws.stream().map(Fault.Flawed::device).toList());
+    return new RandomHome(
+        seed, home.homeText(), home.sceneText(), goals.isEmpty() ? home.goals() : goals, faults);
+  }
+
   private RandomHome drawn(long seed) {
     map();
     devices();

@@ -17,6 +17,10 @@ public record Verdict(String goal, Kind kind, String claim, String reason) {
     IMPOSSIBLE,
     /** Said to be impossible within moments of a change that nobody could know of yet. */
     TOO_LATE_TO_KNOW,
+    /** Said to be reached as far as its doer says, which lies, and nobody else could look. */
+    UNSEEN,
+    /** Said to be reached, by a sensor that is broken and nobody else could look. */
+    MISLED,
     /** Neither said to be impossible nor reached: too large for the planner. */
     GAVE_UP,
     /** Said to be reached, and it is not. */

@@ -1,0 +1,29 @@
+package org.maestro.sim;
+
+/** How a device is broken without saying so: what it does of what it is told, and what it tells. */
+public enum Flaw {
+  /** It does what it says. */
+  NONE,
+  /** It says that it is done, does nothing, and goes on telling its state as it is. */
+  IDLE,
+  /** It says that it is done, does nothing, and tells the state that it was to be in. */
+  BOASTING,
+  /** It goes half of the way, and tells the state that it was to be in. */
+  HALF,
+  /** A sensor goes on showing what it showed last. */
+  STUCK;
+
+  boolean isIdle() {
+    return this == IDLE || this == BOASTING;
+  }
+
+  /** Whether it tells what it was told as its state. */
+  boolean repeatsOrders() {
+    return this == BOASTING || this == HALF;
+  }
+
+  /** How far it comes when it is told to go from one value to another. */
+  double reached(double from, double to) {
+    return isIdle() ? from : this == HALF ? (from + to) / 2 : to;
+  }
+}

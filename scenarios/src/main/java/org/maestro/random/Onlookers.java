@@ -1,0 +1,53 @@
+package org.maestro.random;
+
+import java.util.List;
+import java.util.Optional;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+
+/** Whether anybody honest could have seen at one moment that a goal is not so. */
+record Onlookers(Site site, Moment moment, Possibilities possibilities) {
+
+  /**
+   * @param goal spelled out, and false
+   */
+  boolean couldTell(Formula goal) {
+    return SpelledOut.cases(goal).stream().allMatch(this::couldTellOne);
+  }
+
+  private boolean couldTellOne(List<Formula> parts) {
+    Truths truths = new Truths(moment, site);
+    return parts.stream()
+        .filter(part -> truths.of(part) == Truths.Grade.FALSE)
+        .anyMatch(this::canBeLookedAt);
+  }
+
+  private boolean canBeLookedAt(Formula part) {
+    if (part instanceof Formula.Comparison comparison) {
+      return Truths.Constraint.of(comparison).isOfLight() && possibilities.isMeasured(comparison);
+    }
+    Formula positive = part instanceof Formula.Not not ? not.operand() : part;
+    Formula.Atom atom = (Formula.Atom) positive;
+    List<Term> arguments = atom.arguments();
+    return switch (atom.predicate()) {
+      case "in" -> isWatched(Truths.name(arguments, 1));
+      case "nextTo" ->
+          isPlaceWatched(Truths.name(arguments, 0)) && isPlaceWatched(Truths.name(arguments, 1));
+      case "canSee" -> true;
+      default -> false;
+    };
+  }
+
+  /** What is in a hand no camera sees. */
+  private boolean isWatched(String place) {
+    return site.floor().isZone(place) && possibilities.canLook(place);
+  }
+
+  private boolean isPlaceWatched(String thing) {
+    Optional<String> zone =
+        moment.isHidden(thing) || moment.holder(thing).isPresent()
+            ? Optional.empty()
+            : moment.zone(thing);
+    return zone.filter(this::isWatched).isPresent();
+  }
+}
