@@ -7,8 +7,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.maestro.knowledge.Belief;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.ontology.home.Home;
@@ -125,6 +127,15 @@ final class Confirmation {
     facts.forEach(fact -> parts.add(measured(fact.predicate(), fact.arguments())));
     numbers.forEach(number -> parts.add(measured(number.name(), number.arguments())));
     return new Formula.And(parts);
+  }
+
+  /** Whether effects of these kinds could let all be seen; if not, nobody has to be asked. */
+  boolean canBeSeenBy(List<Effect> effects) {
+    Set<String> sensed = new TreeSet<>();
+    effects.forEach(effect -> sensed.addAll(Sensing.names(effect)));
+    return (things.isEmpty() || effects.stream().anyMatch(Sensing::isOfAtoms))
+        && facts.stream().map(Formula.Atom::predicate).allMatch(sensed::contains)
+        && numbers.stream().map(Expression.Fluent::name).allMatch(sensed::contains);
   }
 
   /** That the thing has been seen. */

@@ -16,6 +16,7 @@ import java.util.function.Supplier;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.PlanningResult;
 import org.maestro.planning.PlanningTask;
@@ -23,6 +24,7 @@ import org.maestro.planning.PricedFeature;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
 import org.maestro.planning.Unavailable;
+import org.maestro.sl.Effect;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
@@ -155,7 +157,7 @@ final class PlanningRound {
 
   void start() {
     Home home = ports.knowledge().home();
-    Map<String, List<String>> candidates = Relevance.candidates(subject.relevant(home), home);
+    Map<String, List<String>> candidates = candidates(home);
     candidates.keySet().removeAll(without);
     tenders = new Tenders(candidates, roster);
     Set<String> first = tenders.atFirst();
@@ -164,6 +166,20 @@ final class PlanningRound {
     } else {
       call(first, this::solve);
     }
+  }
+
+  /** Nobody, where what has to be seen is seen by no feature of anybody. */
+  private Map<String, List<String>> candidates(Home home) {
+    Map<String, List<String>> candidates = Relevance.candidates(subject.relevant(home), home);
+    if (subject.confirmation().isPresent() && !subject.findingOut()) {
+      List<Effect> effects =
+          home.devices().values().stream()
+              .flatMap(device -> device.features().stream())
+              .map(FeatureType::effect)
+              .toList();
+      return subject.confirmation().get().canBeSeenBy(effects) ? candidates : new TreeMap<>();
+    }
+    return candidates;
   }
 
   private void call(Set<String> members, Runnable answered) {

@@ -65,9 +65,15 @@ final class Testimony {
   List<Belief> denials(List<Belief> claims, String name, Formula condition, Instant since) {
     return claims.stream()
         .filter(said -> isWitness(said, name))
-        .filter(said -> said.source().kind() == Source.Kind.STATED || !said.since().isBefore(since))
+        .filter(said -> isKeptUp(said) || !said.since().isBefore(since))
         .filter(said -> truth(said, condition) == Truth.FALSE)
         .toList();
+  }
+
+  /** Whether it is a member's own state, which it tells anew when it changes. */
+  private boolean isKeptUp(Belief said) {
+    return said.source().kind() == Source.Kind.STATED
+        && home.devices().containsKey(said.source().agent());
   }
 
   /**
