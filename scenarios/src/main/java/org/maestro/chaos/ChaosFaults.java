@@ -8,12 +8,14 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import java.util.TreeMap;
 import java.util.function.Function;
 import org.maestro.random.Fault;
 import org.maestro.rats.protocol.Result;
 import org.maestro.rats.protocol.WireFormat;
+import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.Disturbance;
 import org.maestro.rats.transport.Disturbance.Copy;
 import org.maestro.rats.transport.Publication;
@@ -28,6 +30,8 @@ final class ChaosFaults {
   private static final String CONTROLLER = "maestro";
 
   private final Random random;
+
+  private Optional<Disturbances> disturbances = Optional.empty();
 
   ChaosFaults(long seed) {
     this.random = new Random(~seed * 0x9E3779B97F4A7C15L);
@@ -188,7 +192,7 @@ final class ChaosFaults {
     Duration get();
   }
 
-  private static Fault disturbed(
+  private Fault disturbed(
       Duration at,
       String name,
       Duration lasts,
@@ -200,14 +204,23 @@ final class ChaosFaults {
         lasts.plus(aftermath),
         (bus, clock) -> {
           Duration end = clock.now().plus(lasts);
-          bus.disturb(
-              made.apply(
-                  () -> {
-                    Duration left = end.minus(clock.now());
-                    return left.isNegative() ? Duration.ZERO : left;
-                  }));
-          clock.schedule(lasts, "chaos", () -> bus.disturb(Disturbance.NONE));
+          of(clock)
+              .add(
+                  bus,
+                  made.apply(
+                      () -> {
+                        Duration left = end.minus(clock.now());
+                        return left.isNegative() ? Duration.ZERO : left;
+                      }),
+                  lasts);
         });
+  }
+
+  /** Those of the one run that these faults are for. */
+  private Disturbances of(Clock clock) {
+    Disturbances all = disturbances.orElseGet(() -> new Disturbances(clock));
+    disturbances = Optional.of(all);
+    return all;
   }
 
   /** In the name of one of those who are there. */
