@@ -317,8 +317,9 @@ class OpenDoorsTest {
     return maestro(List.of(words));
   }
 
+  /** Logging as for users: what is refused stands in what it says. */
   private JavaProcess maestro(List<String> arguments) throws IOException {
-    return JavaProcess.start(
+    return JavaProcess.startLogging(
         Maestro.class.getName(), arguments, Map.of("XDG_RUNTIME_DIR", directory.toString()));
   }
 
