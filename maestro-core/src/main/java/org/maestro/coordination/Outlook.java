@@ -269,9 +269,12 @@ final class Outlook {
     Map<StepKey, String> barred = new LinkedHashMap<>(failures.barred(this::factsUnder));
     barred.putAll(tooLate);
     leftAlone.forEach((step, keeper) -> barred.put(step, "it would end what " + keeper + " keeps"));
-    searches
-        .spent()
-        .forEach(step -> barred.put(step, "it was in vain " + SearchLog.ROUNDS + " times"));
+    if (!isConfirming()) {
+      // How often it is looked whether it is done, is counted by itself.
+      searches
+          .spent()
+          .forEach(step -> barred.put(step, "it was in vain " + SearchLog.ROUNDS + " times"));
+    }
     return barred;
   }
 
@@ -326,7 +329,7 @@ final class Outlook {
       failures.note(
           step.key(),
           factsBefore,
-          "it is said to be done, and it is not so",
+          "it was said to be done, and is needed again",
           List.of(),
           Optional.empty());
     }

@@ -69,8 +69,9 @@ class RandomHomesTest {
     assertThat(run.agrees()).as(run.text()).isTrue();
   }
 
+  /** In the last one a robot boasts three times of what a camera looks for in vain. */
   static LongStream someSeedsWithLiars() {
-    return seeds(1, 8);
+    return LongStream.concat(seeds(1, 8), seeds(69, 69)).distinct();
   }
 
   @ParameterizedTest(name = "seed {0} with liars")
