@@ -1,8 +1,13 @@
 package org.maestro.platform;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
@@ -88,9 +93,13 @@ final class DutyBeat {
     return beating::interrupt;
   }
 
+  /** In place: on a full disk a file that was cut first would stay empty, and its writer silent. */
   private void write(List<String> lines) {
-    try {
-      Files.write(file, lines);
+    byte[] sign = (String.join("\n", lines) + "\n").getBytes(UTF_8);
+    try (FileChannel channel =
+        FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
+      channel.write(ByteBuffer.wrap(sign));
+      channel.truncate(sign.length);
     } catch (IOException e) {
       LOG.warn("No sign of life can be written to {}: {}", file, e.getMessage());
     }
@@ -133,14 +142,16 @@ final class DutyBeat {
     if (silent.isEmpty()) {
       isToldOf = true;
       LOG.warn(
-          "The platform's process {} on {} has given no sign of life for {} s; end it there, so that this one can take over.",
+          "The platform's process {} on {} has given no sign of life for {} s; end it there, so"
+              + " that this one can take over.",
           sign.pid(),
           sign.machine(),
           silence.toSeconds());
     } else if (isStopped(sign.pid()) || silence.compareTo(HUNG_AFTER) >= 0) {
       isToldOf = true;
       LOG.warn(
-          "The platform's process {} has given no sign of life for {} s; it is ended, and this one takes over.",
+          "The platform's process {} has given no sign of life for {} s; it is ended, and this one"
+              + " takes over.",
           sign.pid(),
           silence.toSeconds());
       silent.get().destroyForcibly();

@@ -119,6 +119,12 @@ class FullDiskTest {
             .contains("The goal is not taken on, because the journal in " + disk.resolve("data"))
             .contains("No space left on device")
             .doesNotContain("Exception");
+        String sign = Files.readString(disk.resolve("data/duty-beat"));
+        Awaitility.await("who stands by hears that it lives")
+            .atMost(LIMIT)
+            .until(
+                () -> Files.readString(disk.resolve("data/duty-beat")),
+                now -> !now.isEmpty() && !now.equals(sign));
 
         Files.delete(filling);
         Awaitility.await()
