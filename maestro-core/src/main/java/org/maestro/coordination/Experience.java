@@ -107,18 +107,22 @@ final class Experience {
 
   private PricedFeature withWhatIsInsistedOn(PricedFeature offered) {
     FeatureType type = offered.type();
-    List<Insistence> more =
-        insisted.getOrDefault(new Key(offered.member(), type.name()), List.of());
-    if (more.isEmpty()) {
-      return offered;
-    }
+    return isInsistedOn(offered.member(), type.name())
+        ? new PricedFeature(
+            offered.member(),
+            type.withPrecondition(condition(offered.member(), type)),
+            offered.price(),
+            offered.exact())
+        : offered;
+  }
+
+  /** What the feature needs, by its description and by what its member insists on. */
+  Formula condition(String member, FeatureType type) {
     List<Formula> conditions = new ArrayList<>(List.of(type.precondition()));
-    more.forEach(insistence -> conditions.add(insistence.condition()));
-    return new PricedFeature(
-        offered.member(),
-        type.withPrecondition(new Formula.And(conditions)),
-        offered.price(),
-        offered.exact());
+    insisted
+        .getOrDefault(new Key(member, type.name()), List.of())
+        .forEach(insistence -> conditions.add(insistence.condition()));
+    return new Formula.And(conditions);
   }
 
   /** What of this cannot be counted on, each with its reason. */

@@ -21,9 +21,11 @@ import org.maestro.planning.PricedFeature;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
 import org.maestro.planning.Unavailable;
+import org.maestro.sl.Evaluation;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
 
 /** What is known now, as it looks to one goal: whether it holds, and whether steps lead to it. */
 final class Outlook {
@@ -208,19 +210,31 @@ final class Outlook {
     StepKey step = ended.step().key();
     List<FeatureRun.Learnt> refs = ended.report().refs();
     Set<Formula.Atom> taught = Insistence.facts(refs);
-    String after = FactsUnder.with(factsUnder(step), taught, ports.knowledge().snapshot());
+    Snapshot now = ports.knowledge().snapshot();
+    String after = FactsUnder.with(factsUnder(step), taught, now);
+    List<Insistence> news =
+        describedFeature(step)
+            .map(type -> rivals.experience().refused(step, type, refs, now))
+            .orElse(List.of());
     failures.note(
         step,
         FactsUnder.asTaught(ended.factsBefore(), after, taught),
         problem,
         refs,
-        ended.report().refusal());
+        ended.report().refusal().filter(refusal -> !isKnownToLackSomething(step, now)));
     List<String> lost =
         ended.change().facts().stream().filter(fact -> fact.startsWith("(unknown ")).toList();
     leftOpen.addAll(Interest.of(lost, vocabulary()));
+    return news;
+  }
+
+  /** Then plans bring that about first, and need not leave the step alone. */
+  private boolean isKnownToLackSomething(StepKey step, Snapshot now) {
     return describedFeature(step)
-        .map(type -> rivals.experience().refused(step, type, refs, ports.knowledge().snapshot()))
-        .orElse(List.of());
+        .map(type -> rivals.experience().condition(step.member(), type))
+        .map(condition -> new Evaluation(now).truth(condition, bindings(step)))
+        .filter(Truth.FALSE::equals)
+        .isPresent();
   }
 
   /** Returns whether any barred step had no last chance before. */
@@ -368,13 +382,19 @@ final class Outlook {
     return describedFeature(key)
         .map(
             feature -> {
-              Map<String, Term> bindings = new TreeMap<>(key.bindings());
-              bindings.put("self", new Term.Name(key.member()));
               Snapshot now = ports.knowledge().snapshot();
               return FactsUnder.with(
-                  FactsUnder.of(feature.precondition(), bindings, now), failures.taught(key), now);
+                  FactsUnder.of(feature.precondition(), bindings(key), now),
+                  failures.taught(key),
+                  now);
             })
         .orElse("");
+  }
+
+  private static Map<String, Term> bindings(StepKey key) {
+    Map<String, Term> bindings = new TreeMap<>(key.bindings());
+    bindings.put("self", new Term.Name(key.member()));
+    return bindings;
   }
 
   private Optional<FeatureType> describedFeature(StepKey key) {

@@ -223,19 +223,22 @@ final class PlanFollowing {
     if (!ended.change().facts().isEmpty()) {
       ownChange = ended.change().version();
     }
+    List<Insistence> insisted = List.of();
     if (ended.report().succeeded()) {
       plan.done(ended.step());
       outlook.done(ended.step(), ended.factsBefore(), ended.report().outputs());
       story.done(ended.step(), ended.change());
     } else if (!ended.calledOff()) {
       String problem = ended.report().problem().orElse("no reason given");
-      List<Insistence> insisted = outlook.failed(ended, problem);
+      insisted = outlook.failed(ended, problem);
       story.failed(ended.step(), problem, ended.change());
       story.insists(ended.step(), insisted);
     }
     parts.contention().letGoOfWhatIsDone();
     if (course.isPlanning()) {
       course.makePlanAgain("meanwhile " + story.becauseOf(ended.step(), ended.change()));
+    } else if (plan.exists() && !insisted.isEmpty()) {
+      course.makePlan(ended.report().problem());
     } else if (plan.exists()) {
       reconsider(() -> ended.report().problem().orElseGet(() -> becauseOf(ended)));
     } else if (underway.isEmpty()) {
