@@ -147,7 +147,8 @@ final class Deployer {
   private Surroundings surroundings(String agent) {
     return Optional.ofNullable(heirOf.get(agent))
         .filter(controller -> !controller.equals(here.link().controller()))
-        .map(controller -> here.with(heirs.of(controller)))
+        .flatMap(heirs::of)
+        .map(here::with)
         .orElse(here);
   }
 

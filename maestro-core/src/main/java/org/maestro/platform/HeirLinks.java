@@ -15,14 +15,14 @@ import org.maestro.rats.link.RatsLink;
 final class HeirLinks implements AutoCloseable {
   private static final String PREFIX = "container-";
 
-  private final Function<String, RatsLink> connect;
+  private final Function<String, Optional<RatsLink>> connect;
   private final Map<String, RatsLink> linkByController = new TreeMap<>();
   private boolean closed;
 
   /**
-   * @param connect makes a link for a controller
+   * @param connect makes a link for a controller, unless nobody may use that name any more
    */
-  HeirLinks(Function<String, RatsLink> connect) {
+  HeirLinks(Function<String, Optional<RatsLink>> connect) {
     this.connect = connect;
   }
 
@@ -38,11 +38,18 @@ final class HeirLinks implements AutoCloseable {
         .map(name -> name.substring(PREFIX.length()));
   }
 
-  synchronized RatsLink of(String controller) {
+  /** Empty when nobody may use that name any more: what was called under it is not heard of. */
+  synchronized Optional<RatsLink> of(String controller) {
     if (closed) {
       throw new PlatformStartException("The platform ends; nobody takes over " + controller + ".");
     }
-    return linkByController.computeIfAbsent(controller, connect);
+    RatsLink known = linkByController.get(controller);
+    if (known != null) {
+      return Optional.of(known);
+    }
+    Optional<RatsLink> made = connect.apply(controller);
+    made.ifPresent(link -> linkByController.put(controller, link));
+    return made;
   }
 
   /** The controller is there again itself. */

@@ -186,7 +186,7 @@ public final class MaestroPlatform implements AutoCloseable {
    * Boots the platform.
    *
    * @param knowledge of the home whose devices get agents; closed with the platform
-   * @param otherLinks connects under another controller's name, to take over its calls
+   * @param otherLinks connects under another controller's name, if there is one, for its calls
    * @param describedBy reads a description (first argument) that a member (second) sent
    * @throws PlatformStartException when the port is taken, or there is no display for the GUI
    */
@@ -195,7 +195,7 @@ public final class MaestroPlatform implements AutoCloseable {
       KnowledgeBase knowledge,
       Planner planner,
       RatsLink link,
-      Function<String, RatsLink> otherLinks,
+      Function<String, Optional<RatsLink>> otherLinks,
       Clock clock,
       BiFunction<String, String, Device> describedBy) {
     if (settings.gui() && GraphicsEnvironment.isHeadless()) {

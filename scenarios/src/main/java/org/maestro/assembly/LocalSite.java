@@ -184,11 +184,18 @@ public final class LocalSite implements AutoCloseable {
             new ObjectivePlanner(
                 new ReplanningPlanner(new OptimalPlanner()), settings.allocation()),
             link,
-            this::link,
+            this::otherLink,
             clock,
             DescriptionReader.of(settings.home())::read);
     parts.opened(platform);
     awaitMembers(opening);
+  }
+
+  /** Who was taken out of the site is not let in by the broker, whoever uses the name. */
+  private Optional<RatsLink> otherLink(String controller) {
+    return settings.security().filter(site -> !site.hasNow(controller)).isPresent()
+        ? Optional.empty()
+        : Optional.of(link(controller));
   }
 
   private RatsLink link(String controller) {

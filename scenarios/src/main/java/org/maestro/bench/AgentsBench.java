@@ -117,7 +117,7 @@ public final class AgentsBench {
         knowledge,
         new OptimalPlanner(),
         link,
-        controller -> link,
+        controller -> Optional.of(link),
         clock,
         DescriptionReader.of(home)::read);
   }

@@ -151,7 +151,7 @@ public final class ContainersBench {
         CollectiveKnowledge.open(home, clock, KnowledgeSettings.inMemory()),
         new OptimalPlanner(),
         link,
-        controller -> link(broker, controller, clock),
+        controller -> Optional.of(link(broker, controller, clock)),
         clock,
         DescriptionReader.of(home)::read);
   }

@@ -72,6 +72,12 @@ public final class SiteSecurity {
     return new SiteSecurity(absolute, users, rules, Pem.certificate(absolute.resolve(AUTHORITY)));
   }
 
+  /** Whether the site has the user now; users are added and taken out while all runs. */
+  public boolean hasNow(String id) {
+    Path usersFile = directory.resolve(USERS);
+    return SiteUsers.parse(PrivateFiles.text(usersFile), usersFile.toString()).all().contains(id);
+  }
+
   public SiteUsers users() {
     return users;
   }
