@@ -28,6 +28,9 @@ import org.slf4j.LoggerFactory;
  * that a person follows has to be reached. For one thread.
  */
 final class LetterThoughMainLost {
+  /** The exit code of a goal that is reached as far as its doer says: nobody looks at stamps. */
+  private static final int REACHED_UNSEEN = 4;
+
   private static final Logger LOG = LoggerFactory.getLogger(LetterThoughMainLost.class);
   private static final Duration LIMIT = Duration.ofSeconds(90);
   private static final String LETTER = "letter-0-0";
@@ -64,9 +67,9 @@ final class LetterThoughMainLost {
             main.kill();
           }
           double answered = secondsUntilItAnswers(second, port);
-          following.awaitSaying("another has taken over");
+          following.awaitSaying("one answers there again");
           office.open(PRESS);
-          require(following.awaitEnd(LIMIT) == 0, "the goal is reached");
+          require(following.awaitEnd(LIMIT) == REACHED_UNSEEN, "the goal is reached");
           require(!main.isAlive(), "the first process has ended");
           require(office.stampsByLetter().getOrDefault(LETTER, 0) == 1, "it is stamped once");
           require(office.witness().executedTwice().isEmpty(), "no call is executed twice");

@@ -147,7 +147,7 @@ final class GoalCommand implements Callable<Integer> {
       LockSupport.parkNanos(BETWEEN_LOOKS.toNanos());
     }
     if (!json) {
-      spec.commandLine().getOut().println("The platform has ended, and another has taken over.");
+      spec.commandLine().getOut().println("The platform was lost, and one answers there again.");
     }
   }
 

@@ -118,7 +118,7 @@ class MainDeathTest {
               main.kill();
             }
           }
-          until(() -> goal.output().contains("another has taken over"), goal);
+          until(() -> goal.output().contains("one answers there again"), goal);
           if (lost != Lost.KILLED_WITH_THE_JOINED) {
             until(() -> joinings(devices) == 2, devices);
           }
@@ -205,7 +205,7 @@ class MainDeathTest {
           until(() -> office.atTheGate().size() == 1, goal);
           loss.accept(main);
           seconds = secondsUntilItAnswers(second, port);
-          until(() -> goal.output().contains("another has taken over"), goal);
+          until(() -> goal.output().contains("one answers there again"), goal);
           office.open("press-0");
           assertThat(goal.await(LIMIT).exitCode())
               .as(() -> told(Map.of("goal", goal, "second", second)))
