@@ -363,6 +363,23 @@ final class Deployer {
     begin(start);
   }
 
+  /** Under which names of other containers agents call, by agent. */
+  Map<String, String> borrowedNames() {
+    return Map.copyOf(heirOf);
+  }
+
+  /**
+   * The agent begins again in its container, and calls under that container's own name. Waits for
+   * JADE.
+   */
+  synchronized void giveBack(String agent) {
+    String controller = heirOf.remove(agent);
+    replace(agent, container -> jade.kill(agent));
+    if (controller != null && !heirOf.containsValue(controller)) {
+      heirs.letGo(controller);
+    }
+  }
+
   /** An agent that was started by other means. */
   synchronized void startedByHand(AgentStart start) {
     deployment.requireNew(start);

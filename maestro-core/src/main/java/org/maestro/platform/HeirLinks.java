@@ -3,7 +3,6 @@ package org.maestro.platform;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.function.Function;
 import org.maestro.rats.link.RatsLink;
 
 /**
@@ -15,15 +14,12 @@ import org.maestro.rats.link.RatsLink;
 final class HeirLinks implements AutoCloseable {
   private static final String PREFIX = "container-";
 
-  private final Function<String, Optional<RatsLink>> connect;
+  private final OtherNames names;
   private final Map<String, RatsLink> linkByController = new TreeMap<>();
   private boolean closed;
 
-  /**
-   * @param connect makes a link for a controller, unless nobody may use that name any more
-   */
-  HeirLinks(Function<String, Optional<RatsLink>> connect) {
-    this.connect = connect;
+  HeirLinks(OtherNames names) {
+    this.names = names;
   }
 
   /** What a container's link is called on the bus. */
@@ -43,16 +39,12 @@ final class HeirLinks implements AutoCloseable {
     if (closed) {
       throw new PlatformStartException("The platform ends; nobody takes over " + controller + ".");
     }
-    RatsLink known = linkByController.get(controller);
-    if (known != null) {
-      return Optional.of(known);
-    }
-    Optional<RatsLink> made = connect.apply(controller);
-    made.ifPresent(link -> linkByController.put(controller, link));
-    return made;
+    return names.mayBeUsed(controller)
+        ? Optional.of(linkByController.computeIfAbsent(controller, names::connect))
+        : Optional.empty();
   }
 
-  /** The controller is there again itself. */
+  /** The controller is there again itself, or nobody may use its name any more. */
   synchronized void letGo(String controller) {
     RatsLink link = linkByController.remove(controller);
     if (link != null) {

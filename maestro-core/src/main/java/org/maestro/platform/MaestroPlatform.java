@@ -13,7 +13,6 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import org.maestro.agents.AgentTime;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
@@ -75,6 +74,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private final Starter starter;
   private final Arrivals arrivals;
   private final Departures departures;
+  private final RevokedNames revokedNames;
   private final SignsOfLife signs;
   private volatile boolean closing;
   private final StoriesTold stories = new StoriesTold();
@@ -85,6 +85,7 @@ public final class MaestroPlatform implements AutoCloseable {
       Planner planner,
       RatsLink link,
       HeirLinks heirs,
+      OtherNames otherNames,
       Clock clock,
       BiFunction<String, String, Device> describedBy,
       PlatformMemory memory,
@@ -137,7 +138,8 @@ public final class MaestroPlatform implements AutoCloseable {
             new RescueWays(knowledge::home, deployer, this::orders, central::now),
             clock,
             Provision.of(settings.premises().provides()),
-            link.controller());
+            link.controller(),
+            otherNames::mayBeUsed);
     this.starter =
         new Starter(
             settings.premises().hosts(),
@@ -153,6 +155,8 @@ public final class MaestroPlatform implements AutoCloseable {
             rescue,
             FormerCallers.of(past.recovery(), link.controller()));
     this.departures = new Departures(deployer, rescue, starter, desk, principals, () -> closing);
+    this.revokedNames =
+        new RevokedNames(deployer, otherNames::mayBeUsed, principals, clock, () -> closing);
     this.signs =
         new SignsOfLife(
             clock,
@@ -186,7 +190,7 @@ public final class MaestroPlatform implements AutoCloseable {
    * Boots the platform.
    *
    * @param knowledge of the home whose devices get agents; closed with the platform
-   * @param otherLinks connects under another controller's name, if there is one, for its calls
+   * @param otherNames connects under another controller's name, for its calls
    * @param describedBy reads a description (first argument) that a member (second) sent
    * @throws PlatformStartException when the port is taken, or there is no display for the GUI
    */
@@ -195,7 +199,7 @@ public final class MaestroPlatform implements AutoCloseable {
       KnowledgeBase knowledge,
       Planner planner,
       RatsLink link,
-      Function<String, Optional<RatsLink>> otherLinks,
+      OtherNames otherNames,
       Clock clock,
       BiFunction<String, String, Device> describedBy) {
     if (settings.gui() && GraphicsEnvironment.isHeadless()) {
@@ -222,7 +226,8 @@ public final class MaestroPlatform implements AutoCloseable {
             knowledge,
             planner,
             link,
-            new HeirLinks(otherLinks),
+            new HeirLinks(otherNames),
+            otherNames,
             clock,
             describedBy,
             memory,
@@ -252,6 +257,9 @@ public final class MaestroPlatform implements AutoCloseable {
           tables.memberChanged(member);
           arrivals.memberChanged(member);
         });
+    if (settings.guard().isPresent()) {
+      revokedNames.watch();
+    }
     starter.begin(past.ofCentre().recovery().equals(Recovery.NOTHING) ? Duration.ZERO : RETURN);
     if (settings.gui()) {
       JadeRuntime.showGui(main);

@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.maestro.deployment.Provision;
 import org.maestro.platform.hosts.Backoff;
 import org.maestro.platform.hosts.Placing;
@@ -35,6 +36,7 @@ final class Rescue {
   private static final String OWN = "";
 
   private final Ways ways;
+  private final Predicate<String> mayBeUsed;
   private final Clock clock;
   private final Backoff backoff = new Backoff(Duration.ofSeconds(1), Duration.ofMinutes(1));
   private final Map<String, Provision> provisionByHost = new TreeMap<>();
@@ -66,8 +68,10 @@ final class Rescue {
   /**
    * @param own what this process provides
    * @param controller under whose name this process calls, which nobody takes over
+   * @param mayBeUsed whether anybody may call under a controller's name now
    */
-  Rescue(Ways ways, Clock clock, Provision own, String controller) {
+  Rescue(Ways ways, Clock clock, Provision own, String controller, Predicate<String> mayBeUsed) {
+    this.mayBeUsed = mayBeUsed;
     this.ways = ways;
     this.clock = clock;
     provisionByHost.put(OWN, own);
@@ -242,26 +246,32 @@ final class Rescue {
 
   /**
    * Calls go on under the name under which they began, unless another host has taken that name: on
-   * the bus one has a name at a time.
+   * the bus one has a name at a time; nor is a name used that was taken out of the site.
    */
   private synchronized Reservation reserve(String member, String host) {
     homeless.remove(member);
     hostByMember.put(member, host);
     Optional<String> before = Optional.ofNullable(controllerByMember.get(member));
     String usual = HeirLinks.controller(host.equals(OWN) ? "here" : host);
-    String former = before.orElse(usual);
+    String former = before.filter(mayBeUsed).orElse(usual);
     boolean isNew = holderByController.putIfAbsent(former, host) == null;
     String controller = holderByController.get(former).equals(host) ? former : usual;
     controllerByMember.put(member, controller);
-    return new Reservation(member, host, controller, before, isNew);
+    return new Reservation(member, host, controller, before, former, isNew);
   }
 
   /**
    * @param before under which name the member's agent called before
+   * @param wanted under which name it was to call
    * @param isNew whether nobody had that name
    */
   private record Reservation(
-      String member, String host, String controller, Optional<String> before, boolean isNew) {}
+      String member,
+      String host,
+      String controller,
+      Optional<String> before,
+      String wanted,
+      boolean isNew) {}
 
   /** It was not begun there. */
   private synchronized void release(Reservation reserved) {
@@ -269,7 +279,7 @@ final class Rescue {
     controllerByMember.remove(reserved.member());
     reserved.before().ifPresent(name -> controllerByMember.put(reserved.member(), name));
     if (reserved.isNew()) {
-      holderByController.remove(reserved.before().orElse(reserved.controller()), reserved.host());
+      holderByController.remove(reserved.wanted(), reserved.host());
     }
   }
 

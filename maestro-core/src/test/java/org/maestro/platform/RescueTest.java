@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
@@ -24,7 +25,10 @@ class RescueTest {
   private final List<String> problems = new CopyOnWriteArrayList<>();
   private final List<String> told = new CopyOnWriteArrayList<>();
   private volatile Provision needs = Provision.of(Set.of("microphone"));
-  private final Rescue rescue = new Rescue(new Ways(), clock, Provision.of(List.of()), "maestro");
+  private final Set<String> revoked = ConcurrentHashMap.newKeySet();
+  private final Rescue rescue =
+      new Rescue(
+          new Ways(), clock, Provision.of(List.of()), "maestro", name -> !revoked.contains(name));
 
   private final class Ways implements Rescue.Ways {
     @Override
@@ -82,6 +86,16 @@ class RescueTest {
     assertThat(rescue.released(own)).as("once").isEmpty();
     rescue.settled("ear");
     assertThat(rescue.homeless()).isEmpty();
+  }
+
+  @Test
+  void aNameThatWasTakenOutOfTheSiteIsNotUsed() {
+    String own = HeirLinks.controller("kitchen");
+    revoked.add(own);
+
+    rescue.lost("ear", own);
+
+    awaitBegun("ear on attic calls as " + HeirLinks.controller("attic"));
   }
 
   @Test

@@ -21,6 +21,7 @@ import org.maestro.planning.ObjectivePlanner;
 import org.maestro.planning.OptimalPlanner;
 import org.maestro.planning.ReplanningPlanner;
 import org.maestro.platform.MaestroPlatform;
+import org.maestro.platform.OtherNames;
 import org.maestro.platform.PlatformSettings;
 import org.maestro.platform.guard.Guard;
 import org.maestro.rats.broker.EmbeddedBroker;
@@ -184,18 +185,24 @@ public final class LocalSite implements AutoCloseable {
             new ObjectivePlanner(
                 new ReplanningPlanner(new OptimalPlanner()), settings.allocation()),
             link,
-            this::otherLink,
+            new ContainersNames(),
             clock,
             DescriptionReader.of(settings.home())::read);
     parts.opened(platform);
     awaitMembers(opening);
   }
 
-  /** Who was taken out of the site is not let in by the broker, whoever uses the name. */
-  private Optional<RatsLink> otherLink(String controller) {
-    return settings.security().filter(site -> !site.hasNow(controller)).isPresent()
-        ? Optional.empty()
-        : Optional.of(link(controller));
+  private final class ContainersNames implements OtherNames {
+    /** Who was taken out of the site is not let in by the broker, whoever uses the name. */
+    @Override
+    public boolean mayBeUsed(String controller) {
+      return settings.security().filter(site -> !site.hasNow(controller)).isEmpty();
+    }
+
+    @Override
+    public RatsLink connect(String controller) {
+      return link(controller);
+    }
   }
 
   private RatsLink link(String controller) {

@@ -20,6 +20,7 @@ import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.OptimalPlanner;
 import org.maestro.platform.MaestroPlatform;
+import org.maestro.platform.OtherNames;
 import org.maestro.platform.PlatformSettings;
 import org.maestro.platform.threads.AgentThreads;
 import org.maestro.rats.link.BusLink;
@@ -117,7 +118,7 @@ public final class AgentsBench {
         knowledge,
         new OptimalPlanner(),
         link,
-        controller -> Optional.of(link),
+        OtherNames.unrestricted(controller -> link),
         clock,
         DescriptionReader.of(home)::read);
   }

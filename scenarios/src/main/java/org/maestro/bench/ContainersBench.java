@@ -31,6 +31,7 @@ import org.maestro.planning.OptimalPlanner;
 import org.maestro.platform.AgentRow;
 import org.maestro.platform.GoalReport;
 import org.maestro.platform.MaestroPlatform;
+import org.maestro.platform.OtherNames;
 import org.maestro.platform.PlatformSettings;
 import org.maestro.rats.broker.EmbeddedBroker;
 import org.maestro.rats.link.BusLink;
@@ -151,7 +152,7 @@ public final class ContainersBench {
         CollectiveKnowledge.open(home, clock, KnowledgeSettings.inMemory()),
         new OptimalPlanner(),
         link,
-        controller -> Optional.of(link(broker, controller, clock)),
+        OtherNames.unrestricted(controller -> link(broker, controller, clock)),
         clock,
         DescriptionReader.of(home)::read);
   }

@@ -43,6 +43,16 @@ class RevokedHostTest {
 
   @Test
   void itsAgentsHaveAPlaceAgain() throws Exception {
+    revoke(false);
+  }
+
+  /** They were taken over before, and call under its name. */
+  @Test
+  void itsAgentsThatHadOneAlreadyCallUnderAnotherName() throws Exception {
+    revoke(true);
+  }
+
+  private void revoke(boolean dead) throws Exception {
     String site = directory.resolve("site").toString();
     assertThat(done("secure", site, "bob").exitCode()).isZero();
     try (JavaProcess platform =
@@ -57,16 +67,29 @@ class RevokedHostTest {
             .atMost(LIMIT)
             .until(() -> lights.output().contains("The container lights runs here"));
 
+        if (dead) {
+          lights.kill();
+          awaitAgentsHere(site);
+          reach("(>= (illuminance zone-b) 60)", site, platform);
+        }
         JavaProcess.Ended revoked = done("secure", site, "--revoke", "container-lights");
         assertThat(revoked.exitCode()).as(revoked.errors()).isZero();
-        Awaitility.await()
-            .atMost(LIMIT)
-            .until(() -> done("agents", "--security", site).output(), RevokedHostTest::areHere);
+        awaitAgentsHere(site);
 
-        JavaProcess.Ended goal = done("goal", "(>= (illuminance zone-b) 75)", "--security", site);
-        assertThat(goal.exitCode()).as(goal.output() + platform.errors()).isZero();
+        reach("(>= (illuminance zone-b) 75)", site, platform);
       }
     }
+  }
+
+  private void reach(String goal, String site, JavaProcess platform) throws Exception {
+    JavaProcess.Ended ended = done("goal", goal, "--security", site);
+    assertThat(ended.exitCode()).as(ended.output() + platform.errors()).isZero();
+  }
+
+  private void awaitAgentsHere(String site) {
+    Awaitility.await()
+        .atMost(LIMIT)
+        .until(() -> done("agents", "--security", site).output(), RevokedHostTest::areHere);
   }
 
   /** All lamps' agents live in the platform's own process. */
