@@ -14,17 +14,19 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * Looks at what nobody can bring about: it may be so already. How two things stand to each other is
- * known as soon as both have been seen, so such a goal may be reached by looks alone. Plans do not
- * count on it as long as somebody can act.
+ * Looks at what nobody can bring about: it may be so already. How two things stand to each other,
+ * and how far from each other, is known as soon as both have been seen, so such a goal may be
+ * reached by looks alone. Plans do not count on it as long as somebody can act.
  */
 final class FindingOut {
   private static final String POSITION = "position";
 
   private final Vocabulary vocabulary;
+  private final ReckonedFromPlaces reckoned;
 
   private FindingOut(Vocabulary vocabulary) {
     this.vocabulary = vocabulary;
+    this.reckoned = new ReckonedFromPlaces(vocabulary);
   }
 
   /** Whether the goal speaks of anything unknown that looks decide, and no look by itself tells. */
@@ -35,9 +37,13 @@ final class FindingOut {
         goal,
         atom ->
             any[0] |=
-                findingOut.isDecidedByLooks(atom)
+                (findingOut.isDecidedByLooks(atom)
+                        || findingOut.isReckoned(atom.predicate(), atom.arguments(), facts))
                     && (!atom.isGround() || facts.truth(atom) == Truth.UNKNOWN),
-        fluent -> {});
+        fluent ->
+            any[0] |=
+                findingOut.isReckoned(fluent.name(), fluent.arguments(), facts)
+                    && facts.number(fluent).isEmpty());
     return any[0];
   }
 
@@ -70,6 +76,10 @@ final class FindingOut {
         .isPresent();
   }
 
+  private boolean isReckoned(String name, List<Term> arguments, Facts facts) {
+    return reckoned.isReckoned(name) && reckoned.isOfThings(arguments, facts);
+  }
+
   private Formula seen(Formula formula) {
     if (formula instanceof Formula.And and) {
       return new Formula.And(and.operands().stream().map(this::seen).toList());
@@ -79,6 +89,9 @@ final class FindingOut {
       return new Formula.Exists(exists.variables(), seen(exists.body()));
     } else if (formula instanceof Formula.Forall forall) {
       return new Formula.Forall(forall.variables(), seen(forall.body()));
+    } else if (formula instanceof Formula.Comparison
+        || formula instanceof Formula.Atom atom && reckoned.isReckoned(atom.predicate())) {
+      return orReckoned(formula);
     } else if (formula instanceof Formula.Atom atom && isDecidedByLooks(atom)) {
       return orSeen(formula, atom);
     } else if (formula instanceof Formula.Not not
@@ -94,6 +107,26 @@ final class FindingOut {
     parts.add(new Formula.UnknownAtom(atom));
     atom.arguments().forEach(thing -> parts.add(Confirmation.seen(thing)));
     return new Formula.Or(List.of(formula, new Formula.And(parts)));
+  }
+
+  /** What is reckoned from places is known when all of them are. */
+  private Formula orReckoned(Formula formula) {
+    List<Formula> parts = new ArrayList<>();
+    Leaves.of(
+        formula,
+        atom -> {
+          if (reckoned.isReckoned(atom.predicate())) {
+            parts.add(new Formula.UnknownAtom(atom));
+            atom.arguments().forEach(of -> parts.add(reckoned.seenIfThing(of)));
+          }
+        },
+        fluent -> {
+          if (reckoned.isReckoned(fluent.name())) {
+            parts.add(new Formula.UnknownNumber(fluent));
+            fluent.arguments().forEach(of -> parts.add(reckoned.seenIfThing(of)));
+          }
+        });
+    return parts.isEmpty() ? formula : new Formula.Or(List.of(formula, new Formula.And(parts)));
   }
 
   /** The facts, and that all has been seen of which the position is known. */

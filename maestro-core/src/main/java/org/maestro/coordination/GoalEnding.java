@@ -21,6 +21,10 @@ final class GoalEnding {
       "It is given up, and not proven to be impossible: what was refused or failed now may be"
           + " possible later.";
 
+  /** How far things are from each other is in no effect. */
+  private static final String NOT_DESCRIBED =
+      "It is given up, and not proven to be impossible: who moves things may bring it about.";
+
   private final PursuitParts parts;
   private final Outlook outlook;
   private final GoalLife life;
@@ -174,6 +178,8 @@ final class GoalEnding {
     round.notCountedOn().ifPresent(reasons::add);
     if (outlook.restsOnRefusals(round.result())) {
       reasons.add(NOT_PROVEN);
+    } else if (outlook.restsOnPlaces()) {
+      reasons.add(NOT_DESCRIBED);
     }
     return reasons;
   }

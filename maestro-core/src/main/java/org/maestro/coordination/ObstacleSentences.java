@@ -1,6 +1,7 @@
 package org.maestro.coordination;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -13,12 +14,14 @@ import org.maestro.planning.PlanningResult.Obstacle.Extent;
 import org.maestro.planning.PlanningResult.Obstacle.Kind;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
+import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Formula.Relation;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
 
 /** Says in plain words what stands in the way of a goal, and what would help. */
 public final class ObstacleSentences {
@@ -75,7 +78,7 @@ public final class ObstacleSentences {
               + ": that is needed, and not to be had ("
               + obstacle.possible()
               + ")";
-      case GOAL -> asThingsAre(obstacle, "nobody can bring it about that ") + fact(obstacle);
+      case GOAL -> theGoal(obstacle);
       case EXCLUDED ->
           fact(obstacle)
               + ": that is needed"
@@ -91,6 +94,18 @@ public final class ObstacleSentences {
               + asThingsAre(obstacle, "nobody can find out");
       case NUMBER -> number(obstacle, purpose);
     };
+  }
+
+  /** Whoever moves things may bring it about without knowing. */
+  private String theGoal(Obstacle obstacle) {
+    Formula goal = formula(obstacle);
+    if (!new ReckonedFromPlaces(home.vocabulary()).isIn(goal, facts)) {
+      return asThingsAre(obstacle, "nobody can bring it about that ") + fact(obstacle);
+    }
+    boolean known = new Evaluation(facts).truth(goal, Map.of()) != Truth.UNKNOWN;
+    return (known ? "it is not so now that " : "it is not known whether ")
+        + fact(obstacle)
+        + ", and no description of a device says what it does to that";
   }
 
   /** Others, who are not there or refuse, might change it. */

@@ -2,7 +2,6 @@ package org.maestro.coordination;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,7 +10,6 @@ import java.util.Set;
 import java.util.TreeMap;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.Snapshot;
-import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.Plan;
@@ -20,7 +18,6 @@ import org.maestro.planning.PlanningTask;
 import org.maestro.planning.PricedFeature;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
-import org.maestro.planning.Unavailable;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
@@ -302,6 +299,13 @@ final class Outlook {
             || features.stream().anyMatch(this::isInsistedOn));
   }
 
+  /**
+   * Whether the goal speaks of what changes with the places of things, though no effect says so.
+   */
+  boolean restsOnPlaces() {
+    return new ReckonedFromPlaces(vocabulary()).isIn(goal, ports.knowledge().snapshot());
+  }
+
   private boolean isOrWouldDoInstead(PlanningResult.Obstacle obstacle) {
     return mayBeOvercome(obstacle)
         || obstacle.cures().stream()
@@ -357,24 +361,7 @@ final class Outlook {
 
   /** What became of the goal's searches. */
   SearchReview searchReview(Roster roster) {
-    List<Unavailable> unavailable = new ArrayList<>();
-    for (Device device : ports.knowledge().home().devices().values()) {
-      if (!roster.isPresent(device.id())) {
-        device.features().stream()
-            .map(type -> new PricedFeature(device.id(), type, type.cost(), Map.of()))
-            .map(feature -> new Unavailable(feature, roster.absence(device.id())))
-            .forEach(unavailable::add);
-      }
-    }
-    return new SearchReview(
-        ports.knowledge().home(),
-        ports.knowledge().snapshot(),
-        ports.planner(),
-        features,
-        barred().keySet(),
-        unavailable,
-        searches,
-        ports.clock());
+    return SearchReview.of(goal, ports, roster, features, barred().keySet(), searches);
   }
 
   /** The facts on which the step's precondition rests, as text to be compared. */

@@ -39,7 +39,9 @@ public record SearchReport(String predicate, String thing, List<Look> looks, Lis
     /** Looks that were made did not settle it, and are not repeated for ever. */
     LOOKED_IN_VAIN,
     /** A look would be possible, but the goal is out of reach for another reason. */
-    OF_NO_USE
+    OF_NO_USE,
+    /** Whether a look would be possible was too much to be planned. */
+    NOT_DECIDED
   }
 
   /**

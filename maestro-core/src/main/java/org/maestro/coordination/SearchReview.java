@@ -45,6 +45,53 @@ final class SearchReview {
   private final Duration time;
 
   /**
+   * What nobody was asked for, since it does nothing for the goal, may serve to look all the same:
+   * it counts with the price that its description says.
+   *
+   * @param offered by members that are here
+   */
+  static SearchReview of(
+      Formula goal,
+      Ports ports,
+      Roster roster,
+      List<PricedFeature> offered,
+      Set<StepKey> barred,
+      SearchLog log) {
+    Home home = ports.knowledge().home();
+    Map<String, List<String>> asked = Relevance.candidates(goal, home);
+    List<PricedFeature> features = new ArrayList<>(offered);
+    List<Unavailable> unavailable = new ArrayList<>();
+    for (Device device : home.devices().values()) {
+      List<PricedFeature> described =
+          device.features().stream()
+              .map(type -> new PricedFeature(device.id(), type, type.cost(), Map.of()))
+              .toList();
+      if (!roster.isPresent(device.id())) {
+        String why = roster.absence(device.id());
+        described.forEach(feature -> unavailable.add(new Unavailable(feature, why)));
+      } else {
+        described.stream()
+            .filter(f -> !asked.getOrDefault(f.member(), List.of()).contains(f.type().name()))
+            .filter(f -> offered.stream().noneMatch(o -> isSame(f, o)))
+            .forEach(features::add);
+      }
+    }
+    return new SearchReview(
+        home,
+        ports.knowledge().snapshot(),
+        ports.planner(),
+        features,
+        barred,
+        unavailable,
+        log,
+        ports.clock());
+  }
+
+  private static boolean isSame(PricedFeature one, PricedFeature other) {
+    return one.member().equals(other.member()) && one.type().name().equals(other.type().name());
+  }
+
+  /**
    * @param features those of members that are here
    * @param unavailable those of members that are not
    */
@@ -153,7 +200,12 @@ final class SearchReview {
     }
     PlanningResult result = planner.plan(lookingAt(atom));
     if (!(result instanceof PlanningResult.Impossible impossible)) {
-      return new SearchReport.Gap(place, SearchReport.Reason.OF_NO_USE, List.of());
+      return new SearchReport.Gap(
+          place,
+          result instanceof PlanningResult.Found
+              ? SearchReport.Reason.OF_NO_USE
+              : SearchReport.Reason.NOT_DECIDED,
+          List.of());
     }
     String sought = SlPrinter.print(atom);
     List<Obstacle> obstacles =

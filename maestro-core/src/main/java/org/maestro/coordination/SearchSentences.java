@@ -70,6 +70,8 @@ final class SearchSentences {
                   .formatted(alike.size() == 1 ? "was" : "were", why(first));
           case LOOKED_IN_VAIN -> ", where looks settled nothing, and are not repeated for ever.";
           case OF_NO_USE -> ", where nobody looked, as that alone would not have helped.";
+          case NOT_DECIDED ->
+              ", where nobody looked; whether anybody could was too much to be planned.";
         };
   }
 

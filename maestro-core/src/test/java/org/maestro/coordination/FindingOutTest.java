@@ -67,4 +67,63 @@ class FindingOutTest {
     assertThat(house.achieve("(nextTo Cup Bob)").reached()).isFalse();
     assertThat(house.calls).hasSize(calls);
   }
+
+  /** A number that follows from where things are is known as soon as they have been seen. */
+  @Test
+  void soItIsForANumberThatIsReckonedFromPlaces() {
+    house.place.put("Cup", "zone-a");
+
+    GoalOutcome outcome = house.achieve("(<= (distance Cup Bob) 1)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(house.calls).contains("observeObject cam-a");
+  }
+
+  @Test
+  void andForATruthThatIs() {
+    house.place.put("Cup", "zone-a");
+
+    assertThat(house.achieve("(inside Cup zone-a)").reached())
+        .as(String.join("\n", house.story))
+        .isTrue();
+  }
+
+  /** Whoever carries the cup to Bob brings it about, though no description says so. */
+  @Test
+  void aNumberReckonedFromPlacesIsNeverCalledImpossible() {
+    house.coordinator.memberPresent("rose");
+
+    GoalOutcome outcome = house.achieve("(<= (distance Cup Bob) 1)");
+
+    assertThat(outcome.state()).isEqualTo(GoalState.FAILED);
+    assertThat(house.calls).contains("observeObject cam-a", "observeObject cam-b");
+    assertThat(String.join(" ", outcome.reasons()))
+        .contains("It is not so now that the distance of Cup, Bob is at most 1 m")
+        .contains("not proven to be impossible")
+        .doesNotContain("obody can");
+  }
+
+  @Test
+  void whereNobodyFindsTheThingsItIsSaidThatItIsNotKnown() {
+    house.place.put("Cup", "nowhere");
+
+    GoalOutcome outcome = house.achieve("(<= (distance Cup Bob) 1)");
+
+    assertThat(outcome.state()).isEqualTo(GoalState.FAILED);
+    assertThat(String.join(" ", outcome.reasons()))
+        .contains("It is not known whether the distance of Cup, Bob is at most 1 m")
+        .contains("Cup was looked for in vain")
+        .doesNotContain("obody can");
+  }
+
+  /** The cameras that could look are no part of a goal that nothing is known to bring about. */
+  @Test
+  void whoWasNotAskedCanLookAllTheSame() {
+    home.devices().keySet().forEach(device -> house.coordinator.memberPresent(device));
+
+    GoalOutcome outcome = house.achieve("(>= (mass Cup) 1)");
+
+    assertThat(outcome.state()).isEqualTo(GoalState.FAILED);
+    assertThat(String.join(" ", outcome.reasons())).doesNotContain("nobody can look");
+  }
 }

@@ -8,12 +8,20 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
+import org.maestro.planning.Plan;
+import org.maestro.planning.Planner;
+import org.maestro.planning.PlanningResult;
 import org.maestro.planning.PlanningResult.Obstacle;
+import org.maestro.planning.PlanningTask;
+import org.maestro.planning.Step;
+import org.maestro.sl.SlParser;
 
 /** Searches that find nothing end, and tell what was looked at and what could not be. */
 class SearchEndTest {
@@ -104,6 +112,36 @@ class SearchEndTest {
                 + " have helped. attic, into which nobody can look.");
   }
 
+  /** Then it is not known whether a look would have helped. */
+  @Test
+  void whereItWasTooMuchToPlanALookNothingIsSaidOfItsUse() {
+    SearchReview review =
+        new SearchReview(
+            home,
+            house.knowledge.snapshot(),
+            new TooMuchForIt(),
+            List.of(),
+            Set.of(),
+            List.of(),
+            new SearchLog("G1", Journal.none()),
+            house.clock);
+
+    List<SearchReport> reports = review.reports(SlParser.formula("(nextTo Cup Bob)"));
+
+    assertThat(reports).hasSize(2);
+    assertThat(reports)
+        .flatExtracting(SearchReport::gaps)
+        .extracting(SearchReport.Gap::reason)
+        .containsOnly(SearchReport.Reason.NOT_DECIDED);
+    assertThat(
+            new SearchSentences(
+                    new ObstacleSentences(home, house.knowledge.snapshot()), Duration.ZERO)
+                .of(reports.get(0)))
+        .singleElement()
+        .asString()
+        .contains("whether anybody could was too much to be planned");
+  }
+
   /** A story counts its time from where its goal began, a look from where the platform did. */
   @Test
   void tellsTheAgeOfALookThoughThePlatformHasRunForAnHour() {
@@ -157,6 +195,18 @@ class SearchEndTest {
     for (String camera : new String[] {"cam-a", "cam-b"}) {
       assertThat(house.calls.stream().filter(call -> call.equals("observeObject " + camera)))
           .hasSizeLessThanOrEqualTo(2 * SearchLog.ROUNDS);
+    }
+  }
+
+  private static final class TooMuchForIt implements Planner {
+    @Override
+    public PlanningResult plan(PlanningTask task) {
+      return new PlanningResult.GaveUp("too many states");
+    }
+
+    @Override
+    public Optional<Plan> revalidate(PlanningTask task, List<Step> steps) {
+      return Optional.empty();
     }
   }
 }
