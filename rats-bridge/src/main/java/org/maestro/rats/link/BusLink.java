@@ -13,7 +13,6 @@ import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.CostExchange;
 import org.maestro.rats.protocol.MalformedMessageException;
-import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Offer;
 import org.maestro.rats.protocol.Release;
@@ -22,7 +21,6 @@ import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.protocol.WireFormat;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.Message;
-import org.maestro.rats.transport.Publication;
 import org.maestro.rats.transport.Transport;
 import org.maestro.rats.transport.Transport.RetainedMessages;
 import org.slf4j.Logger;
@@ -51,11 +49,13 @@ public final class BusLink implements RatsLink {
   private final Clock clock;
   private final WireFormat wire = new WireFormat();
   private final Complaints complaints = new Complaints();
+  private final ControllerStatus status;
   private final Roster roster;
   private final OpenCalls calls;
   private final Watchers watchers = new Watchers();
   private final Hearing hearing;
   private final MissingWords missing;
+  private final LifeQuestions lifeQuestions;
   private final Subscriptions subscriptions;
   private final AtomicLong callCount = new AtomicLong();
   private final AtomicBoolean closed = new AtomicBoolean();
@@ -69,7 +69,9 @@ public final class BusLink implements RatsLink {
     this.topics = topics;
     this.transport = transport;
     this.clock = clock;
+    this.status = new ControllerStatus(controller, boot, topics, transport);
     this.calls = new OpenCalls(controller, topics, transport, clock, complaints);
+    this.lifeQuestions = new LifeQuestions(controller, calls, this::nextId, clock);
     this.roster = new Roster(topics, complaints, new RosterWatcher());
     Hearing.Handlers handlers =
         new Hearing.Handlers(
@@ -197,7 +199,7 @@ public final class BusLink implements RatsLink {
 
   @Override
   public void describe(String member) {
-    perform(() -> describe(Optional.of(member)));
+    perform(() -> ask(Optional.of(member), ReservedFeature.DESCRIBE));
   }
 
   @Override
@@ -210,9 +212,8 @@ public final class BusLink implements RatsLink {
     if (closed.compareAndSet(false, true)) {
       clock.schedule(Duration.ZERO, controller, calls::closeAll);
       clock.schedule(Duration.ZERO, controller, missing::end);
-      transport.publish(
-          Publication.clearing(topics.controllerStatus(controller)),
-          failure -> failure.ifPresent(cause -> LOG.debug("{}", cause.getMessage())));
+      clock.schedule(Duration.ZERO, controller, lifeQuestions::end);
+      status.leave();
       transport.close();
     }
   }
@@ -223,6 +224,8 @@ public final class BusLink implements RatsLink {
         topics.results(controller), RetainedMessages.IGNORE, calls::resultHeard);
     if (kind == SiteKind.OPEN) {
       subscriptions.subscribe(topics.bareResult(), RetainedMessages.IGNORE, calls::resultHeard);
+      subscriptions.subscribe(
+          topics.controllerStatus(controller), RetainedMessages.IGNORE, status::heard);
     }
     subscriptions.subscribe(
         topics.progresses(controller), RetainedMessages.IGNORE, calls::progressHeard);
@@ -234,9 +237,7 @@ public final class BusLink implements RatsLink {
           }
         });
     transport.open(
-        Optional.of(
-            new Transport.Will(
-                topics.controllerStatus(controller), status(MemberStatus.Phase.LOST))),
+        Optional.of(status.will()),
         new Transport.ConnectionListener() {
           @Override
           public void connected() {
@@ -252,30 +253,21 @@ public final class BusLink implements RatsLink {
   }
 
   private void connected() {
-    transport.publish(
-        Publication.retained(topics.controllerStatus(controller), status(MemberStatus.Phase.READY)),
-        failure -> failure.ifPresent(cause -> LOG.debug("{}", cause.getMessage())));
+    status.ready();
     clock.schedule(
-        wall(MissingWords.FIRST_WAIT),
+        clock.ofWall(MissingWords.FIRST_WAIT),
         controller,
-        () -> hearing.addressees().forEach(this::describe));
+        () -> hearing.addressees().forEach(member -> ask(member, ReservedFeature.DESCRIBE)));
     if (hearing.isOfAll()) {
       missing.lookForStrangers();
     }
     if (wasConnected) {
       calls.resume();
       doubtEnds.ifPresent(Clock.Timer::cancel);
-      doubtEnds = Optional.of(clock.schedule(wall(RETURN_LIMIT), controller, roster::dropDoubted));
+      doubtEnds =
+          Optional.of(clock.schedule(clock.ofWall(RETURN_LIMIT), controller, roster::dropDoubted));
     }
     wasConnected = true;
-  }
-
-  private Duration wall(Duration duration) {
-    return Duration.ofMillis(Math.round(duration.toMillis() * clock.speed()));
-  }
-
-  private void describe(Optional<String> member) {
-    ask(member, ReservedFeature.DESCRIBE);
   }
 
   /**
@@ -290,7 +282,7 @@ public final class BusLink implements RatsLink {
               Optional.empty(),
               reserved.word(),
               Map.of(),
-              wall(ASK_ALL_TIMEOUT),
+              clock.ofWall(ASK_ALL_TIMEOUT),
               controller,
               Optional.empty()));
     }
@@ -358,14 +350,10 @@ public final class BusLink implements RatsLink {
     return controller + "-" + boot + "-" + callCount.incrementAndGet();
   }
 
-  private byte[] status(MemberStatus.Phase phase) {
-    return wire.encode(new MemberStatus(controller, phase, boot));
-  }
-
   private final class Questions implements MissingWords.Questions {
     @Override
     public void ask(String member) {
-      describe(Optional.of(member));
+      BusLink.this.ask(Optional.of(member), ReservedFeature.DESCRIBE);
     }
 
     @Override
@@ -378,6 +366,11 @@ public final class BusLink implements RatsLink {
     @Override
     public void changed(Member member) {
       watchers.changed(member);
+    }
+
+    @Override
+    public boolean asks(String member, String life, Consumer<Boolean> isAlive) {
+      return lifeQuestions.ask(member, life, isAlive);
     }
 
     @Override

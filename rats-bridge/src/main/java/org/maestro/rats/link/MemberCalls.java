@@ -48,6 +48,7 @@ public final class MemberCalls {
   private final Roster roster;
   private final OpenCalls calls;
   private final Subscriptions subscriptions;
+  private final LifeQuestions lifeQuestions;
   private final Set<String> followed = new HashSet<>();
   private final Map<String, List<Runnable>> awaiting = new HashMap<>();
   private final AtomicLong count = new AtomicLong();
@@ -65,6 +66,7 @@ public final class MemberCalls {
     Complaints complaints = new Complaints();
     this.roster = new Roster(topics, complaints, new Presence());
     this.calls = new OpenCalls(member, topics, transport, clock, complaints);
+    this.lifeQuestions = new LifeQuestions(member, calls, this::nextId, clock);
     this.subscriptions = new Subscriptions(member, topics, transport, clock, complaints);
   }
 
@@ -139,8 +141,7 @@ public final class MemberCalls {
             subscriptions.subscribe(
                 topics.status(called), RetainedMessages.SEND, roster::statusHeard);
           }
-          Duration limit = Duration.ofMillis(Math.round(STATUS_LIMIT.toMillis() * clock.speed()));
-          clock.schedule(limit, member, () -> goOn(called));
+          clock.schedule(clock.ofWall(STATUS_LIMIT), member, () -> goOn(called));
         });
   }
 
@@ -156,6 +157,11 @@ public final class MemberCalls {
     @Override
     public void changed(RatsLink.Member other) {
       goOn(other.id());
+    }
+
+    @Override
+    public boolean asks(String other, String boot, Consumer<Boolean> isAlive) {
+      return lifeQuestions.ask(other, boot, isAlive);
     }
 
     @Override
@@ -246,6 +252,7 @@ public final class MemberCalls {
     @Override
     public void close() {
       clock.schedule(Duration.ZERO, member, calls::closeAll);
+      clock.schedule(Duration.ZERO, member, lifeQuestions::end);
       transport.close();
     }
 

@@ -20,7 +20,7 @@ final class MissingWords {
   /** Wall time. */
   private static final Duration LONGEST_WAIT = Duration.ofMinutes(1);
 
-  /** Of who was never heard of, and may not be there at all. */
+  /** Of who was never heard of, or is said to be gone: it may not be there at all. */
   private static final int MOST_QUESTIONS_TO_STRANGERS = 8;
 
   /** How to ask. */
@@ -48,7 +48,7 @@ final class MissingWords {
   private final Records records;
   private final Questions questions;
   private final Clock clock;
-  private final Map<String, Integer> asked = new HashMap<>();
+  private final Map<String, Clock.Timer> asking = new HashMap<>();
   private Optional<Clock.Timer> nextLook = Optional.empty();
   private boolean ended;
 
@@ -86,32 +86,32 @@ final class MissingWords {
 
   /** There was a sign of the member, or there should be one. */
   void expect(String member) {
-    if (records.of(member) != Known.ENOUGH && asked.putIfAbsent(member, 0) == null) {
-      later(member);
+    if (records.of(member) == Known.ENOUGH) {
+      Optional.ofNullable(asking.remove(member)).ifPresent(Clock.Timer::cancel);
+    } else if (!asking.containsKey(member)) {
+      later(member, 0);
     }
   }
 
-  private void later(String member) {
-    clock.schedule(wait(asked.get(member)), owner, () -> due(member));
+  private void later(String member, int before) {
+    Clock.Timer timer = clock.schedule(wait(before), owner, () -> due(member, before));
+    asking.put(member, timer);
   }
 
-  private void due(String member) {
+  private void due(String member, int before) {
+    asking.remove(member);
     Known known = records.of(member);
-    int before = asked.get(member);
     boolean givenUp = known == Known.NOTHING && before >= MOST_QUESTIONS_TO_STRANGERS;
-    if (known == Known.ENOUGH || givenUp || ended) {
-      asked.remove(member);
-      return;
+    if (known != Known.ENOUGH && !givenUp && !ended) {
+      questions.ask(member);
+      later(member, before + 1);
     }
-    questions.ask(member);
-    asked.put(member, before + 1);
-    later(member);
   }
 
   /** How long to wait after so many questions, in simulated time. */
   private Duration wait(int number) {
     Duration longer = FIRST_WAIT.multipliedBy(1L << Math.min(number, Byte.SIZE));
     Duration wall = longer.compareTo(LONGEST_WAIT) < 0 ? longer : LONGEST_WAIT;
-    return Duration.ofMillis(Math.round(wall.toMillis() * clock.speed()));
+    return clock.ofWall(wall);
   }
 }

@@ -44,7 +44,6 @@ final class OpenCalls {
   private static final Duration CANCEL_LIMIT = Duration.ofSeconds(60);
 
   private static final String UNKNOWN_STATE = "unknown";
-  private static final int MOST_OWED = 256;
 
   private final String controller;
   private final Topics topics;
@@ -57,16 +56,7 @@ final class OpenCalls {
   private final String clockName;
   private int clocks;
 
-  /** Calls that were ended here without a word of their members, and what came of them later. */
-  private final Map<String, Owed> owed =
-      new LinkedHashMap<>() {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Owed> eldest) {
-          return size() > MOST_OWED;
-        }
-      };
+  private final LateResults late = new LateResults();
 
   OpenCalls(
       String controller, Topics topics, Transport transport, Clock clock, Complaints complaints) {
@@ -91,12 +81,9 @@ final class OpenCalls {
       return;
     }
     open.put(call.id(), begun);
-    Optional<Result> late =
-        Optional.ofNullable(owed.remove(call.id()))
-            .filter(former -> former.call.isAgain(begun.call))
-            .flatMap(former -> former.late);
-    if (late.isPresent()) {
-      afterwards(() -> end(begun, late.get()));
+    Optional<Result> saidBefore = late.of(begun.call);
+    if (saidBefore.isPresent()) {
+      afterwards(() -> end(begun, saidBefore.get()));
     } else if (boot.isEmpty()) {
       String message = member(call) + " is not there";
       afterwards(() -> end(begun, ErrorCode.MEMBER_LOST, message));
@@ -206,12 +193,11 @@ final class OpenCalls {
     }
     String sender = topics.senderOf(message.topic()).orElse(result.from());
     Open call = open.get(result.id());
-    Owed late = owed.get(result.id());
     if (call != null && isFrom(call, sender, result.from())) {
       checkClock(call, result);
       end(call, result);
-    } else if (call == null && late != null && sender.equals(member(late.call))) {
-      late.late = Optional.of(result);
+    } else if (call == null) {
+      late.heard(sender, result);
     }
   }
 
@@ -276,10 +262,14 @@ final class OpenCalls {
 
   void memberGone(String member, String boot, String why) {
     failAll(
-        call ->
-            member(call.call).equals(member) && call.call.boot().filter(boot::equals).isPresent(),
+        call -> call.isAt(member, boot),
         ErrorCode.MEMBER_LOST,
         "The member " + member + " was lost: " + why);
+  }
+
+  /** Whether one of them is at that life of the member. */
+  boolean runsAt(String member, String boot) {
+    return open.values().stream().anyMatch(call -> call.isAt(member, boot));
   }
 
   void closeAll() {
@@ -318,11 +308,10 @@ final class OpenCalls {
 
   private void watch(Open call, Duration limit) {
     call.timer.ifPresent(Clock.Timer::cancel);
-    Duration wallGrace = Duration.ofMillis(Math.round(WALL_GRACE.toMillis() * clock.speed()));
     call.timer =
         Optional.of(
             clock.schedule(
-                limit.plus(GRACE).plus(wallGrace),
+                limit.plus(GRACE).plus(clock.ofWall(WALL_GRACE)),
                 controller,
                 () ->
                     end(
@@ -342,7 +331,7 @@ final class OpenCalls {
     if (open.remove(call.call.id(), call)) {
       call.timer.ifPresent(Clock.Timer::cancel);
       if (result.error().filter(error -> error.code() == ErrorCode.MEMBER_LOST).isPresent()) {
-        owed.put(call.call.id(), new Owed(call.call));
+        late.expect(call.call);
       }
       call.listener.ended(result);
     }
@@ -371,15 +360,6 @@ final class OpenCalls {
     LOG.debug("{}", failure.getMessage());
   }
 
-  private static final class Owed {
-    private final Call call;
-    private Optional<Result> late = Optional.empty();
-
-    private Owed(Call call) {
-      this.call = call;
-    }
-  }
-
   private static final class Open {
     private final Call call;
     private final RatsLink.CallListener listener;
@@ -391,6 +371,10 @@ final class OpenCalls {
     private Open(Call call, RatsLink.CallListener listener) {
       this.call = call;
       this.listener = listener;
+    }
+
+    private boolean isAt(String member, String boot) {
+      return member(call).equals(member) && call.boot().filter(boot::equals).isPresent();
     }
   }
 }

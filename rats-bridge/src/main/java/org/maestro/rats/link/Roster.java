@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.MalformedMessageException;
@@ -31,10 +32,21 @@ final class Roster {
   interface Watcher {
     void changed(RatsLink.Member member);
 
+    /**
+     * That life of the member is said to be over.
+     *
+     * @param isAlive to be told once, later, if the answer is true
+     * @return whether it is asked itself before that is believed
+     */
+    boolean asks(String member, String boot, Consumer<Boolean> isAlive);
+
     /** That life of the member is over, and calls to it with it. */
     void gone(String member, String boot, String why);
 
-    /** It shows up again after the bus was away; what was sent meanwhile may have missed it. */
+    /**
+     * It shows up again after the bus was away, or it was said to be gone; what was sent meanwhile
+     * may have missed it.
+     */
     void returned(String member);
 
     /** Something was heard of it, which may not be all. */
@@ -74,10 +86,10 @@ final class Roster {
         .map(entry -> entry.boot);
   }
 
-  /** Whether all is known of the member that is needed to use it, or to know that it is gone. */
+  /** Whether all is known of the member that is needed to use it; of who is gone, nothing is. */
   MissingWords.Known known(String member) {
     Entry entry = entries.get(member);
-    if (entry == null) {
+    if (entry == null || entry.isSaidToBeGone()) {
       return MissingWords.Known.NOTHING;
     }
     return entry.isComplete() ? MissingWords.Known.ENOUGH : MissingWords.Known.A_PART;
@@ -132,7 +144,13 @@ final class Roster {
 
   /** From now on only those count as there whose status is heard again. */
   void doubtAll() {
-    entries.values().forEach(entry -> entry.doubted = true);
+    entries
+        .values()
+        .forEach(
+            entry -> {
+              entry.doubted = true;
+              entry.settle();
+            });
   }
 
   /** Takes those for lost that were doubted and did not show up. */
@@ -140,6 +158,7 @@ final class Roster {
     for (Entry entry : new ArrayList<>(entries.values())) {
       if (entry.doubted && entry.present()) {
         entry.doubted = false;
+        entry.settle();
         entry.phase = Optional.of(MemberStatus.Phase.LOST);
         publish(entry);
         watcher.gone(entry.id, entry.boot, "it did not come back after the bus did");
@@ -149,41 +168,97 @@ final class Roster {
 
   private void status(MemberStatus status) {
     Entry entry = entry(status.member());
-    boolean leaves =
-        status.phase() == MemberStatus.Phase.LOST
-            || status.phase() == MemberStatus.Phase.DISCONNECTED;
+    boolean otherLife = entry.present() && !entry.boot.equals(status.boot());
+    boolean leaves = leaves(status);
+    boolean saidToLive =
+        entry.unproven.filter(latest -> latest.boot().equals(status.boot())).isPresent();
+    if (leaves && otherLife && !saidToLive) {
+      entry.doubted = false;
+      LOG.debug("{} of a former life of {} is ignored", status.phase(), status.member());
+      return;
+    }
+    boolean endsLife = otherLife || leaves && entry.present();
+    hear(entry, new Hearsay(status.boot(), endsLife, () -> believe(entry, status)));
+  }
+
+  /**
+   * Calls that run are not given up for what somebody says: the latest waits for an answer. Who
+   * says that the life goes on may be back just now, and is asked once more.
+   */
+  private void hear(Entry entry, Hearsay hearsay) {
+    boolean isOpen = entry.unproven.isPresent();
+    if (!isOpen && !(hearsay.endsLife() && asks(entry))) {
+      hearsay.belief().run();
+      return;
+    }
+    entry.unproven = Optional.of(hearsay);
+    if (isOpen && !hearsay.endsLife() && !entry.contradicted) {
+      entry.contradicted = asks(entry);
+    }
+  }
+
+  private boolean asks(Entry entry) {
+    int question = ++entry.questions;
+    return watcher.asks(entry.id, entry.boot, isAlive -> judge(entry, question, isAlive));
+  }
+
+  private void judge(Entry entry, int question, boolean isAlive) {
+    Optional<Hearsay> heard = entry.unproven;
+    if (heard.isEmpty() || entry.questions != question) {
+      return;
+    }
+    entry.settle();
+    if (isAlive) {
+      entry.doubted = false;
+      watcher.returned(entry.id);
+      return;
+    }
+    if (!heard.get().endsLife()) {
+      watcher.gone(entry.id, entry.boot, "it gives no answer");
+    }
+    heard.get().belief().run();
+  }
+
+  private void believe(Entry entry, MemberStatus status) {
     boolean otherLife = entry.phase.isPresent() && !entry.boot.equals(status.boot());
-    boolean returned = entry.doubted && !leaves && !otherLife;
+    boolean returned = entry.doubted && !leaves(status) && !otherLife;
     boolean known = entry.phase.filter(status.phase()::equals).isPresent() && !otherLife;
     if (known && !entry.doubted) {
       return;
     }
     entry.doubted = false;
-    if (leaves && otherLife && entry.present()) {
-      LOG.debug("{} of a former life of {} is ignored", status.phase(), status.member());
-      return;
-    }
     String formerBoot = entry.boot;
     entry.phase = Optional.of(status.phase());
     entry.boot = status.boot();
     publish(entry);
     if (otherLife) {
       watcher.gone(status.member(), formerBoot, "it was started again");
-    } else if (leaves) {
+    } else if (leaves(status)) {
       watcher.gone(status.member(), status.boot(), "its connection is gone");
     } else if (returned) {
       watcher.returned(status.member());
     }
   }
 
+  private static boolean leaves(MemberStatus status) {
+    return status.phase() == MemberStatus.Phase.LOST
+        || status.phase() == MemberStatus.Phase.DISCONNECTED;
+  }
+
   private void cleared(String id) {
-    Entry entry = entries.remove(id);
+    Entry entry = entries.get(id);
     if (entry != null && entry.phase.isPresent()) {
-      entry.phase = Optional.of(MemberStatus.Phase.DISCONNECTED);
-      members.remove(id);
-      watcher.changed(entry.member());
-      watcher.gone(id, entry.boot, "it left");
+      hear(entry, new Hearsay(entry.boot, entry.present(), () -> leave(entry)));
     }
+  }
+
+  private void leave(Entry entry) {
+    entries.remove(entry.id);
+    entry.phase = Optional.of(MemberStatus.Phase.DISCONNECTED);
+    members.remove(entry.id);
+    watcher.changed(entry.member());
+    watcher.gone(entry.id, entry.boot, "it left");
+    watcher.noticed(entry.id);
   }
 
   private void publish(Entry entry) {
@@ -233,6 +308,14 @@ final class Roster {
     }
   }
 
+  /**
+   * What was said of a member's life.
+   *
+   * @param boot the life that it speaks of
+   * @param endsLife whether the one that was known is over then
+   */
+  private record Hearsay(String boot, boolean endsLife, Runnable belief) {}
+
   private static final class Entry {
     private final String id;
     private Optional<MemberStatus.Phase> phase = Optional.empty();
@@ -241,6 +324,9 @@ final class Roster {
     private Optional<MemberState> state = Optional.empty();
     private long statesHeard;
     private boolean doubted;
+    private Optional<Hearsay> unproven = Optional.empty();
+    private int questions;
+    private boolean contradicted;
 
     private Entry(String id) {
       this.id = id;
@@ -252,15 +338,20 @@ final class Roster {
           .isPresent();
     }
 
+    /** No answer is waited for any more. */
+    private void settle() {
+      unproven = Optional.empty();
+      contradicted = false;
+    }
+
+    private boolean isSaidToBeGone() {
+      return phase.isPresent() && !present();
+    }
+
     private boolean isComplete() {
-      return phase
-          .filter(
-              now ->
-                  !present()
-                      || now == MemberStatus.Phase.READY
-                          && description.isPresent()
-                          && ownState().isPresent())
-          .isPresent();
+      return phase.filter(MemberStatus.Phase.READY::equals).isPresent()
+          && description.isPresent()
+          && ownState().isPresent();
     }
 
     /** Of the life that it lives now. */

@@ -63,7 +63,7 @@ final class CostInquiry {
     if (sets.isEmpty()) {
       all.accept(List.of());
     } else if (!over) {
-      Duration wall = Duration.ofMillis(Math.round(LIMIT.toMillis() * clock.speed()));
+      Duration wall = clock.ofWall(LIMIT);
       limit = Optional.of(clock.schedule(wall, member, () -> tooLate(late)));
     }
   }

@@ -151,9 +151,18 @@ final class Namesake {
       if (open.isEmpty()) {
         ask(status.boot());
       }
-    } else if (other || status.phase() == MemberStatus.Phase.LOST) {
+    } else if (other || !isPresent(status)) {
       watcher.contradicted();
     }
+  }
+
+  /** Whether who hears it takes the member for one that is there, or soon will be. */
+  private boolean isPresent(MemberStatus status) {
+    return switch (status.phase()) {
+      case READY -> true;
+      case INIT -> !others.heardItself();
+      case DISCONNECTED, LOST -> false;
+    };
   }
 
   /** The member may not tell of itself yet when it was away: it looks first. */
@@ -191,14 +200,14 @@ final class Namesake {
             Optional.of(otherBoot),
             ReservedFeature.PING.word(),
             Map.of(),
-            wall(ANSWER_LIMIT),
+            clock.ofWall(ANSWER_LIMIT),
             id,
             Optional.empty());
     Question question =
         new Question(
             otherBoot,
             ping.id(),
-            clock.schedule(wall(ANSWER_LIMIT), id, () -> unanswered(otherBoot)));
+            clock.schedule(clock.ofWall(ANSWER_LIMIT), id, () -> unanswered(otherBoot)));
     open = Optional.of(question);
     voice.call(ping);
   }
@@ -232,10 +241,6 @@ final class Namesake {
     transport.stayAway(absence);
     Duration twice = absence.multipliedBy(2);
     absence = twice.compareTo(LONGEST_ABSENCE) < 0 ? twice : LONGEST_ABSENCE;
-  }
-
-  private Duration wall(Duration duration) {
-    return Duration.ofMillis(Math.round(duration.toMillis() * clock.speed()));
   }
 
   private record Question(String boot, String callId, Clock.Timer timer) {}

@@ -201,7 +201,7 @@ final class Reception {
   private Duration limit(Call call, Optional<Duration> remainingExpiry) {
     return remainingExpiry
         .map(left -> left.plus(EXPIRY_GRAIN))
-        .map(left -> Duration.ofMillis(Math.round(left.toMillis() * clock.speed())))
+        .map(clock::ofWall)
         .filter(left -> left.compareTo(call.timeout()) < 0)
         .orElse(call.timeout());
   }

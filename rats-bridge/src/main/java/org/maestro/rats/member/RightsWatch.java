@@ -35,7 +35,7 @@ final class RightsWatch {
   }
 
   private void lookLater() {
-    Duration pause = Duration.ofMillis(Math.round(LOOK.toMillis() * clock.speed()));
+    Duration pause = clock.ofWall(LOOK);
     clock.schedule(pause, member, this::look);
   }
 

@@ -55,6 +55,11 @@ public interface Clock {
     return 1.0;
   }
 
+  /** As much simulated time as passes in that wall time. */
+  default Duration ofWall(Duration wall) {
+    return Duration.ofMillis(Math.round(wall.toMillis() * speed()));
+  }
+
   /**
    * Whether time jumps from event to event, so that all work has to be accounted for by tickets.
    */

@@ -20,7 +20,7 @@ import org.maestro.rats.transport.Publication;
 import org.maestro.rats.transport.Transport;
 
 /** Devices that were not made with this project's runtime, and answer as they see fit. */
-abstract class ForeignDevicesContract extends LinkParty {
+abstract class ForeignDevicesContract extends HearsayContract {
   private static final String SITE = "abroad";
 
   @Test
@@ -115,6 +115,18 @@ abstract class ForeignDevicesContract extends LinkParty {
     stranger.answer("\"outcome\":\"SUCCEEDED\",\"z\":\"on\",\"values\":{}");
     await(working::ended);
     assertThat(working.only().outcome()).isEqualTo(Outcome.SUCCEEDED);
+  }
+
+  /** It does not listen to what is said of it. */
+  @Test
+  void aForgedEndEndsNoStrangerForGoodThatDescribesItself() {
+    new Stranger("odd");
+    RatsLink link = connect("cca", SITE);
+    await(() -> usable(link, "odd"));
+    Forger forger = new Forger(SITE, new Topics(SITE).status("odd"));
+    for (String forged : forgeries("odd", "b1").subList(0, 3)) {
+      endsNotForGood(link, "odd", "b1", () -> forger.say(forged));
+    }
   }
 
   /** No broker counts the time that passes between it and the member. */

@@ -83,6 +83,11 @@ abstract class PahoLinkContract extends LinkContract {
   }
 
   @Override
+  int seeds() {
+    return 2;
+  }
+
+  @Override
   void stopBroker() {
     broker().stop();
   }

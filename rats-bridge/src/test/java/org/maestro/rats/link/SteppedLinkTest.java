@@ -32,6 +32,11 @@ class SteppedLinkTest extends LinkContract {
   }
 
   @Override
+  int seeds() {
+    return 100;
+  }
+
+  @Override
   void stopBroker() {
     bus.stop();
   }
