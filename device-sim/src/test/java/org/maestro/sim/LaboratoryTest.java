@@ -8,20 +8,23 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeMap;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.maestro.hal.Completion;
+import org.maestro.hal.DimmableLamp;
 import org.maestro.hal.GripperArm;
 import org.maestro.hal.Position;
 import org.maestro.hal.Target;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.Observation;
+import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Result;
 
-/** What the papers' laboratory consists of (M28, M29, M81, M87). */
+/** What the papers' laboratory consists of (M26, M28, M29, M81, M82, M87). */
 class LaboratoryTest {
   private static final double GRID_METRES = 0.6;
 
@@ -160,6 +163,39 @@ class LaboratoryTest {
     assertThat(told)
         .containsExactly(
             "too far off: it is not where it was seen", "extended", "closed", "opened");
+  }
+
+  /** The same of a lamp. */
+  @Test
+  void theLampWorksByItself() {
+    DimmableLamp lamp = homes.simulated.drivers("lamp-1").find(DimmableLamp.class).orElseThrow();
+    List<String> told = new ArrayList<>();
+
+    lamp.set(0.5, OptionalInt.empty(), told("dimmed", told));
+    homes.clock.run(Duration.ofSeconds(1));
+
+    assertThat(told).containsExactly("dimmed");
+    assertThat(lamp.level()).isEqualTo(0.5);
+    assertThat(homes.world().lampLevel("lamp-1")).isEqualTo(0.5);
+  }
+
+  /** By calls; which white it then has, its driver tells. */
+  @Test
+  void eachOfSixLampsShinesInFourWhites() {
+    for (int number = 1; number <= 6; number++) {
+      String id = "lamp-" + number;
+      DimmableLamp lamp = homes.simulated.drivers(id).find(DimmableLamp.class).orElseThrow();
+      assertThat(lamp.whites()).as(id).hasSize(4).doesNotHaveDuplicates();
+      for (int white : lamp.whites()) {
+        Result result =
+            homes
+                .call(id, "adjustLight", Map.of("level", 1, "white", white))
+                .result()
+                .orElseThrow();
+        assertThat(result.outcome()).as("%s: %s", id, result).isEqualTo(Outcome.SUCCEEDED);
+        assertThat(lamp.whiteKelvin()).as(id).isEqualTo(white);
+      }
+    }
   }
 
   private static Completion told(String what, List<String> told) {

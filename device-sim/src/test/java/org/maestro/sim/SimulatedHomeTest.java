@@ -291,6 +291,7 @@ class SimulatedHomeTest {
       homes.clock.run(Duration.ofSeconds(5));
       assertThat(results).hasSize(1);
       assertThat(results.get(0).outcome()).isEqualTo(Outcome.CANCELED);
+      assertThat(results.get(0).state()).isEqualTo("safe");
       assertThat(homes.world().holder("Cup")).isEmpty();
       assertThat(homes.world().distance("Cup", "rose")).isLessThan(0.55);
     }

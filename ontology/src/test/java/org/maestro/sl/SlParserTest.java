@@ -35,6 +35,7 @@ class SlParserTest {
             "(initCNP :goal (canSee ?agent GreenObject))")) {
       assertThat(SlParser.content(text)).containsExactly(PAPERS_GOAL);
     }
+    assertThat(SlPrinter.print(PAPERS_GOAL)).isEqualTo(bare);
   }
 
   @Test

@@ -7,7 +7,9 @@ import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
+import jade.core.Agent;
 import java.util.Arrays;
+import org.maestro.agents.GenericAgent;
 
 /** Who may know whom. The reasons stand in docs/decisions/0002-package-rules.md. */
 @AnalyzeClasses(packages = "org.maestro", importOptions = ImportOption.DoNotIncludeTests.class)
@@ -30,6 +32,7 @@ class PackageRulesTest {
   private static final String[] TOP = {
     "org.maestro.assembly..",
     "org.maestro.random..",
+    "org.maestro.chaos..",
     "org.maestro.launch..",
     "org.maestro.display..",
     "org.maestro.junit..",
@@ -87,6 +90,18 @@ class PackageRulesTest {
           .should()
           .dependOnClassesThat()
           .resideInAnyPackage("org.maestro.sim..");
+
+  /** Lamp, robot and door: one class of agents speaks for them all (M2, M69). */
+  @ArchTest
+  static final ArchRule ONE_CLASS_OF_AGENTS_SPEAKS_FOR_DEVICES =
+      noClasses()
+          .that()
+          .areAssignableTo(Agent.class)
+          .and()
+          .areNotAssignableTo(GenericAgent.class)
+          .should()
+          .dependOnClassesThat()
+          .haveFullyQualifiedName("org.maestro.agents.Voice");
 
   @ArchTest
   static final ArchRule JADE_STAYS_IN_PLATFORM_AND_AGENTS =

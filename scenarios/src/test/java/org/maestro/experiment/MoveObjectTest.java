@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.maestro.experiment.drawing.Figure;
 
 /** One run each way; the first run is the same however many there are. */
 class MoveObjectTest {
@@ -33,6 +34,13 @@ class MoveObjectTest {
     assertThat(directory.resolve("first").resolve("index.html")).isNotEmptyFile();
     assertThat(directory.resolve("first").resolve("execution-time.png")).isNotEmptyFile();
     CarriedOut.assertReadable(findings);
+    assertThat(findings.figures())
+        .extracting(Figure::name)
+        .contains("execution-time", "heat-green-to-red", "heat-red-to-green");
+    assertThat(findings.results())
+        .extracting(Findings.Result::name)
+        .contains("time of a run that was reached, mean");
+    assertThat(findings.page().html()).contains("0.8 m/s, which is the youBot's data sheet");
     assertThat(findings.tables().get("runs").columns())
         .containsExactly(
             "run", "seed", "goal", "success", "duration_s", "lower_bound_s", "replans", "failure");

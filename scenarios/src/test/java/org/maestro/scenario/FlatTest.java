@@ -3,8 +3,11 @@ package org.maestro.scenario;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.maestro.junit.MaestroAssertions.assertThat;
 
+import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
+import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.Words;
 import org.maestro.junit.MaestroTest;
 import org.maestro.junit.Stage;
 import org.maestro.platform.AgentRow;
@@ -26,6 +29,9 @@ class FlatTest {
 
     assertThat(stage.goal("(nextTo Book Ada)"))
         .isReached()
+        .tells("lux-bedroom reports")
+        .tells("looks for Book")
+        .tells("rose picks up Book")
         .tells("shutter is set to an opening of")
         .tells("bed-lamp is set to 1")
         .tells("bedroom-door opens");
@@ -42,6 +48,26 @@ class FlatTest {
         .allSatisfy(row -> assertThat(row.members()).containsExactly(row.agent()))
         .extracting(AgentRow::agent)
         .containsExactlyInAnyOrderElementsOf(stage.knowledge().home().devices().keySet());
+  }
+
+  /** As {@code ./maestro stop} asks for it (M37). */
+  @Test
+  void whenAllIsToStopEachDeviceIsSafeWithinASecond(Stage stage) {
+    stage
+        .platform()
+        .desk()
+        .request(
+            ACLMessage.REQUEST,
+            SupervisorAgent.NAME,
+            Duration.ofSeconds(30),
+            reply -> {},
+            Words.content("perform", Words.named("action", Words.name("stop"))));
+    stage.run(Duration.ofSeconds(1));
+
+    assertThat(stage.platform().agents().stream().filter(row -> !row.members().isEmpty()))
+        .hasSameSizeAs(stage.knowledge().home().devices().keySet())
+        .extracting(AgentRow::state)
+        .containsOnly("safe");
   }
 
   @Test

@@ -71,6 +71,9 @@ class NewDeviceTest {
         .tells("glimmer-1 shimmers in zone-b")
         .neverTells("is set to");
     assertThat(stage.world()).hasNextTo("Cup", "Bob").hasLampAt("lamp-b1", 0);
+
+    stage.kill("cam-a");
+    stage.await("cam-a is gone", () -> !stage.platform().presentMembers().contains("cam-a"));
   }
 
   @Test

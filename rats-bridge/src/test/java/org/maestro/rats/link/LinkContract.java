@@ -175,6 +175,9 @@ abstract class LinkContract extends FormerLivesContract {
     await(() -> first.ended() && second.ended());
     assertThat(first.only().outcome()).isEqualTo(Outcome.CANCELED);
     assertThat(second.only().outcome()).isEqualTo(Outcome.CANCELED);
+    for (String id : List.of("anna", "berta")) {
+      await(() -> member(link, id).state().orElseThrow().state().equals("standby"));
+    }
   }
 
   @Test

@@ -40,6 +40,10 @@ abstract class MemberOnABus {
   final List<Call> calls = new ArrayList<>();
   final List<String> retained = new ArrayList<>();
   Optional<MemberState> state = Optional.empty();
+
+  /** Each state that it told, with the clock's seconds. */
+  final List<String> timeline = new ArrayList<>();
+
   RatsMember member;
 
   @BeforeEach
@@ -77,11 +81,13 @@ abstract class MemberOnABus {
     caller.subscribe(
         topics.states(),
         RetainedMessages.SEND,
-        message ->
-            state =
-                message.payload().length == 0
-                    ? Optional.empty()
-                    : Optional.of(wire.decodeState(message.payload())));
+        message -> {
+          state =
+              message.payload().length == 0
+                  ? Optional.empty()
+                  : Optional.of(wire.decodeState(message.payload()));
+          state.ifPresent(told -> timeline.add(clock.now().toSeconds() + " " + told.state()));
+        });
     caller.open(Optional.empty(), new Unconcerned());
     run(1);
     start();

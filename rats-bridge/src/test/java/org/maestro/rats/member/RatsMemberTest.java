@@ -74,6 +74,10 @@ class RatsMemberTest extends MemberOnABus {
             "6 start wave",
             "7 end wave");
     assertThat(state.orElseThrow().state()).isEqualTo("standby");
+    assertThat(timeline.stream().distinct())
+        .as("its states, and between two tasks it stands by")
+        .containsExactly(
+            "1 standby", "2 busy", "4 standby", "4 busy", "6 standby", "6 busy", "7 standby");
   }
 
   @Test
