@@ -16,6 +16,9 @@ import org.maestro.rats.time.Clock;
 /** Where all bodies are, who holds what, and who drives. Guarded by the world's lock. */
 final class Whereabouts {
 
+  /** Of a robot's way, some hundred drives; what is asked for is that of the last. */
+  private static final int MOST_POINTS = 2_048;
+
   private final Object lock;
   private final Clock clock;
   private final Map<String, Body> bodies = new TreeMap<>();
@@ -160,14 +163,20 @@ final class Whereabouts {
       drive(robot)
           .ifPresent(
               drive -> {
-                paths
-                    .computeIfAbsent(robot, name -> new ArrayList<>())
-                    .addAll(drive.pathUntil(clock.now()));
+                note(robot, drive.pathUntil(clock.now()));
                 driven.merge(robot, clock.now().minus(drive.begun()), Duration::plus);
                 Position place = Position.onFloor(drive.positionAt(clock.now()));
                 drives.remove(robot);
                 put(body(robot).at(place));
               });
+    }
+  }
+
+  private void note(String robot, List<PathPoint> driven) {
+    List<PathPoint> path = paths.computeIfAbsent(robot, name -> new ArrayList<>());
+    path.addAll(driven);
+    if (path.size() > MOST_POINTS) {
+      path.subList(0, path.size() - MOST_POINTS / 2).clear();
     }
   }
 
@@ -186,7 +195,7 @@ final class Whereabouts {
     }
   }
 
-  /** Where a robot went, corner by corner, up to now. */
+  /** Where a robot went, corner by corner, up to now; of a long time the latest. */
   List<PathPoint> path(String robot) {
     synchronized (lock) {
       List<PathPoint> path = new ArrayList<>(paths.getOrDefault(robot, List.of()));

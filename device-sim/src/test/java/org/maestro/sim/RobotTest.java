@@ -48,6 +48,18 @@ class RobotTest {
   }
 
   @Test
+  void ofALongDayTheLatestOfItsWayIsKept() {
+    for (int round = 0; round < 1_200; round++) {
+      String to = round % 2 == 0 ? "zone-a" : "zone-b";
+      call("move", Map.of("to", Homes.ref(to)));
+    }
+    List<PathPoint> path = homes.world().path("rose");
+    assertThat(path).hasSizeBetween(1_000, 2_100);
+    assertThat(path.get(path.size() - 1).point())
+        .isEqualTo(homes.world().position("rose").orElseThrow().floor());
+  }
+
+  @Test
   void isWhereItHasComeToWhileItDrives() {
     homes.link.call(
         "rose",

@@ -37,13 +37,16 @@ final class Conversations {
     }
   }
 
+  /** One that is over: nothing is kept of it but who may still answer, and who is told then. */
+  private record Ended(AID partner, Consumer<ACLMessage> late) {}
+
   private final transient Map<String, Open> open = new HashMap<>();
-  private final transient Map<String, Open> ended =
+  private final transient Map<String, Ended> ended =
       new LinkedHashMap<>() {
         private static final long serialVersionUID = 1L;
 
         @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Open> eldest) {
+        protected boolean removeEldestEntry(Map.Entry<String, Ended> eldest) {
           return size() > REMEMBERED;
         }
       };
@@ -100,7 +103,7 @@ final class Conversations {
     Open conversation = open.remove(id);
     if (conversation != null) {
       conversation.timer.cancel();
-      ended.put(id, conversation);
+      ended.put(id, new Ended(conversation.partner, conversation.late));
     }
   }
 
@@ -154,13 +157,19 @@ final class Conversations {
   /** Whether the message belongs to a conversation that somebody here leads. */
   boolean isOpen(ACLMessage message) {
     String id = message.getConversationId();
-    return id != null && (adopted.contains(id) || isFromPartner(open.get(id), message));
+    return id != null && (adopted.contains(id) || isOpenWith(id, message));
+  }
+
+  private boolean isOpenWith(String id, ACLMessage message) {
+    Open conversation = open.get(id);
+    return conversation != null && isFrom(conversation.partner, message);
   }
 
   /** Whether the message answers what is over. */
   private boolean isLate(ACLMessage message) {
     String id = message.getConversationId();
-    return id != null && isFromPartner(ended.get(id), message);
+    Ended conversation = ended.get(id);
+    return conversation != null && isFrom(conversation.partner, message);
   }
 
   boolean isOurs(ACLMessage message) {
@@ -168,9 +177,8 @@ final class Conversations {
   }
 
   /** Nobody else may answer; but the platform does for an agent that is no more. */
-  private static boolean isFromPartner(Open conversation, ACLMessage message) {
-    return conversation != null
-        && (conversation.partner.equals(message.getSender()) || Replies.isFromPlatform(message));
+  private static boolean isFrom(AID partner, ACLMessage message) {
+    return partner.equals(message.getSender()) || Replies.isFromPlatform(message);
   }
 
   int openCount() {
@@ -182,9 +190,7 @@ final class Conversations {
     ACLMessage message =
         agent.receive(
             new MessageTemplate(
-                m ->
-                    isFromPartner(open.get(String.valueOf(m.getConversationId())), m)
-                        || isLate(m)));
+                m -> isOpenWith(String.valueOf(m.getConversationId()), m) || isLate(m)));
     if (message == null) {
       return false;
     }

@@ -217,7 +217,7 @@ public final class CoordinatorAgent extends MaestroAgent {
         case "inform" -> memberNews(message, words, content);
         case "cancel" -> requests.cancel(message, words);
         case "explain" -> requests.explain(message, words);
-        case "subscribe" -> stories.subscribe(message, words);
+        case "subscribe" -> requests.subscribe(message, words);
         case "query-ref" -> requests.list(message, words);
         case "await" -> requests.await(message, words);
         case "perform" -> deployment.forward(message, content);
@@ -252,7 +252,7 @@ public final class CoordinatorAgent extends MaestroAgent {
         deliberation.memberLost(member.get(), words.string("reason").orElse("lost"));
       }
     } else if (words.string("goal").isPresent() && words.string("state").isPresent()) {
-      requests.goalOfAnother(message, words.string("goal").get(), whole);
+      requests.goalOfAnother(message, words, whole);
     } else {
       refuse(
           message,

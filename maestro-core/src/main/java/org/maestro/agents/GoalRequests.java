@@ -4,9 +4,9 @@ import jade.core.AID;
 import jade.lang.acl.ACLMessage;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.GoalOutcome;
@@ -31,11 +31,8 @@ final class GoalRequests {
   private final Coordinator coordinator;
   private final ToldStories stories;
   private final Endings endings;
-  private final Map<String, GoalOfAnother> goalsOfOthers = new LinkedHashMap<>();
+  private final GoalsOfOthers others = new GoalsOfOthers();
   private final Map<String, Formula> takenUp = new HashMap<>();
-
-  /** A goal that an agent pursues of its own accord, as it last told of it. */
-  private record GoalOfAnother(AID owner, Content status) {}
 
   GoalRequests(
       MaestroAgent agent, KnowledgeBase knowledge, Coordinator coordinator, ToldStories stories) {
@@ -158,15 +155,20 @@ final class GoalRequests {
   }
 
   /** An agent tells how a goal of its own fares. */
-  void goalOfAnother(ACLMessage message, String goalId, Content whole) {
-    goalsOfOthers.put(goalId, new GoalOfAnother(message.getSender(), whole));
+  void goalOfAnother(ACLMessage message, Words words, Content whole) {
+    others.told(
+        message.getSender(),
+        words.string("goal").orElseThrow(),
+        words.string("state").orElseThrow(),
+        whole);
   }
 
   void cancel(ACLMessage message, Words words) {
     String id = words.string("goal").orElse("");
-    if (goalsOfOthers.containsKey(id) && !agent.isFromOtherPlatform(message)) {
+    Optional<AID> owner = others.owner(id);
+    if (owner.isPresent() && !agent.isFromOtherPlatform(message)) {
       agent.ask(
-          agent.message(ACLMessage.REQUEST, goalsOfOthers.get(id).owner(), named("cancel", id)),
+          agent.message(ACLMessage.REQUEST, owner.get(), named("cancel", id)),
           agent.patience(agent.patience().agreement()),
           answer ->
               agent.reply(
@@ -199,6 +201,16 @@ final class GoalRequests {
         .anyMatch(goal -> goal.id().equals(id) && goal.requester().equals(requester));
   }
 
+  /** The story of a goal, as far as it was told and from then on. */
+  void subscribe(ACLMessage message, Words words) {
+    String id = words.string("story").orElse("");
+    if (stories.goals().contains(id) || coordinator.hasGoal(id)) {
+      stories.subscribe(message, id);
+    } else {
+      agent.refuse(message, ACLMessage.REFUSE, noSuchGoal(id));
+    }
+  }
+
   void explain(ACLMessage message, Words words) {
     String id = words.string("goal").orElse("");
     if (!stories.goals().contains(id)) {
@@ -223,7 +235,7 @@ final class GoalRequests {
       coordinator.waits().forEach(wait -> lines.add(GoalWords.wait(wait)));
     } else {
       coordinator.goals().forEach(goal -> lines.add(GoalWords.status(goal)));
-      goalsOfOthers.values().forEach(other -> lines.add(other.status()));
+      lines.addAll(others.statuses());
     }
     agent.reply(message, ACLMessage.INFORM, lines.toArray(Content[]::new));
   }

@@ -114,8 +114,7 @@ final class ToldStories {
     }
   }
 
-  void subscribe(ACLMessage message, Words words) {
-    String id = words.string("story").orElse("");
+  void subscribe(ACLMessage message, String id) {
     List<StoryEntry> told = story(id);
     told.forEach(entry -> inform(message, entry));
     if (!isOver(told)) {

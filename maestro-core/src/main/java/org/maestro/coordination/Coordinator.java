@@ -25,9 +25,7 @@ public final class Coordinator {
   /** Before the number of a goal of the whole platform. */
   public static final String PREFIX = "G";
 
-  /** Of that many goals that are over, the latest ones, choices can be explained. */
-  private static final int MOST_EXPLAINED = 50;
-
+  private static final long MOST_BYTES_OF_EXPLAINED = 1 << 20;
   private static final long MOST_BYTES_OF_ENDED = 512 << 10;
   private static final long BYTES_OF_A_REQUEST = 512;
 
@@ -42,7 +40,8 @@ public final class Coordinator {
   private final Comeback comeback = new Comeback();
   private final Map<String, Clock.Timer> deadlines = new HashMap<>();
   private final String prefix;
-  private final Map<String, Decisions> explained = new LinkedHashMap<>();
+  private final Latest<Decisions> explained =
+      new Latest<>(MOST_BYTES_OF_EXPLAINED, Decisions::bytes);
   private int lastNumber;
 
   /** The coordinator of a whole platform; its goals are G1, G2 ... */
@@ -167,9 +166,6 @@ public final class Coordinator {
     ended.put(id, goal);
     crew.over(id);
     explained.put(id, pursuits.remove(id).decisions());
-    if (explained.size() > MOST_EXPLAINED) {
-      explained.remove(explained.keySet().iterator().next());
-    }
   }
 
   /** The same, and of held goals only the end is wanted to be known. */
@@ -363,7 +359,7 @@ public final class Coordinator {
     Decisions decisions =
         Optional.ofNullable(pursuits.get(goalId))
             .map(Pursuit::decisions)
-            .or(() -> Optional.ofNullable(explained.get(goalId)))
+            .or(() -> explained.find(goalId))
             .orElseGet(Decisions::new);
     Optional<Decision> decision = decisions.find(plan);
     Optional<Step> chosen = decision.flatMap(d -> d.step(step));

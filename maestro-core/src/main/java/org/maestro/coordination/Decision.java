@@ -19,6 +19,20 @@ import org.maestro.planning.Step;
  * @param questions exact prices asked
  */
 public record Decision(PlanningTask task, Plan plan, List<Bid> bids, int questions) {
+  private static final long BYTES = 4_096;
+  private static final long BYTES_OF_A_PRICE = 768;
+  private static final long BYTES_OF_A_REASON = 256;
+
+  /** What it takes of memory, about; facts are shared with what is known now. */
+  long bytes() {
+    long prices =
+        task.features().stream().mapToLong(feature -> 1 + feature.exact().size()).sum()
+            + bids.stream().mapToLong(bid -> bid.prices().size()).sum();
+    long reasons = bids.size() + task.whyBarred().size() + task.unavailable().size();
+    return BYTES
+        + BYTES_OF_A_PRICE * (prices + plan.steps().size())
+        + BYTES_OF_A_REASON * (reasons + task.barred().size());
+  }
 
   /** The step of that number. */
   public Optional<Step> step(int number) {

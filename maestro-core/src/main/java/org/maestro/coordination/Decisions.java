@@ -8,10 +8,12 @@ import java.util.stream.Collectors;
 
 /**
  * The latest plans of one goal, with all that they were chosen from. Facts and prices of a plan are
- * much to keep: so only a few plans are, and none beyond the end of the process.
+ * much to keep: so only a few plans are, of large tasks the latest alone, and none beyond the end
+ * of the process.
  */
 public final class Decisions {
   private static final int MOST = 5;
+  private static final long MOST_BYTES = 256 << 10;
 
   private final Map<Integer, Decision> byPlan = new LinkedHashMap<>();
 
@@ -20,9 +22,14 @@ public final class Decisions {
    */
   void add(int plan, Decision decision) {
     byPlan.put(plan, decision);
-    if (byPlan.size() > MOST) {
+    while (byPlan.size() > MOST || byPlan.size() > 1 && bytes() > MOST_BYTES) {
       byPlan.remove(byPlan.keySet().iterator().next());
     }
+  }
+
+  /** What they take of memory, about. */
+  long bytes() {
+    return byPlan.values().stream().mapToLong(Decision::bytes).sum();
   }
 
   /** Of the plan with that number, of the latest one without. */

@@ -29,7 +29,7 @@ public final class Latest<V> {
 
   /** The newest is kept whatever it takes. */
   public void put(String goalId, V value) {
-    Optional.ofNullable(byGoal.remove(goalId)).ifPresent(old -> kept -= bytes.applyAsLong(old));
+    remove(goalId);
     byGoal.put(goalId, value);
     kept += bytes.applyAsLong(value);
     Iterator<V> oldest = byGoal.values().iterator();
@@ -37,6 +37,10 @@ public final class Latest<V> {
       kept -= bytes.applyAsLong(oldest.next());
       oldest.remove();
     }
+  }
+
+  public void remove(String goalId) {
+    Optional.ofNullable(byGoal.remove(goalId)).ifPresent(old -> kept -= bytes.applyAsLong(old));
   }
 
   public Optional<V> find(String goalId) {

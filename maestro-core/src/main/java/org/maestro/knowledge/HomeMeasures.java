@@ -15,7 +15,7 @@ import org.maestro.sl.Truth;
 final class HomeMeasures implements Measures {
 
   /** Poses are read again and again, and there are not many at a time. */
-  private static final int MOST_POSES = 4_096;
+  private static final int MOST_POSES = 512;
 
   private final Geometry geometry;
   private final Map<String, Pose> poses = new ConcurrentHashMap<>();

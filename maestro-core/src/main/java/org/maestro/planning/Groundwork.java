@@ -25,7 +25,10 @@ import org.maestro.sl.Term;
  * change may be otherwise each time. For one thread at a time.
  */
 final class Groundwork {
-  private static final int SMALLEST_WASTE = 2_000;
+  /** Features that went; of each some ten kilobytes are kept. */
+  private static final int SMALLEST_WASTE = 200;
+
+  private static final int SIZE_OF_A_TEMPLATE = 4;
 
   private final PlanningTask origin;
   private final Signature signature;
@@ -149,9 +152,9 @@ final class Groundwork {
     return changes;
   }
 
-  /** How much memory it takes: instances and answers. */
+  /** How much memory it takes, counted in instances. */
   int size() {
-    return templateOf.size() + facts.size() / 4;
+    return templateOf.size() + SIZE_OF_A_TEMPLATE * templates.size() + facts.size() / 4;
   }
 
   /** Whether most of what is kept is of features that went. */

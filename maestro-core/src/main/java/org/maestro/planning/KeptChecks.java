@@ -1,6 +1,6 @@
 package org.maestro.planning;
 
-import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -15,6 +15,9 @@ import org.maestro.sl.Formula;
 final class KeptChecks {
   /** About as many as goals that are pursued beside each other. */
   private static final int MOST_KEPT = 128;
+
+  /** About 15 MB. */
+  private static final int MOST_INSTANCES = 10_000;
 
   /**
    * @param barred those of the steps that may not be taken
@@ -89,7 +92,11 @@ final class KeptChecks {
 
   private synchronized void keep(Subject subject, Kept now) {
     kept.put(subject, now);
-    List<Subject> oldest = new ArrayList<>(kept.keySet());
-    oldest.subList(0, Math.max(0, oldest.size() - MOST_KEPT)).forEach(kept::remove);
+    int instances = kept.values().stream().mapToInt(each -> each.work().size()).sum();
+    Iterator<Kept> oldest = kept.values().iterator();
+    while (kept.size() > MOST_KEPT || kept.size() > 1 && instances > MOST_INSTANCES) {
+      instances -= oldest.next().work().size();
+      oldest.remove();
+    }
   }
 }

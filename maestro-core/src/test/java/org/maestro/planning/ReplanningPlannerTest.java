@@ -2,7 +2,9 @@ package org.maestro.planning;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.awaitility.Awaitility.await;
 
+import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -85,11 +87,37 @@ class ReplanningPlannerTest {
   }
 
   private static PricedFeature dearer(PricedFeature feature, Random random) {
+    return priced(feature, String.valueOf(random.nextInt(5)));
+  }
+
+  /** Prices change with where a robot stands, for as long as a platform runs. */
+  @Test
+  void forgetsFeaturesThatWentLongAgo() {
+    SmallWorld world = BobsHome.dark().facts("(in Cup zone-b)", "(in Bob zone-a)");
+    PlanningTask task = world.task("(nextTo Cup Bob)");
+    ReplanningPlanner planner = new ReplanningPlanner(fresh);
+    List<WeakReference<PricedFeature>> went = new ArrayList<>();
+    for (int round = 1; round <= 100; round++) {
+      String price = String.valueOf(round / 1000.0);
+      List<PricedFeature> dearer =
+          task.features().stream().map(feature -> priced(feature, price)).toList();
+      assertThat(planner.solve(task.withFeatures(dearer))).isInstanceOf(PlanningResult.Found.class);
+      if (round <= 3) {
+        dearer.forEach(feature -> went.add(new WeakReference<>(feature)));
+      }
+    }
+    assertThat(went).hasSizeGreaterThan(20);
+    await()
+        .until(
+            () -> {
+              System.gc();
+              return went.stream().allMatch(feature -> feature.get() == null);
+            });
+  }
+
+  private static PricedFeature priced(PricedFeature feature, String price) {
     return new PricedFeature(
-        feature.member(),
-        feature.type(),
-        new Price.Stated(SlParser.expression(String.valueOf(random.nextInt(5)))),
-        Map.of());
+        feature.member(), feature.type(), new Price.Stated(SlParser.expression(price)), Map.of());
   }
 
   /** The rest of a plan that goes as expected stays the plan; nobody who left can better it. */

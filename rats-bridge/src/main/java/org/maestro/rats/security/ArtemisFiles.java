@@ -87,6 +87,7 @@ final class ArtemisFiles {
         <name>rats</name>
         <persistence-enabled>false</persistence-enabled>
         <connection-ttl-check-interval>200</connection-ttl-check-interval>
+        <message-expiry-scan-period>2000</message-expiry-scan-period>
         <security-enabled>true</security-enabled>
         <jmx-management-enabled>false</jmx-management-enabled>
         <journal-pool-files>10</journal-pool-files>
