@@ -14,12 +14,16 @@ import org.maestro.ontology.home.HomeLoader;
 record CrowdedHome(int devices, int perHall) {
   private static final double SIDE_METRES = 20;
   private static final int COLUMNS = 20;
+  private static final int ALIKE = 10;
+
+  /** The first of them. */
+  private static final int ROBOT = 9;
 
   Home home() {
     return new HomeLoader().load(turtle(), "crowded.ttl");
   }
 
-  private String turtle() {
+  String turtle() {
     StringBuilder text =
         new StringBuilder(
             """
@@ -39,6 +43,27 @@ record CrowdedHome(int devices, int perHall) {
     return text.toString();
   }
 
+  /** In which each robot has its place. */
+  String scene() {
+    StringBuilder text = new StringBuilder("@prefix scene: <https://w3id.org/maestro/scene#> .\n");
+    for (int device = ROBOT; device < devices; device += ALIKE) {
+      text.append(
+          format(
+              "<https://w3id.org/maestro/home/crowded#device-%d> scene:position \"%.2f %.2f 0\""
+                  + " .\n",
+              device, x(device), y(device)));
+    }
+    return text.toString();
+  }
+
+  private double x(int device) {
+    return SIDE_METRES * (device / perHall) + 0.5 + 0.95 * (device % perHall % COLUMNS);
+  }
+
+  private double y(int device) {
+    return 0.5 + 0.95 * (device % perHall / COLUMNS % COLUMNS);
+  }
+
   private static void addHall(StringBuilder text, int hall) {
     double x = SIDE_METRES * hall;
     String outline =
@@ -55,21 +80,21 @@ record CrowdedHome(int devices, int perHall) {
   }
 
   private void addDevice(StringBuilder text, int device) {
-    int place = device % perHall;
-    double x = SIDE_METRES * (device / perHall) + 0.5 + 0.95 * (place % COLUMNS);
-    double y = 0.5 + 0.95 * (place / COLUMNS % COLUMNS);
     String what =
-        switch (device % 10) {
+        switch (device % ALIKE) {
           case 0, 2, 4, 6 ->
-              "a :Lamp ; maestro:pose \"%.2f %.2f 2.8\" ; maestro:luminousIntensity 900 ; maestro:beamAngle 100 ; :power 8";
+              "a :Lamp ; maestro:pose \"%.2f %.2f 2.8\" ; maestro:luminousIntensity 900 ;"
+                  + " maestro:beamAngle 100 ; :power 8";
           case 1, 3, 5, 7 -> "a :LightSensor ; maestro:pose \"%.2f %.2f 0\"";
           case 8 ->
-              "a :Camera ; maestro:pose \"%.2f %.2f 2.8\" ; maestro:viewAngle 75 ; :minimumIlluminance 72 ; :maximumIlluminance 2000";
+              "a :Camera ; maestro:pose \"%.2f %.2f 2.8\" ; maestro:viewAngle 75 ;"
+                  + " :minimumIlluminance 72 ; :maximumIlluminance 2000";
           default ->
-              "a :MobileRobot ; :colour \"orange\" ; :size \"0.58 0.38 0.4\" ; :speed 0.8 ; :payload 0.5";
+              "a :MobileRobot ; :colour \"orange\" ; :size \"0.58 0.38 0.4\" ; :speed 0.8 ;"
+                  + " :payload 0.5";
         };
     text.append(format("home:device-%d maestro:order %d ; ", device, device));
-    text.append(format(what, x, y)).append(" .\n");
+    text.append(format(what, x(device), y(device))).append(" .\n");
   }
 
   private static String format(String text, Object... values) {

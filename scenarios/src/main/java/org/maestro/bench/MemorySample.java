@@ -2,6 +2,7 @@ package org.maestro.bench;
 
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
+import java.lang.management.MemoryType;
 import java.lang.management.MemoryUsage;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,9 +16,12 @@ import org.maestro.assembly.SiteException;
  *
  * @param heapMiB live: after all garbage was collected
  * @param committedMiB of the heap, live or free
+ * @param programMiB classes, and the code that is compiled from them again and again until no part
+ *     of it is called more often than before
  * @param residentMiB of the whole process, as the system counts it
  */
-record MemorySample(int goals, double heapMiB, double committedMiB, double residentMiB) {
+record MemorySample(
+    int goals, double heapMiB, double committedMiB, double programMiB, double residentMiB) {
   private static final double MIB = 1 << 20;
   private static final Path STATUS = Path.of("/proc/self/status");
   private static final String RESIDENT = "VmRSS:";
@@ -25,7 +29,16 @@ record MemorySample(int goals, double heapMiB, double committedMiB, double resid
   static MemorySample take(int goals) {
     System.gc();
     MemoryUsage heap = ManagementFactory.getMemoryMXBean().getHeapMemoryUsage();
-    return new MemorySample(goals, heap.getUsed() / MIB, heap.getCommitted() / MIB, resident());
+    return new MemorySample(
+        goals, heap.getUsed() / MIB, heap.getCommitted() / MIB, program(), resident());
+  }
+
+  private static double program() {
+    return ManagementFactory.getMemoryPoolMXBeans().stream()
+            .filter(pool -> pool.getType() == MemoryType.NON_HEAP)
+            .mapToLong(pool -> pool.getUsage().getCommitted())
+            .sum()
+        / MIB;
   }
 
   private static double resident() {
@@ -42,9 +55,12 @@ record MemorySample(int goals, double heapMiB, double committedMiB, double resid
     }
   }
 
-  /** All of it but the heap: classes, compiled code, stacks, buffers, what the C library keeps. */
-  double outsideHeapMiB() {
-    return residentMiB - committedMiB;
+  /**
+   * All that is resident but the program and a heap that is resident as a whole: stacks, buffers,
+   * what the C library keeps for compilers.
+   */
+  double restMiB() {
+    return residentMiB - committedMiB - programMiB;
   }
 
   /** Least squares: by how much the figure grows in 100 goals. */
@@ -64,10 +80,11 @@ record MemorySample(int goals, double heapMiB, double committedMiB, double resid
   String line() {
     return String.format(
         Locale.ROOT,
-        "%5d goals: %7.2f MiB live, %7.2f MiB resident, %7.2f MiB of it outside the heap",
+        "%5d goals: %7.2f MiB live, %7.2f MiB resident; heap %.2f, program %.2f",
         goals,
         heapMiB,
         residentMiB,
-        outsideHeapMiB());
+        committedMiB,
+        programMiB);
   }
 }

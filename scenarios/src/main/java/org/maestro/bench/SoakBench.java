@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.ToDoubleFunction;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.ontology.home.Home;
@@ -61,7 +62,7 @@ public final class SoakBench {
     List<MemorySample> samples = new ArrayList<>();
     Map<SoakGoals.End, Integer> ends = new EnumMap<>(SoakGoals.End.class);
     try (LocalSite site = LocalSite.paced(settings, SPEED)) {
-      SoakGoals each = new SoakGoals(site.platform());
+      SoakGoals each = new SoakGoals(site.platform(), progress);
       for (int goal = 1; goal <= goals; goal++) {
         ends.merge(each.pursue(goal), 1, Integer::sum);
         if (goal % GOALS_BETWEEN_SAMPLES == 0) {
@@ -86,23 +87,19 @@ public final class SoakBench {
     String since = " after goal " + first.goals();
     rows.add(BenchReport.Row.of("live heap" + since, first.heapMiB(), "MiB"));
     rows.add(BenchReport.Row.of("live heap after goal " + last.goals(), last.heapMiB(), "MiB"));
-    rows.add(
-        BenchReport.Row.of(
-            "growth of the live heap for 100 goals",
-            MemorySample.slope(settled, MemorySample::heapMiB),
-            "MiB"));
+    rows.add(growth("the live heap", settled, MemorySample::heapMiB));
     rows.add(BenchReport.Row.of("resident" + since, first.residentMiB(), "MiB"));
     rows.add(BenchReport.Row.of("resident after goal " + last.goals(), last.residentMiB(), "MiB"));
-    rows.add(
-        BenchReport.Row.of(
-            "growth of what is resident for 100 goals",
-            MemorySample.slope(settled, MemorySample::residentMiB),
-            "MiB"));
-    rows.add(
-        BenchReport.Row.of(
-            "growth of what is resident outside the heap for 100 goals",
-            MemorySample.slope(settled, MemorySample::outsideHeapMiB),
-            "MiB"));
+    rows.add(growth("what is resident", settled, MemorySample::residentMiB));
+    rows.add(growth("the heap, live or free", settled, MemorySample::committedMiB));
+    rows.add(growth("classes and compiled code", settled, MemorySample::programMiB));
+    rows.add(growth("the rest of what is resident", settled, MemorySample::restMiB));
     return rows;
+  }
+
+  private static BenchReport.Row growth(
+      String what, List<MemorySample> samples, ToDoubleFunction<MemorySample> figure) {
+    return BenchReport.Row.of(
+        "growth of " + what + " for 100 goals", MemorySample.slope(samples, figure), "MiB");
   }
 }

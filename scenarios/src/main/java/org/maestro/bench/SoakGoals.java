@@ -7,6 +7,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.Words;
@@ -51,9 +52,14 @@ final class SoakGoals {
           "(in Cup zone-b)");
 
   private final MaestroPlatform platform;
+  private final Consumer<String> progress;
 
-  SoakGoals(MaestroPlatform platform) {
+  /**
+   * @param progress told of goals that are not reached though they could be
+   */
+  SoakGoals(MaestroPlatform platform, Consumer<String> progress) {
     this.platform = platform;
+    this.progress = progress;
   }
 
   /**
@@ -76,8 +82,17 @@ final class SoakGoals {
         held.cancel(id);
         yield ended(held, true);
       }
-      default -> ended(new Conversation(TO_REACH.get(number % TO_REACH.size())), false);
+      default -> reached(number, TO_REACH.get(number % TO_REACH.size()));
     };
+  }
+
+  private End reached(int number, String goal) {
+    Conversation conversation = new Conversation(goal);
+    End end = ended(conversation, false);
+    if (end != End.REACHED) {
+      progress.accept("%5d %s: %s".formatted(number, goal, conversation.reasons));
+    }
+    return end;
   }
 
   private static End ended(Conversation conversation, boolean held) {
@@ -104,6 +119,7 @@ final class SoakGoals {
     private final CompletableFuture<String> accepted = new CompletableFuture<>();
     private final CompletableFuture<Boolean> held = new CompletableFuture<>();
     private final CompletableFuture<String> ended = new CompletableFuture<>();
+    private volatile List<String> reasons = List.of();
 
     private Conversation(String goal) {
       Formula formula = SlParser.formula(goal, platform.knowledge().home().vocabulary()::isFluent);
@@ -117,6 +133,11 @@ final class SoakGoals {
       } else if (reply.getPerformative() == ACLMessage.CONFIRM) {
         held.complete(true);
       } else if (DeskAgent.isEnd(reply)) {
+        reasons =
+            words.find("reasons").stream()
+                .flatMap(all -> all.terms().stream())
+                .map(Words::plain)
+                .toList();
         ended.complete(words.string("state").orElse("refused"));
       }
     }

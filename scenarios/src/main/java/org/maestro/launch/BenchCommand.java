@@ -25,6 +25,7 @@ import org.maestro.bench.GrowthBench;
 import org.maestro.bench.LargeHome;
 import org.maestro.bench.Loss;
 import org.maestro.bench.LossesBench;
+import org.maestro.bench.OpeningsBench;
 import org.maestro.bench.PlannerBench;
 import org.maestro.bench.SimulationBench;
 import org.maestro.bench.SoakBench;
@@ -40,7 +41,7 @@ import picocli.CommandLine.Spec;
     name = "bench",
     description =
         "Run a benchmark: agents, bus, cancel, chaos, containers, coordination, growth, losses, "
-            + "planner, sim or soak.")
+            + "openings, planner, sim or soak.")
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
   private static final int LEAST_GOALS = 250;
@@ -59,6 +60,9 @@ final class BenchCommand implements Callable<Integer> {
 
   private static final Duration MEASURED_TIME = Duration.ofSeconds(10);
 
+  /** Devices of the site that is opened again and again. */
+  private static final int OPENED = 120;
+
   @Spec private CommandSpec spec;
 
   @Parameters(paramLabel = "NAME", description = "Which benchmark.")
@@ -76,7 +80,9 @@ final class BenchCommand implements Callable<Integer> {
   @Option(
       names = "--runs",
       paramLabel = "N",
-      description = "How often losses and cancel have each happen; once unless it is said.")
+      description =
+          "How often losses and cancel have each happen, and openings opens; once unless it is"
+              + " said.")
   private int runs = 1;
 
   @Option(
@@ -178,6 +184,8 @@ final class BenchCommand implements Callable<Integer> {
     benches.put(
         "losses",
         (wanted, progress) -> new LossesBench(wanted.losses(), wanted.runs(), progress).run());
+    benches.put(
+        "openings", (wanted, progress) -> new OpeningsBench(OPENED, wanted.runs(), progress).run());
     benches.put("planner", (wanted, progress) -> new PlannerBench(20, progress).run());
     benches.put("sim", (wanted, progress) -> simulation(progress));
     benches.put("soak", (wanted, progress) -> soak(wanted.goals(), progress));
