@@ -28,6 +28,7 @@ final class Faults {
   private final Map<String, Distortion> distortions = new TreeMap<>();
   private final Map<String, Flaw> flaws = new TreeMap<>();
   private final Map<String, Double> shown = new TreeMap<>();
+  private final Map<String, Astray> errors = new TreeMap<>();
   private final Map<String, Map<WorldEvent.Kind, List<Runnable>>> triggers = new TreeMap<>();
 
   Faults(Object lock, Clock clock) {
@@ -124,6 +125,20 @@ final class Faults {
   Flaw flaw(String device) {
     synchronized (lock) {
       return flaws.getOrDefault(device, Flaw.NONE);
+    }
+  }
+
+  /** From now on the robot errs so about where it is. */
+  void lead(String robot, Astray astray) {
+    synchronized (lock) {
+      errors.put(robot, astray);
+    }
+  }
+
+  /** How far the robot errs about where it is. */
+  Astray astray(String robot) {
+    synchronized (lock) {
+      return errors.getOrDefault(robot, Astray.NOT);
     }
   }
 

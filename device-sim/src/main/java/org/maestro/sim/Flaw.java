@@ -11,10 +11,23 @@ public enum Flaw {
   /** It goes half of the way, and tells the state that it was to be in. */
   HALF,
   /** A sensor goes on showing what it showed last. */
-  STUCK;
+  STUCK,
+  /** A base says that it has driven, stays where it is, and tells where that is. */
+  STANDING,
+  /** A base says that it has driven, stays where it is, and believes to be where it was to go. */
+  SPINNING,
+  /** A camera sees nothing of what is there. */
+  BLIND,
+  /** A camera sees whatever it is asked for where its view begins, unless it really sees it. */
+  SEEING_THINGS;
 
   boolean isIdle() {
     return this == IDLE || this == BOASTING;
+  }
+
+  /** Whether it stays where it is when it is told to drive. */
+  boolean isStranded() {
+    return this == STANDING || this == SPINNING;
   }
 
   /** Whether it tells what it was told as its state. */

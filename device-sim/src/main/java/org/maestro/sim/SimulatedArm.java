@@ -39,10 +39,11 @@ final class SimulatedArm implements GripperArm {
         data.extendSeconds(),
         completion,
         () -> {
-          if (robot().floor().distance(place.floor()) > data.reach() + SLACK_METRES) {
+          Position there = actuator.world().faults().astray(actuator.device()).reached(place);
+          if (robot().floor().distance(there.floor()) > data.reach() + SLACK_METRES) {
             return Optional.of("it is out of reach");
           }
-          grasp.moveTo(place);
+          grasp.moveTo(there);
           return Optional.empty();
         });
   }

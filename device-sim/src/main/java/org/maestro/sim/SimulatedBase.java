@@ -43,6 +43,10 @@ final class SimulatedBase implements MobileBase {
 
   @Override
   public Point2 position() {
+    return actuator.world().faults().astray(actuator.device()).from(truth());
+  }
+
+  private Point2 truth() {
     return actuator.world().position(actuator.device()).orElseThrow().floor();
   }
 
@@ -55,8 +59,26 @@ final class SimulatedBase implements MobileBase {
         0,
         completion::failed,
         () -> {
-          if (number == driveNumber) {
+          if (number == driveNumber && actuator.flaw().isStranded()) {
+            pretend(way, number, completion);
+          } else if (number == driveNumber) {
             roll(way, number, completion);
+          }
+        });
+  }
+
+  /** As long as the drive would take. */
+  private void pretend(List<Point2> way, long number, Completion completion) {
+    Drive drive = new Drive(actuator.clock().now(), position(), way, data.speed());
+    actuator.after(
+        drive.duration().toNanos() / 1e9,
+        () -> {
+          if (number == driveNumber) {
+            if (actuator.flaw() == Flaw.SPINNING && !way.isEmpty()) {
+              Point2 end = way.get(way.size() - 1);
+              actuator.world().faults().lead(actuator.device(), Astray.between(truth(), end));
+            }
+            completion.done();
           }
         });
   }

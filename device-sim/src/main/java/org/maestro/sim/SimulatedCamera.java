@@ -46,7 +46,7 @@ final class SimulatedCamera implements Camera {
         WorldEvent.Kind.LOOK,
         eye.turnSeconds() + eye.views().get().size() * frames / data.frameRate(),
         listener::failed,
-        () -> listener.looked(develop(target, frames)));
+        () -> listener.looked(asBroken(develop(target, frames))));
   }
 
   @Override
@@ -61,6 +61,22 @@ final class SimulatedCamera implements Camera {
   /** What it shows now. */
   Photo photo() {
     return photographer.apply(actuator.clock().now());
+  }
+
+  private Look asBroken(Look look) {
+    return switch (actuator.flaw()) {
+      case BLIND -> new Look(look.frames(), 0, Optional.empty(), look.areas(), look.glaring());
+      case SEEING_THINGS ->
+          look.position().isPresent()
+              ? look
+              : new Look(
+                  look.frames(),
+                  look.frames(),
+                  Optional.of(Position.onFloor(eye.views().get().get(0).floor())),
+                  look.areas(),
+                  look.glaring());
+      default -> look;
+    };
   }
 
   /** Something in view that may be taken for the wanted thing. */

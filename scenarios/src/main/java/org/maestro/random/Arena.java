@@ -4,19 +4,10 @@ import java.time.Duration;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
-import org.maestro.rats.time.Clock;
-import org.maestro.rats.transport.InProcessBus;
-import org.maestro.sim.World;
 import org.maestro.sl.Formula;
 
 /** A site in which a random home comes to life on the stepped clock. For one thread. */
-interface Arena extends AutoCloseable {
-
-  World world();
-
-  InProcessBus bus();
-
-  Clock clock();
+interface Arena extends Fault.Stage, AutoCloseable {
 
   Formula parsed(String goal);
 

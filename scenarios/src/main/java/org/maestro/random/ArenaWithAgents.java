@@ -10,13 +10,17 @@ import java.util.function.Consumer;
 import org.maestro.assembly.LocalSite;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.rats.time.Clock;
+import org.maestro.rats.transport.Disturbance;
 import org.maestro.rats.transport.InProcessBus;
+import org.maestro.rats.transport.Publication;
 import org.maestro.sim.World;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 
 /** The whole platform with its agents. */
 final class ArenaWithAgents implements Arena {
+  private static final String CONTROLLER = "maestro";
+
   private final LocalSite site;
   private final List<String> story = new CopyOnWriteArrayList<>();
 
@@ -41,6 +45,27 @@ final class ArenaWithAgents implements Arena {
   @Override
   public Clock clock() {
     return site.clock();
+  }
+
+  /** Of agents, each on a thread of its own, only what they hear and say can be held up. */
+  @Override
+  public void freezeMain(Duration lasting) {
+    Duration end = clock().now().plus(lasting);
+    bus().disturb(new Frozen(clock(), end));
+    clock().schedule(lasting, "freeze", () -> bus().disturb(Disturbance.NONE));
+  }
+
+  private record Frozen(Clock clock, Duration end) implements Disturbance {
+    @Override
+    public List<Copy> published(String client, Publication publication) {
+      return List.of(new Copy(publication, heardLater(client)));
+    }
+
+    @Override
+    public Duration heardLater(String client) {
+      Duration left = end.minus(clock.now());
+      return client.equals(CONTROLLER) && !left.isNegative() ? left : Duration.ZERO;
+    }
   }
 
   @Override

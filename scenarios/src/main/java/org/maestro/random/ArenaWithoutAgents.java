@@ -30,6 +30,11 @@ record ArenaWithoutAgents(AgentlessSite site) implements Arena {
   }
 
   @Override
+  public void freezeMain(Duration lasting) {
+    site.freezeMain(lasting);
+  }
+
+  @Override
   public Formula parsed(String goal) {
     return site.parsed(goal);
   }

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Substitution;
 
@@ -76,6 +77,8 @@ final class Judge {
       site.weakened(weakness.lamp(), weakness.strength());
     } else if (fault instanceof Fault.BrokerDown down) {
       disturbed(now.plus(down.lasts()), down.lasts());
+    } else if (fault instanceof Fault.Frozen frozen) {
+      disturbed(now.plus(frozen.lasts()), frozen.lasts());
     } else if (fault instanceof Fault.Disturbed disturbed) {
       disturbed(now.plus(disturbed.lasts()), disturbed.lasts());
     } else if (fault instanceof Fault.Delay delay && delay.extra().compareTo(slowest) > 0) {
@@ -147,7 +150,9 @@ final class Judge {
   }
 
   private boolean isOfBrokenSensors() {
-    return site.of("LightSensor").stream().anyMatch(flawed::contains);
+    return Stream.of("LightSensor", "Camera")
+        .flatMap(kind -> site.of(kind).stream())
+        .anyMatch(flawed::contains);
   }
 
   private Verdict failed(Formula goal, Claim claim, Duration now) {

@@ -33,7 +33,7 @@ record Onlookers(Site site, Moment moment, Possibilities possibilities) {
       case "in" -> isWatched(Truths.name(arguments, 1));
       case "nextTo" ->
           isPlaceWatched(Truths.name(arguments, 0)) && isPlaceWatched(Truths.name(arguments, 1));
-      case "canSee" -> true;
+      case "canSee" -> possibilities.isUsable(Truths.name(arguments, 0));
       default -> false;
     };
   }

@@ -142,6 +142,11 @@ final class Possibilities {
     return moment.zone(thing).filter(this::canLook).isPresent();
   }
 
+  /** Whether it is there, and does what it says. */
+  boolean isUsable(String device) {
+    return usable.contains(device);
+  }
+
   /** Whether a camera looks there, in a light that there is or can be made. */
   boolean canLook(String zone) {
     return site.cameras().stream().anyMatch(camera -> canLook(camera, zone))

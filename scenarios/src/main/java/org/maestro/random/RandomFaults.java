@@ -12,6 +12,9 @@ import org.maestro.sim.Flaw;
 final class RandomFaults {
   private static final int LATEST_MILLIS = 45_000;
 
+  /** Most goals are over after some seconds. */
+  private static final int LATEST_FREEZE_MILLIS = 8_000;
+
   private final Chance chance;
   private final RandomHomes.Cast cast;
   private final FloorDraft floor;
@@ -52,6 +55,29 @@ final class RandomFaults {
       }
     }
     return flaws;
+  }
+
+  /** Draws one more who lies: a base, a camera, or any of the others. */
+  List<Fault.Flawed> drawWorseFlaws() {
+    List<Fault.Flawed> flaws = new ArrayList<>();
+    switch (chance.whole(0, 4)) {
+      case 0, 1 -> flaw(flaws, cast.robots, List.of(Flaw.STANDING, Flaw.SPINNING));
+      case 2, 3 -> flaw(flaws, cast.cameras, List.of(Flaw.BLIND, Flaw.SEEING_THINGS));
+      default -> flaws.addAll(drawFlaws());
+    }
+    return flaws;
+  }
+
+  /** Draws when the main process stands still: once, or twice one after the other. */
+  List<Fault> drawFreezes() {
+    List<Fault> freezes = new ArrayList<>();
+    Duration at = Duration.ofMillis(chance.whole(0, LATEST_FREEZE_MILLIS));
+    for (int left = chance.oneOf(List.of(1, 1, 2)); left > 0; left--) {
+      Duration lasts = Duration.ofMillis(chance.whole(1_000, 30_000));
+      freezes.add(new Fault.Frozen(at, lasts));
+      at = at.plus(lasts).plusMillis(chance.whole(0, LATEST_FREEZE_MILLIS));
+    }
+    return freezes;
   }
 
   private void flaw(List<Fault.Flawed> flaws, List<String> devices, List<Flaw> kinds) {

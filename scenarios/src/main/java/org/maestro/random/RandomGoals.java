@@ -32,6 +32,23 @@ final class RandomGoals {
     return goals;
   }
 
+  /** The same, also of driving and looking. */
+  List<String> drawOfAny(List<String> devices) {
+    return devices.stream().distinct().map(this::goalOfAny).toList();
+  }
+
+  private String goalOfAny(String device) {
+    if (cast.robots.contains(device) && chance.happens(0.3)) {
+      return "(in " + device + " " + chance.oneOf(cast.zones) + ")";
+    }
+    if (cast.cameras.contains(device)) {
+      return chance.happens(0.3)
+          ? "(canSee " + device + " " + chance.oneOf(cast.things()) + ")"
+          : chance.happens(0.5) ? nextTo() : itemIn();
+    }
+    return goalOf(device);
+  }
+
   private String goalOf(String device) {
     if (cast.robots.contains(device)) {
       return chance.happens(0.3)

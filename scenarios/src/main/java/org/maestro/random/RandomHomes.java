@@ -85,6 +85,27 @@ public final class RandomHomes {
         seed, home.homeText(), home.sceneText(), goals.isEmpty() ? home.goals() : goals, faults);
   }
 
+  /**
+   * The home of a seed in which the main process stands still for a while, mostly beside devices
+   * that lie: also bases that do not drive, and cameras.
+   */
+  public static RandomHome harsh(long seed) {
+    RandomHomes draft = new RandomHomes(seed);
+    RandomHome home = draft.drawn(seed);
+    RandomFaults more = new RandomFaults(draft.chance, draft.cast, draft.floor);
+    List<Fault.Flawed> flaws = draft.chance.happens(0.75) ? more.drawWorseFlaws() : List.of();
+    List<Fault> faults = new ArrayList<>(draft.chance.happens(0.5) ? home.faults() : List.of());
+    faults.addAll(flaws);
+    if (flaws.isEmpty() || draft.chance.happens(0.6)) {
+      faults.addAll(more.drawFreezes());
+    }
+    List<String> goals =
+        new RandomGoals(draft.chance, draft.cast, draft.floor)
+            .drawOfAny(flaws.stream().map(Fault.Flawed::device).toList());
+    return new RandomHome(
+        seed, home.homeText(), home.sceneText(), goals.isEmpty() ? home.goals() : goals, faults);
+  }
+
   private RandomHome drawn(long seed) {
     map();
     devices();

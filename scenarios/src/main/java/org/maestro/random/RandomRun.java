@@ -131,7 +131,7 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
             fault.at(),
             "fault",
             () -> {
-              fault.strike(arena.world(), arena.bus(), arena.clock());
+              fault.strike(arena);
               judge.struck(fault, arena.clock().now());
             });
   }
