@@ -37,6 +37,9 @@ public interface GripperArm {
   /** Greatest mass that it lifts; kilograms. */
   double payload();
 
+  /** The width of the widest thing that the hand takes; metres. */
+  double opening();
+
   /** All commands of a pick-up together; seconds. */
   double pickSeconds();
 

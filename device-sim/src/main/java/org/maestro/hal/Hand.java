@@ -15,6 +15,9 @@ public interface Hand {
   /** Ends the running command, whose completion is then not told. */
   void stop();
 
+  /** The width of the widest thing that it takes; metres. */
+  double opening();
+
   double closeSeconds();
 
   double letGoSeconds();

@@ -34,6 +34,9 @@ public interface JammingGripper {
   /** Whether the stiff bag holds something. */
   boolean isHolding();
 
+  /** The width of the widest thing that the bag gets around; metres. */
+  double opening();
+
   /** Pressing and evacuating together; seconds. */
   double gripSeconds();
 

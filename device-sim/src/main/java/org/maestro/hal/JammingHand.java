@@ -60,6 +60,11 @@ public final class JammingHand implements Hand {
   }
 
   @Override
+  public double opening() {
+    return gripper.opening();
+  }
+
+  @Override
   public double closeSeconds() {
     return gripper.gripSeconds();
   }

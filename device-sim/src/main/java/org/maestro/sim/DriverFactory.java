@@ -221,23 +221,26 @@ final class DriverFactory {
 
   /** What is at the end of a robot's arm. */
   private interface Fitting {
-    Drivers at(Actuator actuator, ArmData arm, Grasp grasp);
+    Drivers at(Device device, Actuator actuator, ArmData arm, Grasp grasp);
   }
 
-  private Drivers jamming(Actuator actuator, ArmData arm, Grasp grasp) {
+  private Drivers jamming(Device device, Actuator actuator, ArmData arm, Grasp grasp) {
+    GripperData data = parameters.gripper();
+    double opening = believed(device, "grip", data.opening(), GripperData.USUAL.opening());
     JammingGripper gripper =
-        new SimulatedJammingGripper(actuator, parameters.gripper(), grasp, arm.power());
+        new SimulatedJammingGripper(actuator, data.opening(opening), grasp, arm.power());
     return Drivers.none()
         .with(JammingGripper.class, gripper)
         .with(GripperArm.class, new SimulatedArm(actuator, arm, grasp, new JammingHand(gripper)));
   }
 
-  private static Drivers fingers(Actuator actuator, ArmData arm, Grasp grasp) {
+  private static Drivers fingers(Device device, Actuator actuator, ArmData arm, Grasp grasp) {
+    double opening = Stated.number(device, "grip").orElse(SimulatedFingers.USUAL_OPENING_METRES);
     return Drivers.none()
         .with(
             GripperArm.class,
             new SimulatedArm(
-                actuator, arm, grasp, new SimulatedFingers(actuator, grasp, arm.power())));
+                actuator, arm, grasp, new SimulatedFingers(actuator, grasp, arm.power(), opening)));
   }
 
   private Drivers robot(Device device, Actuator actuator, Chassis chassis) {
@@ -270,7 +273,7 @@ final class DriverFactory {
         .put(device.id(), parameters.battery(), base.power(), truth.charge().orElse(FULL_CHARGE));
     Likeness likeness = new Likeness(parameters.camera(), parameters.colour());
     return fitting
-        .at(actuator, arm, new Grasp(actuator, arm, likeness))
+        .at(device, actuator, arm, new Grasp(actuator, arm, likeness))
         .with(Battery.class, SimulatedBattery.start(actuator, parameters.battery()))
         .with(MobileBase.class, chassis.on(actuator, base))
         .with(Surroundings.class, new OnBoardMap(device.id(), world));

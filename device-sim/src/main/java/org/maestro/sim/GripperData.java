@@ -25,4 +25,24 @@ public record GripperData(
     double evacuateSeconds,
     double inflateSeconds) {
   static final GripperData USUAL = new GripperData(0.1, 75, 0.1, 1, 0.01, 0.5, 1, 0.5);
+
+  /** The width of the widest thing that the bag gets around; metres. */
+  double opening() {
+    return 2 * Math.sqrt(Math.max(0, bagDiameter * bagDiameter / 4 - lip * lip));
+  }
+
+  /** The same with a bag that just gets around things so wide; metres. */
+  GripperData opening(double width) {
+    return width == opening()
+        ? this
+        : new GripperData(
+            2 * Math.hypot(width / 2, lip),
+            vacuum,
+            pinch,
+            friction,
+            lip,
+            pressSeconds,
+            evacuateSeconds,
+            inflateSeconds);
+  }
 }

@@ -127,6 +127,11 @@ final class SimulatedArm implements GripperArm {
   }
 
   @Override
+  public double opening() {
+    return hand.opening();
+  }
+
+  @Override
   public double pickSeconds() {
     return data.extendSeconds() + hand.closeSeconds() + data.foldSeconds();
   }

@@ -1,5 +1,6 @@
 package org.maestro.sim;
 
+import java.util.Locale;
 import java.util.Optional;
 import org.maestro.hal.Completion;
 import org.maestro.hal.Hand;
@@ -8,7 +9,9 @@ import org.maestro.hal.Hand;
 final class SimulatedFingers implements Hand {
 
   /** KUKA youBot data sheet: the gripper takes up to 70 mm. */
-  private static final double OPENING_METRES = 0.07;
+  static final double USUAL_OPENING_METRES = 0.07;
+
+  private static final double CENTIMETRES = 100;
 
   /** Assumed; so is the following. */
   private static final double CLOSE_SECONDS = 1.5;
@@ -18,11 +21,13 @@ final class SimulatedFingers implements Hand {
   private final Actuator actuator;
   private final Grasp grasp;
   private final ArmMotion motion;
+  private final double opening;
 
-  SimulatedFingers(Actuator actuator, Grasp grasp, double watts) {
+  SimulatedFingers(Actuator actuator, Grasp grasp, double watts, double opening) {
     this.actuator = actuator;
     this.grasp = grasp;
     this.motion = new ArmMotion(actuator, watts);
+    this.opening = opening;
   }
 
   @Override
@@ -37,8 +42,12 @@ final class SimulatedFingers implements Hand {
 
   private Optional<String> failing(Body thing) {
     Looks.Size size = actuator.world().looks().size(thing.name());
-    return Math.min(size.length(), size.width()) > OPENING_METRES
-        ? Optional.of("it is too large for fingers that open 7 cm")
+    return Math.min(size.length(), size.width()) > opening
+        ? Optional.of(
+            String.format(
+                Locale.ROOT,
+                "it is too large for fingers that open %.0f cm",
+                CENTIMETRES * opening))
         : Optional.empty();
   }
 
@@ -50,6 +59,11 @@ final class SimulatedFingers implements Hand {
   @Override
   public void stop() {
     motion.stop();
+  }
+
+  @Override
+  public double opening() {
+    return opening;
   }
 
   @Override

@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.maestro.device.DeviceMember;
+import org.maestro.device.Nameplate;
 import org.maestro.hal.Camera;
 import org.maestro.hal.Drivers;
 import org.maestro.hal.Photo;
@@ -245,7 +246,7 @@ public final class SimulatedHome implements AutoCloseable {
     Map<String, DeviceMember> described = new LinkedHashMap<>();
     driversOf.forEach(
         (id, drivers) -> {
-          Device device = setup.home().devices().get(id);
+          Device device = Nameplate.on(setup.home().devices().get(id), drivers);
           String description = setup.descriptions().apply(device);
           described.put(id, DeviceMember.of(device, drivers, setup.clock(), description));
         });

@@ -87,6 +87,11 @@ final class SimulatedJammingGripper implements JammingGripper {
   }
 
   @Override
+  public double opening() {
+    return data.opening();
+  }
+
+  @Override
   public double gripSeconds() {
     return data.pressSeconds() + data.evacuateSeconds();
   }

@@ -60,6 +60,7 @@ class StatedPropertiesTest {
           Map.entry(":speaksFor", List.of("home:west", "home:east")),
           Map.entry(":side", List.of("home:west , home:east", "home:west")),
           Map.entry(":locked", List.of("false", "true")),
+          Map.entry(":gripperOpening", List.of("0.098", "0.05")),
           Map.entry(":payload", List.of("0.5", "0.05")),
           Map.entry(":speed", List.of("0.8", "0.2")));
 

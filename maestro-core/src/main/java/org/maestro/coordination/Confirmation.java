@@ -191,7 +191,8 @@ final class Confirmation {
         Optional.empty(),
         Optional.empty(),
         Optional.empty(),
-        OptionalDouble.empty());
+        OptionalDouble.empty(),
+        Optional.empty());
   }
 
   static PricedFeature extend(PricedFeature priced, Vocabulary vocabulary) {

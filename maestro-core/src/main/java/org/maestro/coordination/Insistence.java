@@ -69,7 +69,26 @@ record Insistence(Formula condition, Formula here) {
     return leaves.stream()
         .filter(leaf -> !isDescribed(leaf, feature.precondition(), bindings, known))
         .findFirst()
-        .map(leaf -> new Insistence(leaf, substitution.apply(leaf)));
+        .map(
+            leaf ->
+                new Insistence(tolerant(leaf, feature.precondition()), substitution.apply(leaf)));
+  }
+
+  /** Where the description lets an unknown number pass, so does what is learnt of it. */
+  private static Formula tolerant(Formula leaf, Formula described) {
+    if (leaf instanceof Formula.Comparison comparison
+        && comparison.left() instanceof Expression.Fluent fluent
+        && passesUnknown(described, new Formula.UnknownNumber(fluent))) {
+      return new Formula.Or(List.of(new Formula.UnknownNumber(fluent), leaf));
+    }
+    return leaf;
+  }
+
+  private static boolean passesUnknown(Formula described, Formula.UnknownNumber unknown) {
+    if (described instanceof Formula.And and) {
+      return and.operands().stream().anyMatch(part -> passesUnknown(part, unknown));
+    }
+    return described instanceof Formula.Or or && or.operands().contains(unknown);
   }
 
   /** The facts that a failure speaks of; fluents are written as atoms. */
@@ -81,10 +100,17 @@ record Insistence(Formula condition, Formula here) {
 
   /** Whether the other says the same with another limit. */
   boolean isRenewedBy(Insistence other) {
-    return condition instanceof Formula.Comparison mine
-            && other.condition instanceof Formula.Comparison its
+    return demand() instanceof Formula.Comparison mine
+            && other.demand() instanceof Formula.Comparison its
         ? mine.relation() == its.relation() && mine.left().equals(its.left())
         : condition.equals(other.condition);
+  }
+
+  /** The condition for what is known. */
+  private Formula demand() {
+    return condition instanceof Formula.Or or
+        ? or.operands().get(or.operands().size() - 1)
+        : condition;
   }
 
   private static Optional<Formula.Atom> fact(FeatureRun.Learnt ref) {
@@ -128,6 +154,11 @@ record Insistence(Formula condition, Formula here) {
       Formula leaf, Formula described, Map<String, Term> bindings, Facts known) {
     if (described instanceof Formula.And and) {
       return and.operands().stream().anyMatch(part -> isDescribed(leaf, part, bindings, known));
+    }
+    if (described instanceof Formula.Or or) {
+      List<Formula> ofWhatIsKnown =
+          or.operands().stream().filter(part -> !(part instanceof Formula.UnknownNumber)).toList();
+      return ofWhatIsKnown.size() == 1 && isDescribed(leaf, ofWhatIsKnown.get(0), bindings, known);
     }
     if (!(leaf instanceof Formula.Comparison wanted)
         || !(described instanceof Formula.Comparison stated)

@@ -196,13 +196,7 @@ public final class ObstacleSentences {
   }
 
   private static String relation(Relation relation) {
-    return switch (relation) {
-      case AT_LEAST -> "at least ";
-      case GREATER -> "more than ";
-      case AT_MOST -> "at most ";
-      case LESS -> "less than ";
-      case EQUAL -> "";
-    };
+    return relation == Relation.EQUAL ? "" : relation.inWords() + " ";
   }
 
   private String cures(Obstacle obstacle) {
@@ -304,7 +298,12 @@ public final class ObstacleSentences {
         .orElse(key.member() + " does " + key.feature());
   }
 
-  private static String capital(String text) {
+  /** A name stays as it is written. */
+  private String capital(String text) {
+    String first = text.split("[ ,.:;]", 2)[0];
+    if (home.individuals().containsKey(first)) {
+      return text;
+    }
     return Character.toUpperCase(text.charAt(0)) + text.substring(1);
   }
 }

@@ -23,9 +23,7 @@ import org.maestro.sl.Term;
 public final class Sentences {
   private static final Pattern PLACE_HOLDER = Pattern.compile("\\{([A-Za-z][A-Za-z0-9-]*)}");
 
-  /** QUDT's names of units, as people write them. */
-  private static final Map<String, String> UNIT_SYMBOLS =
-      Map.of("LUX", "lux", "M", "m", "KiloGM", "kg", "M-PER-SEC", "m/s", "W", "W");
+  private static final double TENTH = 0.1;
 
   private final Vocabulary vocabulary;
 
@@ -121,8 +119,7 @@ public final class Sentences {
   String unit(Expression.Fluent fluent) {
     return vocabulary
         .predicate(fluent.name())
-        .flatMap(PredicateDeclaration::unit)
-        .map(unit -> " " + UNIT_SYMBOLS.getOrDefault(unit, unit))
+        .map(PredicateDeclaration::unitAfterNumber)
         .orElse("");
   }
 
@@ -150,9 +147,9 @@ public final class Sentences {
     return SlPrinter.print(term);
   }
 
-  /** At most two decimals: for people. */
+  /** At most two decimals, three where there would be one digit else: for people. */
   public static String number(double value) {
-    String text = String.format(Locale.ROOT, "%.2f", value);
+    String text = String.format(Locale.ROOT, Math.abs(value) < TENTH ? "%.3f" : "%.2f", value);
     return text.contains(".") ? text.replaceAll("0+$", "").replaceAll("\\.$", "") : text;
   }
 }

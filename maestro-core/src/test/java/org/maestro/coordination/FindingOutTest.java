@@ -53,7 +53,7 @@ class FindingOutTest {
     GoalOutcome outcome = house.achieve("(nextTo Cup Bob)");
 
     assertThat(outcome.state()).isEqualTo(GoalState.FAILED);
-    assertThat(String.join(" ", outcome.reasons())).contains("Rose is needed and not there");
+    assertThat(String.join(" ", outcome.reasons())).contains("rose is needed and not there");
     assertThat(house.calls)
         .contains("observeObject cam-a", "observeObject cam-b")
         .noneMatch(call -> call.contains("rose"));

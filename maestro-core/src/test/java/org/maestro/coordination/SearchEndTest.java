@@ -88,7 +88,7 @@ class SearchEndTest {
         .extracting(Obstacle::condition)
         .containsExactly("cam-b");
     assertThat(String.join(" ", outcome.reasons()))
-        .contains("zone-b, which was not looked at. Cam-b is needed and not there (no power)");
+        .contains("zone-b, which was not looked at. cam-b is needed and not there (no power)");
   }
 
   @Test

@@ -225,7 +225,8 @@ final class Household {
         Optional.empty(),
         Optional.empty(),
         Optional.empty(),
-        traitList.contains("positive") ? OptionalDouble.of(0) : OptionalDouble.empty());
+        traitList.contains("positive") ? OptionalDouble.of(0) : OptionalDouble.empty(),
+        Optional.empty());
   }
 
   /** Positions along x alone: zone a up to 3 m, zone b beyond. */

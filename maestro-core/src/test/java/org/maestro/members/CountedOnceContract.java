@@ -512,7 +512,8 @@ abstract class CountedOnceContract {
             Optional.empty(),
             Optional.empty(),
             Optional.empty(),
-            OptionalDouble.empty());
+            OptionalDouble.empty(),
+            Optional.empty());
     Individual itself =
         new Individual(ID, "https://example.org/vat", ID, Set.of("Device"), Map.of());
     return new Home(

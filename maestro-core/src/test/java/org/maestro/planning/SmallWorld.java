@@ -111,7 +111,8 @@ final class SmallWorld implements Facts {
             Optional.ofNullable(likelyWhen).map(SlParser::formula),
             Optional.empty(),
             Optional.empty(),
-            OptionalDouble.empty()));
+            OptionalDouble.empty(),
+            Optional.empty()));
     return this;
   }
 

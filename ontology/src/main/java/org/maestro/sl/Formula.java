@@ -58,16 +58,22 @@ public sealed interface Formula {
 
   /** The comparisons. */
   enum Relation {
-    EQUAL("="),
-    LESS("<"),
-    AT_MOST("<="),
-    GREATER(">"),
-    AT_LEAST(">=");
+    EQUAL("=", "exactly"),
+    LESS("<", "less than"),
+    AT_MOST("<=", "at most"),
+    GREATER(">", "more than"),
+    AT_LEAST(">=", "at least");
 
     private final String symbol;
+    private final String words;
 
-    Relation(String symbol) {
+    Relation(String symbol, String words) {
       this.symbol = symbol;
+      this.words = words;
+    }
+
+    public String inWords() {
+      return words;
     }
 
     public String symbol() {

@@ -178,7 +178,7 @@ public final class RandomHomes {
           text(door.to()),
           door.first().zone(),
           door.second().zone(),
-          door.kind().isOpen() ? " ; :open true" : "",
+          door.kind().isOpen() && !door.kind().isDriven() ? " ; :open true" : "",
           door.kind() == FloorDraft.Kind.DRIVEN_LOCKED ? " ; :locked true" : "");
       scene("%s> scene:open %s", door.name(), door.kind().isOpen());
       cast.doors.add(door.name());

@@ -17,9 +17,13 @@ import org.maestro.ontology.home.HomeLoader;
 import org.maestro.sim.PhysicalParameters;
 import org.maestro.sim.SceneLoader;
 
-/** The cup has become a saucer, which a gripper's bag cannot wrap (M80). */
+/**
+ * The cup has become a saucer, which a gripper's bag cannot wrap (M80), or a mug that is too wide.
+ */
 class AnotherHandTest {
   private static final String SAUCER = "\"0.06 0.06 0.008\"";
+  private static final String MUG = "\"0.12 0.12 0.1\"";
+  private static final String TIM = ":colour \"green\" ; :size \"0.58 0.38 0.4\"";
   private static final String TOO_FLAT = "it is too flat for the bag to get around it";
 
   @Test
@@ -46,6 +50,38 @@ class AnotherHandTest {
 
       assertThat(ending.claimed()).isFalse();
       assertThat(ending.explanation()).contains(TOO_FLAT);
+    }
+  }
+
+  @Test
+  void whatIsTooWideForAllIsNotReachedFor() {
+    try (TrialSite site = site(Map.of("\"0.08 0.08 0.1\"", MUG))) {
+      Ending ending = site.pursue("(nextTo Cup Bob)", Duration.ofMinutes(10));
+
+      assertThat(ending.claimed()).isFalse();
+      assertThat(told(ending)).doesNotContainPattern("Step [0-9]+ of [0-9]+: (rose|tim) ");
+      assertThat(ending.explanation())
+          .contains("The width of Cup has to be at most the gripper opening of")
+          .contains("(0.098 m)")
+          .contains("it is 0.12 m");
+    }
+  }
+
+  /** Tim is the dearer one, as the test before shows: rose is asked first. */
+  @Test
+  void whatIsTooWideForOneTheOtherBrings() {
+    try (TrialSite site =
+        site(
+            Map.of(
+                "\"0.08 0.08 0.1\"",
+                MUG,
+                TIM + " ; :speed 0.8 ; :payload 0.5 ; :gripperOpening 0.098",
+                TIM + " ; :speed 0.8 ; :payload 0.5 ; :gripperOpening 0.14"))) {
+      Ending ending = site.pursue("(nextTo Cup Bob)", Duration.ofMinutes(10));
+
+      assertThat(told(ending)).doesNotContain("rose picks up Cup").contains("tim picks up Cup");
+      assertThat(ending.claimed()).as(told(ending)).isTrue();
+      assertThat(site.world().isNextTo("Cup", "Bob")).isTrue();
     }
   }
 

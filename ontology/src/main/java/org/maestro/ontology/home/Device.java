@@ -8,7 +8,9 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
 
 /**
@@ -29,6 +31,8 @@ public record Device(
     List<FeatureType> features,
     Map<String, String> reports,
     List<Formula> pursues) {
+  private static final List<Term> SELF = List.of(new Term.Variable("self"));
+
   public Device {
     features = List.copyOf(features);
     pursues = List.copyOf(pursues);
@@ -63,6 +67,35 @@ public record Device(
       }
     }
     return needs;
+  }
+
+  /**
+   * The property of the device itself that its procedures call by a word of their own, such as
+   * {@code payload} by {@code (payload ?self)}; empty when no feature of it says what that means.
+   */
+  public Optional<String> propertyCalled(String word) {
+    return features.stream()
+        .flatMap(feature -> Optional.ofNullable(feature.refersTo().get(word)).stream())
+        .map(SlParser::fact)
+        .filter(Fact.Holds.class::isInstance)
+        .map(fact -> ((Fact.Holds) fact).atom())
+        .filter(atom -> atom.arguments().equals(SELF))
+        .map(Formula.Atom::predicate)
+        .findFirst();
+  }
+
+  /** The same device, of which more is said: values by the property's local name. */
+  public Device with(Map<String, List<Term>> more) {
+    Map<String, List<Term>> all = new TreeMap<>(individual.properties());
+    all.putAll(more);
+    return new Device(
+        new Individual(
+            individual.name(), individual.iri(), individual.label(), individual.classes(), all),
+        container,
+        driver,
+        features,
+        reports,
+        pursues);
   }
 
   /** See {@link Individual#order}. */

@@ -10,6 +10,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import org.apache.jena.graph.Node;
 import org.apache.jena.vocabulary.RDF;
 import org.maestro.ontology.validation.Maestro;
@@ -18,6 +19,9 @@ import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Nearest;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.sl.Fact;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
 /** Checks what a home says of its things, one by one and together on the map. */
@@ -86,6 +90,42 @@ final class HomeCheck {
             "remove it, or give the device a class that has it");
       }
     }
+  }
+
+  /** What a device tells of itself is not for a home to state: nothing would come of it. */
+  void checkReported(Node node, Device device) {
+    for (Node property : graph.predicates(node)) {
+      PredicateDeclaration declared = vocabulary.predicates().get(Literals.name(property));
+      if (declared == null || !declared.iri().equals(property.getURI())) {
+        continue;
+      }
+      boolean isReported =
+          device.reports().values().stream()
+              .map(SlParser::fact)
+              .anyMatch(fact -> isOfSelf(fact, declared.name()));
+      if (isReported) {
+        graph.fault(
+            node,
+            property,
+            Optional.empty(),
+            "is for the device itself to tell, whatever a home states",
+            "remove it; how it is at first in a simulated world stands in the scene");
+      }
+    }
+  }
+
+  private static boolean isOfSelf(Fact fact, String name) {
+    if (fact instanceof Fact.Equation equation) {
+      return isOfSelf(equation.fluent().name(), equation.fluent().arguments(), name);
+    }
+    return fact instanceof Fact.Holds holds
+        && isOfSelf(holds.atom().predicate(), holds.atom().arguments(), name);
+  }
+
+  private static boolean isOfSelf(String predicate, List<Term> arguments, String name) {
+    return predicate.equals(name)
+        && !arguments.isEmpty()
+        && arguments.get(0).equals(new Term.Variable("self"));
   }
 
   private Set<Node> has(Collection<Node> classes) {
@@ -177,6 +217,46 @@ final class HomeCheck {
           Optional.of(value),
           "is not a number",
           "write a number" + declared.unit().map(unit -> " in " + unit).orElse(""));
+    } else if (Literals.term(value) instanceof Term.Number number) {
+      checkLeast(node, property, value, declared, OptionalDouble.of(number.value()));
+    }
+    for (PredicateDeclaration fluent : vocabulary.predicates().values()) {
+      fluent
+          .takenFrom()
+          .filter(from -> from.property().equals(declared.name()))
+          .ifPresent(
+              from -> {
+                OptionalDouble number = from.number(Literals.term(value));
+                if (number.isEmpty()) {
+                  graph.fault(
+                      node,
+                      property,
+                      Optional.of(value),
+                      "does not tell the %s (of its numbers, %s)"
+                          .formatted(
+                              fluent.label(),
+                              from.numbers().stream()
+                                  .map(String::valueOf)
+                                  .collect(Collectors.joining(" and "))),
+                      "write numbers with blanks between, such as \"0.1 0.08 0.12\"");
+                }
+                checkLeast(node, property, value, fluent, number);
+              });
+    }
+  }
+
+  private void checkLeast(
+      Node node, Node property, Node value, PredicateDeclaration declared, OptionalDouble number) {
+    if (number.isPresent()
+        && declared.least().isPresent()
+        && number.getAsDouble() < declared.least().getAsDouble()) {
+      String least = SlPrinter.print(declared.least().getAsDouble()) + declared.unitAfterNumber();
+      graph.fault(
+          node,
+          property,
+          Optional.of(value),
+          "is less than a %s can be".formatted(declared.label()),
+          "write %s or more".formatted(least));
     }
   }
 

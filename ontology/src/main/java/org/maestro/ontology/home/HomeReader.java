@@ -101,7 +101,12 @@ final class HomeReader {
         (name, node) ->
             check.checkThing(
                 node, home.devices().containsKey(name) || home.groups().containsKey(name)));
-    home.devices().forEach((name, device) -> check.checkUse(nodes.get(name), device));
+    home.devices()
+        .forEach(
+            (name, device) -> {
+              check.checkUse(nodes.get(name), device);
+              check.checkReported(nodes.get(name), device);
+            });
     new PermissionCheck(graph, home).check(home, nodes);
     if (graph.faults().isEmpty()) {
       check.checkMap(home, nodes);

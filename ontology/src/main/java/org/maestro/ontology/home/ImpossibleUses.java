@@ -2,12 +2,11 @@ package org.maestro.ontology.home;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.Set;
+import java.util.stream.Collectors;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
@@ -23,16 +22,18 @@ import org.maestro.sl.Truth;
 
 /**
  * Things with which no device can do what it offers for things of their kind, by numbers that the
- * home states and nothing changes: too heavy for every arm. No fault, since a thing may be there
- * for other ends, but a goal that needs it is in vain.
+ * home states and nothing changes: too heavy for every arm, too wide for every gripper. No fault,
+ * since a thing may be there for other ends, but a goal that needs it is in vain.
  */
 public final class ImpossibleUses {
   private final Home home;
   private final HomeFacts facts;
+  private final ToldNumbers told;
 
   private ImpossibleUses(Home home) {
     this.home = home;
     this.facts = new HomeFacts(home);
+    this.told = new ToldNumbers(home);
   }
 
   /** A sentence for each feature and thing, in the order of the things. */
@@ -58,8 +59,7 @@ public final class ImpossibleUses {
   }
 
   private Optional<String> sentence(Individual thing, String name, List<Device> devices) {
-    Set<String> reasons = new LinkedHashSet<>();
-    boolean concerns = false;
+    Map<List<String>, Shortfall> nearest = new LinkedHashMap<>();
     for (Device device : devices) {
       FeatureType feature =
           device.features().stream().filter(f -> f.name().equals(name)).findFirst().orElseThrow();
@@ -67,72 +67,117 @@ public final class ImpossibleUses {
           feature.inputs().stream()
               .filter(p -> p.types().stream().anyMatch(thing.classes()::contains))
               .findFirst();
-      concerns |= input.isPresent();
-      Optional<String> reason = input.flatMap(p -> obstacle(device, feature, p, thing));
-      if (input.isPresent() && reason.isEmpty()) {
+      if (input.isEmpty()) {
+        continue;
+      }
+      Optional<Shortfall> shortfall = shortfall(device, feature, input.get(), thing);
+      if (shortfall.isEmpty()) {
         return Optional.empty();
       }
-      reason.ifPresent(reasons::add);
+      nearest.merge(shortfall.get().numbers(), shortfall.get(), Shortfall::nearer);
     }
-    return concerns && !reasons.isEmpty()
-        ? Optional.of(
-            "Nobody can do %s with %s: %s."
-                .formatted(name, thing.name(), String.join("; ", reasons)))
-        : Optional.empty();
+    return nearest.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            "Nobody can do %s with %s: %s. Correct the numbers, or add a device that can."
+                .formatted(
+                    name,
+                    thing.name(),
+                    nearest.values().stream().map(this::words).collect(Collectors.joining("; "))));
   }
 
-  private Optional<String> obstacle(
+  /** A comparison of numbers that fails, and by how much. */
+  private record Shortfall(Formula.Comparison comparison, double missing, int devices) {
+    /** What is compared, of whomever. */
+    List<String> numbers() {
+      return List.of(name(comparison.left()), name(comparison.right()));
+    }
+
+    private static String name(Expression expression) {
+      return expression instanceof Expression.Fluent fluent
+          ? fluent.name()
+          : SlPrinter.print(expression);
+    }
+
+    Shortfall nearer(Shortfall other) {
+      Shortfall near = other.missing < missing ? other : this;
+      return new Shortfall(near.comparison, near.missing, devices + other.devices);
+    }
+  }
+
+  private Optional<Shortfall> shortfall(
       Device device, FeatureType feature, Parameter input, Individual thing) {
     Map<String, Term> bindings =
         Map.of("self", new Term.Name(device.id()), input.name(), new Term.Name(thing.name()));
     return conjuncts(feature.precondition()).stream()
-        .filter(Formula.Comparison.class::isInstance)
         .filter(part -> FreeVariables.of(part).contains(input.name()))
         .filter(part -> bindings.keySet().containsAll(FreeVariables.of(part)) && isFixed(part))
         .filter(part -> new Evaluation(facts).truth(part, bindings) == Truth.FALSE)
-        .findFirst()
-        .map(part -> words((Formula.Comparison) new Substitution(bindings).apply(part)));
+        .flatMap(part -> comparisons(part).stream())
+        .map(part -> (Formula.Comparison) new Substitution(bindings).apply((Formula) part))
+        .flatMap(part -> missing(part).stream().mapToObj(by -> new Shortfall(part, by, 1)))
+        .findFirst();
   }
 
-  /** Whether only the home says what the numbers are. */
-  private boolean isFixed(Formula comparison) {
+  /** Empty where no numbers are compared. */
+  private OptionalDouble missing(Formula.Comparison comparison) {
+    Evaluation evaluation = new Evaluation(facts);
+    OptionalDouble left = evaluation.number(comparison.left(), Map.of());
+    OptionalDouble right = evaluation.number(comparison.right(), Map.of());
+    return left.isPresent() && right.isPresent()
+        ? OptionalDouble.of(Math.abs(left.getAsDouble() - right.getAsDouble()))
+        : OptionalDouble.empty();
+  }
+
+  /** Whether only the home says what is so. */
+  private boolean isFixed(Formula formula) {
     boolean[] fixed = {true};
     Leaves.of(
-        comparison,
-        atom -> fixed[0] = false,
+        formula,
+        atom -> fixed[0] &= home.vocabulary().predicate(atom.predicate()).isEmpty(),
         fluent ->
             fixed[0] &=
-                home.vocabulary()
-                    .predicate(fluent.name())
-                    .filter(declared -> !declared.observable())
-                    .isPresent());
+                home.vocabulary().predicate(fluent.name()).isPresent()
+                    && !told.isTold(fluent.name()));
     return fixed[0];
   }
 
-  private String words(Formula.Comparison comparison) {
-    return "%s has to be %s %s"
+  private String words(Shortfall shortfall) {
+    Formula.Comparison comparison = shortfall.comparison();
+    return "%s has to be %s %s%s"
         .formatted(
-            side(comparison.left()), comparison.relation().symbol(), side(comparison.right()));
+            side(comparison.left()),
+            comparison.relation().inWords(),
+            side(comparison.right()),
+            shortfall.devices() > 1 ? ", the nearest of " + shortfall.devices() : "");
   }
 
   private String side(Expression expression) {
     if (!(expression instanceof Expression.Fluent fluent)) {
       return SlPrinter.print(expression);
     }
-    String label =
-        home.vocabulary()
-            .predicate(fluent.name())
-            .map(PredicateDeclaration::label)
-            .orElse(fluent.name());
+    Optional<PredicateDeclaration> declared = home.vocabulary().predicate(fluent.name());
     OptionalDouble number = facts.number(fluent);
     return "the %s of %s%s"
         .formatted(
-            label,
-            fluent.arguments().stream()
-                .map(SlPrinter::print)
-                .reduce((a, b) -> a + ", " + b)
-                .orElse(""),
-            number.isPresent() ? " (" + SlPrinter.print(number.getAsDouble()) + ")" : "");
+            declared.map(PredicateDeclaration::label).orElse(fluent.name()),
+            fluent.arguments().stream().map(SlPrinter::print).collect(Collectors.joining(", ")),
+            number.isPresent()
+                ? " (%s%s)"
+                    .formatted(
+                        SlPrinter.print(number.getAsDouble()),
+                        declared.map(PredicateDeclaration::unitAfterNumber).orElse(""))
+                : "");
+  }
+
+  /** What a formula demands, or allows instead of something else. */
+  private static List<Formula.Comparison> comparisons(Formula formula) {
+    if (formula instanceof Formula.Comparison comparison) {
+      return List.of(comparison);
+    } else if (formula instanceof Formula.Or or) {
+      return or.operands().stream().flatMap(part -> comparisons(part).stream()).toList();
+    }
+    return List.of();
   }
 
   private static List<Formula> conjuncts(Formula formula) {

@@ -13,6 +13,7 @@ import org.apache.jena.vocabulary.RDFS;
 import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceGraph;
 import org.maestro.ontology.vocabulary.Literals;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
@@ -65,8 +66,27 @@ final class IndividualReader {
       }
     }
     properties.replaceAll((name, values) -> sorted(values));
+    takeNumbers(classes, properties);
     return new Individual(
         Literals.name(node), node.getURI(), literals.label(node), classes, properties);
+  }
+
+  /** Adds the numbers that are not stated by themselves, but in the text of another property. */
+  private void takeNumbers(Set<String> classes, Map<String, List<Term>> properties) {
+    for (PredicateDeclaration fluent : vocabulary.predicates().values()) {
+      boolean isMeant =
+          fluent.parameters().size() == 1
+              && fluent.parameters().get(0).className().filter(classes::contains).isPresent();
+      if (isMeant && !properties.containsKey(fluent.name())) {
+        fluent.takenFrom().stream()
+            .flatMapToDouble(
+                from ->
+                    properties.getOrDefault(from.property(), List.of()).stream()
+                        .flatMapToDouble(value -> from.number(value).stream()))
+            .findFirst()
+            .ifPresent(number -> properties.put(fluent.name(), List.of(new Term.Number(number))));
+      }
+    }
   }
 
   /**

@@ -3,13 +3,8 @@ package org.maestro.ontology.home;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
-import java.util.TreeSet;
 import org.maestro.ontology.vocabulary.FeatureType;
-import org.maestro.ontology.vocabulary.PredicateDeclaration;
-import org.maestro.ontology.vocabulary.Vocabulary;
-import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Leaves;
@@ -23,14 +18,10 @@ import org.maestro.sl.Term;
 public final class UnstatedNeeds {
   private static final Term SELF = new Term.Variable("self");
 
-  private final Home home;
-  private final Set<String> told = new TreeSet<>();
+  private final ToldNumbers told;
 
   private UnstatedNeeds(Home home) {
-    this.home = home;
-    for (Device device : home.devices().values()) {
-      device.features().forEach(feature -> collectChanged(feature.effect()));
-    }
+    this.told = new ToldNumbers(home);
   }
 
   /** A sentence for each, in the order of the devices. */
@@ -47,20 +38,6 @@ public final class UnstatedNeeds {
       }
     }
     return sentences;
-  }
-
-  private void collectChanged(Effect effect) {
-    if (effect instanceof Effect.All all) {
-      all.effects().forEach(this::collectChanged);
-    } else if (effect instanceof Effect.When when) {
-      collectChanged(when.effect());
-    } else if (effect instanceof Effect.Forall forall) {
-      collectChanged(forall.effect());
-    } else if (effect instanceof Effect.Change change) {
-      told.add(change.fluent().name());
-    } else if (effect instanceof Effect.SenseNumber sense) {
-      told.add(sense.fluent().name());
-    }
   }
 
   private Set<String> unstated(Device device, FeatureType feature) {
@@ -92,12 +69,6 @@ public final class UnstatedNeeds {
   }
 
   private boolean isTold(Device device, String name) {
-    Vocabulary vocabulary = home.vocabulary();
-    Optional<PredicateDeclaration> declared = vocabulary.predicate(name);
-    return told.contains(name)
-        || declared.filter(PredicateDeclaration::observable).isPresent()
-        || declared.flatMap(PredicateDeclaration::computedBy).isPresent()
-        || device.individual().properties().containsKey(name)
-        || device.reports().values().stream().anyMatch(fact -> fact.contains("(" + name + " "));
+    return told.isToldOf(device, name) || device.individual().properties().containsKey(name);
   }
 }

@@ -23,6 +23,7 @@ import org.maestro.sl.TypedVariable;
  * @param likelyWhen where an unknown atom is expected first, {@code (usuallyIn ?x ?p)}
  * @param computedBy local name of a geometry function
  * @param least no value of the fluent is below it
+ * @param takenFrom where its number comes from unless it is stated by itself
  */
 public record PredicateDeclaration(
     String name,
@@ -40,9 +41,19 @@ public record PredicateDeclaration(
     Optional<Formula> likelyWhen,
     Optional<String> computedBy,
     Optional<String> unit,
-    OptionalDouble least) {
+    OptionalDouble least,
+    Optional<TakenFrom> takenFrom) {
+  /** QUDT's names of units, as people write them. */
+  private static final Map<String, String> UNIT_SYMBOLS =
+      Map.of("LUX", "lux", "M", "m", "KiloGM", "kg", "M-PER-SEC", "m/s", "W", "W");
+
   public PredicateDeclaration {
     parameters = List.copyOf(parameters);
     validForByClass = Collections.unmodifiableMap(new TreeMap<>(validForByClass));
+  }
+
+  /** The unit as people write it after a number, with a blank before it; "" when there is none. */
+  public String unitAfterNumber() {
+    return unit.map(name -> " " + UNIT_SYMBOLS.getOrDefault(name, name)).orElse("");
   }
 }

@@ -80,7 +80,9 @@ public final class VocabularyCheck {
                             "sunlightShare",
                             "shortestPath",
                             "floorArea"),
-                        "write one of distance, inside, viewShare, luxAt, daylightShare, sunlightShare, shortestPath, floorArea")));
+                        "write one of distance, inside, viewShare, luxAt, daylightShare,"
+                            + " sunlightShare, shortestPath, floorArea")));
+    predicate.takenFrom().ifPresent(from -> checkSource(node, from));
     for (TypedVariable parameter : predicate.parameters()) {
       parameter
           .className()
@@ -96,6 +98,26 @@ public final class VocabularyCheck {
                       "use the unknown class " + name,
                       Nearest.cure(
                           name, vocabulary.classes().keySet(), "declare it as an owl:Class")));
+    }
+  }
+
+  private void checkSource(Node node, TakenFrom from) {
+    if (!vocabulary.predicates().containsKey(from.property())) {
+      fault(
+          node,
+          "takenFrom",
+          "names no known property (" + from.property() + ")",
+          Nearest.cure(
+              from.property(),
+              vocabulary.predicates().keySet(),
+              "declare it as a maestro:Predicate"));
+    }
+    if (from.numbers().isEmpty() || from.numbers().stream().anyMatch(number -> number < 1)) {
+      fault(
+          node,
+          "takenFrom",
+          "does not say which numbers count",
+          "write maestro:numbers with a list of them, counted from 1, such as ( 1 2 )");
     }
   }
 

@@ -131,7 +131,20 @@ public final class VocabularyReader {
             ? Optional.of(name)
             : literals.text(node, "computedBy"),
         literals.text(node, "unit"),
-        literals.number(node, "least"));
+        literals.number(node, "least"),
+        takenFrom(node));
+  }
+
+  private Optional<TakenFrom> takenFrom(Node node) {
+    return graph
+        .object(node, Maestro.term("takenFrom"))
+        .map(
+            from ->
+                new TakenFrom(
+                    literals.text(from, "property").orElse(""),
+                    literals.terms(from, "numbers").stream()
+                        .map(term -> term instanceof Term.Number number ? (int) number.value() : 0)
+                        .toList()));
   }
 
   private List<TypedVariable> arguments(Node node) {

@@ -30,7 +30,28 @@ class FaultTest {
         "\"4.5 1.5 2.8\" ; maestro:viewAngle 75 |"
             + " \"4.5 1.5 2.8\" ; maestro:viewAngle 75 ; maestro:resolution \"wide\""
             + " | cam-b maestro:resolution \"wide\" is no width and height; write both in pixels",
-        ":power 17 | :power \"much\" | lamp-b2 :power \"much\" is not a number; write a number in W",
+        ":power 17 | :power \"much\" | lamp-b2 :power \"much\" is not a number; write a number in"
+            + " W",
+        ":power 17 | :power -17 | lamp-b2 :power \"-17\" is less than a power can be; write 0 W or"
+            + " more",
+        ":mass 0.25 | :mass -0.25 | Cup :mass \"-0.25\" is less than a mass can be; write 0 kg or"
+            + " more",
+        ":speed 0.8 | :speed -0.8 | rose :speed \"-0.8\" is less than a speed can be; write 0 m/s",
+        ":payload 0.5 | :payload -1 | rose :payload \"-1\" is less than a payload can be",
+        ":gripperOpening 0.098 | :gripperOpening -0.1"
+            + " | rose :gripperOpening \"-0.1\" is less than a gripper opening can be; write 0 m",
+        "home:cam-b a :Camera | home:cam-b :minimumIlluminance -1 ; a :Camera"
+            + " | cam-b :minimumIlluminance \"-1\" is less than a minimum illuminance can be",
+        ":size \"0.08 0.08 0.1\" | :size \"-0.08 0.08 0.1\""
+            + " | Cup :size \"-0.08 0.08 0.1\" is less than a width can be; write 0 m or more",
+        ":size \"0.08 0.08 0.1\" | :size \"small\" | Cup :size \"small\" does not tell the width",
+        ":power 17 | :power 17 ; :level 0.5 | lamp-b2 :level is for the device itself to tell,"
+            + " whatever a home states; remove it; how it is at first",
+        ":speed 0.8 | :speed 0.8 ; :charge 0.5 | rose :charge is for the device itself to tell",
+        ":speed 0.8 | :speed 0.8 ; maestro:position \"1 1 0\""
+            + " | rose maestro:position is for the device itself to tell",
+        ":side home:zone-a , home:zone-b | a :DrivenDoor ; :side home:zone-a , home:zone-b"
+            + " | door-ab :open is for the device itself to tell",
         ":usuallyIn home:zone-a | :usuallyIn home:zone-c"
             + " | Bob :usuallyIn zone-c is not described in this home",
         ":usuallyIn home:zone-a | :usuallyIn home:door-ab | Bob :usuallyIn door-ab is no Place",
@@ -50,21 +71,21 @@ class FaultTest {
         "maestro:openingFrom \"3 1.9\" ; | ` ` | door-ab maestro:openingFrom is missing",
         "home:lux-b a :LightSensor ; | home:lux-b a :LightSensor ; maestro:offers :measureLight ;"
             + " | lux-b maestro:offers measureLight is no known feature",
-        "home:lux-b a :LightSensor ; | home:lux-b a :LightSensor ;"
-            + " maestro:offers [ a :measureIllumination ; maestro:precondition \"(senses ?self\" ] ;"
-            + " | lux-b maestro:precondition \"(senses ?self\" is not MAESTRO-SL: at column 14",
-        "home:lux-b a :LightSensor ; | home:lux-b a :LightSensor ;"
-            + " maestro:offers [ a :measureIllumination ; maestro:precondition \"(sense ?self)\" ] ;"
-            + " | is not MAESTRO-SL: at column 1 stands",
+        "home:lux-b a :LightSensor ; | home:lux-b a :LightSensor ; maestro:offers [ a"
+            + " :measureIllumination ; maestro:precondition \"(senses ?self\" ] ; | lux-b"
+            + " maestro:precondition \"(senses ?self\" is not MAESTRO-SL: at column 14",
+        "home:lux-b a :LightSensor ; | home:lux-b a :LightSensor ; maestro:offers [ a"
+            + " :measureIllumination ; maestro:precondition \"(sense ?self)\" ] ; | is not"
+            + " MAESTRO-SL: at column 1 stands",
         "home:lux-b a :LightSensor ; | home:lux-b a :LightSensor ;"
             + " maestro:offers [ a :measureIllumination ; maestro:effect \"(sens ?self ?zone)\" ] ;"
             + " | lux-b maestro:effect uses the unknown predicate sens;",
         "home:lux-b a :LightSensor ; | home:lux-b a :LightSensor ;"
             + " maestro:offers [ a :measureIllumination ; maestro:effect \"(open ?zone ?self)\" ] ;"
             + " | lux-b maestro:effect gives open 2 arguments; write (open ?d - Door)",
-        "home:lux-b a :LightSensor ; | home:lux-b a :LightSensor ;"
-            + " maestro:offers [ a :measureIllumination ; maestro:effect \"(senses ?self ?zone)\" ] ;"
-            + " | lux-b maestro:effect sets senses, which follows from other facts;",
+        "home:lux-b a :LightSensor ; | home:lux-b a :LightSensor ; maestro:offers [ a"
+            + " :measureIllumination ; maestro:effect \"(senses ?self ?zone)\" ] ; | lux-b"
+            + " maestro:effect sets senses, which follows from other facts;",
         "home:lux-b a :LightSensor ; | home:lux-b a :LightSensor ;"
             + " maestro:offers [ a :measureIllumination ; maestro:cost \"(power ?sef)\" ] ;"
             + " | lux-b maestro:cost uses ?sef, which nothing binds; write ?self",
