@@ -5,11 +5,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.GoalOutcome;
 import org.maestro.coordination.GoalRequest;
 import org.maestro.coordination.HeldNews;
+import org.maestro.coordination.Journal;
 import org.maestro.coordination.Ports;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.coordination.Thinking;
@@ -56,7 +58,7 @@ public final class AgentlessSite implements AutoCloseable {
   private final SimulatedHome simulated;
   private final Coordinator coordinator;
 
-  private AgentlessSite(Home home, Scene scene, long seed) {
+  private AgentlessSite(Home home, Scene scene, long seed, Function<Clock, Journal> journals) {
     whole = new FreezableClock(clock, seed);
     main = new FreezableClock(whole, seed);
     bus = new InProcessBus(whole);
@@ -85,7 +87,8 @@ public final class AgentlessSite implements AutoCloseable {
                 new LinkCrew(deputies, link),
                 new InTurn(main),
                 main,
-                story::add));
+                story::add,
+                journals.apply(main)));
     deputies.report(coordinator);
     knowledge.watch(
         change ->
@@ -99,7 +102,17 @@ public final class AgentlessSite implements AutoCloseable {
    * @throws SiteException when devices stay away
    */
   public static AgentlessSite start(Home home, Scene scene, long seed) {
-    AgentlessSite site = new AgentlessSite(home, scene, seed);
+    return start(home, scene, seed, clock -> Journal.none());
+  }
+
+  /**
+   * The same with a journal, which its maker closes.
+   *
+   * @param journals makes it, on the clock of the heart's process
+   */
+  public static AgentlessSite start(
+      Home home, Scene scene, long seed, Function<Clock, Journal> journals) {
+    AgentlessSite site = new AgentlessSite(home, scene, seed, journals);
     List<String> expected =
         site.simulated.devices().stream().filter(site.world()::isAlive).toList();
     if (!site.runUntil(() -> expected.stream().allMatch(site.coordinator::isPresent), OPENING)) {
@@ -119,6 +132,15 @@ public final class AgentlessSite implements AutoCloseable {
    */
   public String pursue(String goal, Consumer<GoalOutcome> ended) {
     return coordinator.submit(new GoalRequest(parsed(goal), "somebody"), ended);
+  }
+
+  /**
+   * States a goal that may be refused.
+   *
+   * @param goal in MAESTRO-SL
+   */
+  public String pursue(String goal, Coordinator.Answer answer, Consumer<GoalOutcome> ended) {
+    return coordinator.submit(new GoalRequest(parsed(goal), "somebody"), answer, news -> {}, ended);
   }
 
   /**

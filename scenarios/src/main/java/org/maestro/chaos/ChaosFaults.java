@@ -30,11 +30,16 @@ final class ChaosFaults {
   private static final String CONTROLLER = "maestro";
 
   private final Random random;
+  private final boolean agents;
 
   private Optional<Disturbances> disturbances = Optional.empty();
 
-  ChaosFaults(long seed) {
+  /**
+   * @param agents whether the platform has any: each has a thread of its own, which no clock stops
+   */
+  ChaosFaults(long seed, boolean agents) {
     this.random = new Random(~seed * 0x9E3779B97F4A7C15L);
+    this.agents = agents;
   }
 
   List<Fault> draw() {
@@ -69,8 +74,12 @@ final class ChaosFaults {
     return Duration.ofMillis(least + random.nextInt(most - least));
   }
 
-  /** Nothing goes in or out; then all that came meanwhile is heard at once. */
   private Fault frozen(Duration at, Duration lasts) {
+    return agents ? silenced(at, lasts) : new Fault.Frozen(at, lasts);
+  }
+
+  /** Nothing goes in or out; then all that came meanwhile is heard at once. */
+  private Fault silenced(Duration at, Duration lasts) {
     return disturbed(
         at,
         "main process frozen",

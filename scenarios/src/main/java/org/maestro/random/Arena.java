@@ -12,9 +12,11 @@ interface Arena extends Fault.Stage, AutoCloseable {
   Formula parsed(String goal);
 
   /**
-   * @param ended told once, on the thread that lets time pass
+   * One of both is told, once, on the thread that lets time pass.
+   *
+   * @param refused why the goal is not taken on
    */
-  void pursue(String goal, Consumer<Claim> ended);
+  void pursue(String goal, Consumer<Claim> ended, Consumer<String> refused);
 
   /**
    * States a goal that is to be held.

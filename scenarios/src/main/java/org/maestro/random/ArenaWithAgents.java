@@ -83,7 +83,7 @@ final class ArenaWithAgents implements Arena {
   }
 
   @Override
-  public void pursue(String goal, Consumer<Claim> ended) {
+  public void pursue(String goal, Consumer<Claim> ended, Consumer<String> refused) {
     site.platform()
         .pursue(
             parsed(goal),

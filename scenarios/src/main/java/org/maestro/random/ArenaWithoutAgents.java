@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.maestro.assembly.AgentlessSite;
+import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.InProcessBus;
@@ -12,7 +13,7 @@ import org.maestro.sim.World;
 import org.maestro.sl.Formula;
 
 /** The heart alone. */
-record ArenaWithoutAgents(AgentlessSite site) implements Arena {
+record ArenaWithoutAgents(AgentlessSite site, RandomRun.Onlooker onlooker) implements Arena {
 
   @Override
   public World world() {
@@ -40,17 +41,30 @@ record ArenaWithoutAgents(AgentlessSite site) implements Arena {
   }
 
   @Override
-  public void pursue(String goal, Consumer<Claim> ended) {
+  public void pursue(String goal, Consumer<Claim> ended, Consumer<String> refused) {
     site.pursue(
         goal,
-        outcome ->
-            ended.accept(
-                new Claim(
-                    goal,
-                    outcome.reached(),
-                    outcome.confirmed(),
-                    outcome.binding(),
-                    outcome.reasons())));
+        new Coordinator.Answer() {
+          @Override
+          public void accepted(String goalId) {
+            onlooker.accepted(goalId);
+          }
+
+          @Override
+          public void refused(String reason) {
+            refused.accept(reason);
+          }
+        },
+        outcome -> {
+          onlooker.ended(outcome);
+          ended.accept(
+              new Claim(
+                  goal,
+                  outcome.reached(),
+                  outcome.confirmed(),
+                  outcome.binding(),
+                  outcome.reasons()));
+        });
   }
 
   @Override

@@ -11,6 +11,8 @@ import java.util.function.BiFunction;
 import org.maestro.assembly.AgentlessSite;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
+import org.maestro.coordination.GoalOutcome;
+import org.maestro.coordination.Journal;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.rats.time.Clock;
@@ -35,6 +37,17 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
   public interface Onlooker {
     /** The site is open, and no goal is stated yet. */
     void begin(InProcessBus bus, Clock clock);
+
+    /** Where the heart alone writes down its goals; the clock is that of its process. */
+    default Journal journal(Home home, Clock clock) {
+      return Journal.none();
+    }
+
+    /** A goal was taken on. */
+    default void accepted(String goalId) {}
+
+    /** A goal has ended, and that is told. */
+    default void ended(GoalOutcome outcome) {}
   }
 
   /** Runs without agents. */
@@ -47,7 +60,11 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
     return run(
         random,
         onlooker,
-        (home, scene) -> new ArenaWithoutAgents(AgentlessSite.start(home, scene, random.seed())));
+        (home, scene) ->
+            new ArenaWithoutAgents(
+                AgentlessSite.start(
+                    home, scene, random.seed(), clock -> onlooker.journal(home, clock)),
+                onlooker));
   }
 
   /** The same with the whole platform. */
@@ -101,7 +118,8 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
           arena.pursue(
               goal,
               claim ->
-                  verdicts.put(number, judge.of(arena.parsed(goal), claim, arena.clock().now())));
+                  verdicts.put(number, judge.of(arena.parsed(goal), claim, arena.clock().now())),
+              reason -> verdicts.put(number, Verdict.refused(goal, reason)));
         }
       }
       Duration begin = arena.clock().now();

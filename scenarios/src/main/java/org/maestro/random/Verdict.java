@@ -17,6 +17,8 @@ public record Verdict(String goal, Kind kind, String claim, String reason) {
     IMPOSSIBLE,
     /** Said to be impossible within moments of a change that nobody could know of yet. */
     TOO_LATE_TO_KNOW,
+    /** Not taken on, with the reason. */
+    REFUSED,
     /** Said to be reached as far as its doer says, which lies, and nobody else could look. */
     UNSEEN,
     /** Said to be reached, by a sensor that is broken and nobody else could look. */
@@ -34,6 +36,10 @@ public record Verdict(String goal, Kind kind, String claim, String reason) {
     public boolean agrees() {
       return compareTo(GAVE_UP) <= 0;
     }
+  }
+
+  static Verdict refused(String goal, String reason) {
+    return new Verdict(goal, Kind.REFUSED, "not taken on", reason);
   }
 
   static Verdict withoutEnd(String goal) {
