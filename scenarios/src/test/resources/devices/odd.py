@@ -1,6 +1,7 @@
 """A device as strangers write them, with nothing but paho-mqtt: it answers in odd ways.
 
-python3 odd.py HOST PORT SITE WAY     WAY: text, nan, null, missing (what its measurements tell), slow SECONDS, busy SECONDS
+python3 odd.py HOST PORT SITE WAY [SECONDS [ID COST]]
+WAY: text, nan, null, missing (what its measurements tell), slow (says nothing for so long), busy (says that it is at it)
 """
 import json
 import sys
@@ -11,7 +12,8 @@ import uuid
 import paho.mqtt.client as mqtt
 from paho.mqtt.subscribeoptions import SubscribeOptions
 
-ME, BOOT, ROOT, WAY = "odd-1", uuid.uuid4().hex, f"rats/1/{sys.argv[3]}/", sys.argv[4]
+BOOT, ROOT, WAY = uuid.uuid4().hex, f"rats/1/{sys.argv[3]}/", sys.argv[4]
+ME, COST = sys.argv[6:8] if len(sys.argv) > 7 else ("odd-1", "3")
 OWN = ROOT + f"member/{ME}/"
 HOUSE = "https://w3id.org/maestro/home/odd#"
 DESCRIPTION = {
@@ -24,7 +26,7 @@ DESCRIPTION = {
          "effect": "(sense (weight ?load))", "learns": "(assign (weight ?load) ?kilograms)", "cost": "1", "seconds": "0.1"},
         {"id": "https://example.org/odd#polish", "type": "maestro:Task", "sentence": "{self} polishes {load}",
          "input": [{"name": "load", "types": [HOUSE + "Load"]}],
-         "effect": "(bright ?load)", "cost": "3", "seconds": "0.1"}]}
+         "effect": "(bright ?load)", "cost": COST, "seconds": "0.1"}]}
 VALUES = {"text": {"kilograms": "heavy"}, "nan": {"kilograms": float("nan")}, "null": {"kilograms": None}, "missing": {}}
 answers = {}
 
@@ -67,6 +69,8 @@ def heard(_, __, message):
         answers[call["id"]] = None
         threading.Thread(target=polish, args=(call,), daemon=True).start()
         return
+    elif call["f"] == "$cancel":
+        print("CANCEL", call["p"]["id"], flush=True)
     elif call["f"] == "weigh":
         print("WEIGH", call["id"], flush=True)
     if call.get("r") and answers.get(call["id"], {}) is not None:

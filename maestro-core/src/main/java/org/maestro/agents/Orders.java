@@ -49,6 +49,9 @@ final class Orders {
     arguments.add(Words.named("cost", Words.number(order.step().cost())));
     arguments.add(Words.named("seconds", Words.number(order.step().seconds())));
     arguments.add(parameters("parameters", order.parameters()));
+    if (order.ends()) {
+      arguments.add(Words.named("ends", Words.name("true")));
+    }
     return new Content("perform", arguments);
   }
 

@@ -69,7 +69,8 @@ final class OwnMember implements Market, Crew {
                 order.timeout(),
                 order.call().map(Call::id),
                 Optional.of(order.goalId()),
-                Optional.empty()),
+                Optional.empty(),
+                order.ends()),
             Optional.empty(),
             (outcome, report) -> reported.accept(report))
         ::cancel;

@@ -142,7 +142,8 @@ final class Performances {
             Duration.ofMillis((long) words.number("timeout", 30_000)),
             words.string("call"),
             words.string("goal"),
-            expected(words));
+            expected(words),
+            words.string("ends").isPresent());
     String conversation = conversation(message);
     abandoned.put(
         conversation,
@@ -184,14 +185,15 @@ final class Performances {
     return handles.isEmpty();
   }
 
-  /** What is to be done. */
+  /** What is to be done, or to end. */
   record Deed(
       FeatureType feature,
       Map<String, Argument> arguments,
       Duration timeout,
       Optional<String> call,
       Optional<String> goal,
-      Optional<Call.Expectation> expects) {}
+      Optional<Call.Expectation> expects,
+      boolean ends) {}
 
   /**
    * Has the member do it.
@@ -215,18 +217,20 @@ final class Performances {
             });
     view.begun(conversation, bindings);
     deed.call().ifPresent(formerCalls::begun);
+    RatsLink.Order order =
+        new RatsLink.Order(
+            deed.call(),
+            member,
+            Optional.of(news.boot()),
+            deed.feature().name(),
+            parameters,
+            deed.timeout(),
+            deed.goal(),
+            deed.expects());
+    CallReporter reporter =
+        new CallReporter(agent::tell, new Reporter(conversation, deed, holder, reported));
     RatsLink.CallHandle handle =
-        link.call(
-            new RatsLink.Order(
-                deed.call(),
-                member,
-                Optional.of(news.boot()),
-                deed.feature().name(),
-                parameters,
-                deed.timeout(),
-                deed.goal(),
-                deed.expects()),
-            new CallReporter(agent::tell, new Reporter(conversation, deed, holder, reported)));
+        deed.ends() ? link.end(order, reporter) : link.call(order, reporter);
     handles.put(conversation, handle);
     deed.goal().ifPresent(goal -> recentGoals.put(handle.callId(), goal));
     return handle;
@@ -253,10 +257,8 @@ final class Performances {
 
   void cancel(Words words) {
     words.string("order").map(handles::get).ifPresent(RatsLink.CallHandle::cancel);
-    words
-        .string("call")
-        .filter(call -> words.string("life").filter(this::isOfThisBoot).isPresent())
-        .ifPresent(call -> link.cancel(member, news.boot(), call));
+    Optional<String> life = words.string("life").filter(this::isOfThisBoot);
+    life.flatMap(its -> words.string("call")).ifPresent(this::callOff);
   }
 
   /** A member may be asked to end what another has called, but not what it did in another life. */

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.StepAccount;
@@ -37,17 +38,39 @@ public interface Crew {
   }
 
   /**
+   * Orders of the goal of which nobody knows what became, as orders to end that; they are not owed
+   * any more.
+   *
+   * @param wanted steps that are still to be asked for
+   */
+  default List<Order> giveUpOwed(String goalId, Set<StepKey> wanted) {
+    return List.of();
+  }
+
+  /**
    * A step to be done now.
    *
    * @param call names it for good: ordered again, also by another coordinator, it is not done
    *     twice; empty: it is a new one each time
+   * @param ends nothing is to be done: the call of that name is to end, if its member is at it, and
+   *     what became of it to be reported
    */
   record Order(
       String goalId,
       Step step,
       Map<String, Argument> parameters,
       Duration timeout,
-      Optional<Call> call) {
+      Optional<Call> call,
+      boolean ends) {
+
+    public Order(
+        String goalId,
+        Step step,
+        Map<String, Argument> parameters,
+        Duration timeout,
+        Optional<Call> call) {
+      this(goalId, step, parameters, timeout, call, false);
+    }
 
     public Order(String goalId, Step step, Map<String, Argument> parameters, Duration timeout) {
       this(goalId, step, parameters, timeout, Optional.empty());
@@ -55,6 +78,10 @@ public interface Crew {
 
     Order named(Call name) {
       return new Order(goalId, step, parameters, timeout, Optional.of(name));
+    }
+
+    Order ending() {
+      return new Order(goalId, step, parameters, timeout, call, true);
     }
   }
 

@@ -218,6 +218,13 @@ final class GoalStory {
     }
   }
 
+  void ends(Step step) {
+    tell(
+        StoryEntry.Kind.STEP,
+        "%s has not said what became of it, and is told to end it: %s."
+            .formatted(step.member(), sentences().step(step)));
+  }
+
   void cancelled(Step step) {
     tell(StoryEntry.Kind.STEP, "No longer wanted: " + sentences().step(step) + ".");
   }

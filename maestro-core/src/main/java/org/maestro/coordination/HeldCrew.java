@@ -1,7 +1,9 @@
 package org.maestro.coordination;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.knowledge.Snapshot;
@@ -28,7 +30,8 @@ final class HeldCrew implements Crew {
   public Performance perform(Order order, Consumer<Report> reported) {
     Snapshot before = knowledge.snapshot();
     boolean sets =
-        !order.step().feature().continuous()
+        !order.ends()
+            && !order.step().feature().continuous()
             && !watch.concerns(order.step().feature(), knowledge.home());
     if (sets) {
       settings.begun(order.step(), before);
@@ -38,7 +41,7 @@ final class HeldCrew implements Crew {
         crew.perform(
             order,
             report -> {
-              if (report.succeeded()) {
+              if (report.succeeded() && !order.ends()) {
                 done(order, before, performance[0], sets);
               } else if (sets) {
                 settings.failed(order.step());
@@ -71,6 +74,11 @@ final class HeldCrew implements Crew {
   @Override
   public boolean isOwed(String goalId, StepKey step) {
     return crew.isOwed(goalId, step);
+  }
+
+  @Override
+  public List<Order> giveUpOwed(String goalId, Set<StepKey> wanted) {
+    return crew.giveUpOwed(goalId, wanted);
   }
 
   @Override

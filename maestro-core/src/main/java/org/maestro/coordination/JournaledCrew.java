@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.planning.StepKey;
 
@@ -86,10 +87,25 @@ final class JournaledCrew implements Crew {
 
   @Override
   public boolean isOwed(String goalId, StepKey step) {
-    return Optional.ofNullable(owed.get(new Owed(goalId, step)))
-        .flatMap(Order::call)
-        .filter(call -> call.life().isPresent() && call.life().equals(roster.life(step.member())))
-        .isPresent();
+    return Optional.ofNullable(owed.get(new Owed(goalId, step))).filter(this::isKnown).isPresent();
+  }
+
+  @Override
+  public List<Order> giveUpOwed(String goalId, Set<StepKey> wanted) {
+    List<Order> unwanted =
+        owed.entrySet().stream()
+            .filter(entry -> entry.getKey().goalId().equals(goalId))
+            .filter(entry -> !wanted.contains(entry.getKey().step()))
+            .map(Map.Entry::getValue)
+            .toList();
+    owed.values().removeAll(unwanted);
+    return unwanted.stream().filter(this::isKnown).map(Order::ending).toList();
+  }
+
+  /** Whether its member still lives the life in which it was told. */
+  private boolean isKnown(Order order) {
+    Optional<String> life = order.call().flatMap(Call::life);
+    return life.isPresent() && life.equals(roster.life(order.step().member()));
   }
 
   /**
@@ -112,8 +128,9 @@ final class JournaledCrew implements Crew {
 
   /** The goal is over: what comes to rest now is the last that is ordered for it. */
   void over(String goalId) {
+    giveUpOwed(goalId, Set.of())
+        .forEach(order -> crew.callOff(order.step().member(), order.call().orElseThrow()));
     callsOfEnded.put(goalId, Optional.ofNullable(callsByGoal.remove(goalId)).orElse(0));
-    owed.keySet().removeIf(of -> of.goalId().equals(goalId));
   }
 
   private Call name(Order order) {
@@ -150,6 +167,10 @@ final class JournaledCrew implements Crew {
     }
 
     private void over(Report report) {
+      if (order.ends()) {
+        reported.accept(report);
+        return;
+      }
       if (report.unanswered() && !calledOff) {
         owed.put(new Owed(order.goalId(), order.step().key()), order);
       }

@@ -113,10 +113,25 @@ final class StepExecution {
         () -> performance[0].aliveAt());
   }
 
-  /** Steps under way that the new plan does not want are called off. */
+  /**
+   * Steps under way that the new plan does not want are called off, and so is what has no answer.
+   */
   void callOffAllBut(List<Step> wanted) {
     Set<StepKey> keys = wanted.stream().map(Step::key).collect(Collectors.toSet());
     underway.callOffAllBut(keys, story::cancelled);
+    ports.crew().giveUpOwed(goalId, keys).forEach(this::end);
+  }
+
+  /** Its member may be at it still; what it says now of what it did counts all the same. */
+  private void end(Crew.Order order) {
+    Step step = order.step();
+    story.ends(step);
+    perform(
+        order,
+        contention.begin(step),
+        ports.knowledge().snapshot(),
+        report -> run(step, Optional.empty(), report));
+    underway.isEnding(step);
   }
 
   /** The goal is over: nothing that runs for it goes on. */

@@ -22,6 +22,7 @@ final class StepsUnderway {
   private final Map<StepKey, FactsBesideSteps.Handled> handled = new HashMap<>();
   private final Set<StepKey> calledOff = new LinkedHashSet<>();
   private final Set<StepKey> offeredFor = new LinkedHashSet<>();
+  private final Set<StepKey> ending = new LinkedHashSet<>();
 
   private record Underway(Step step, Snapshot before, Crew.Performance performance) {}
 
@@ -34,26 +35,38 @@ final class StepsUnderway {
     underway.remove(step.key());
     handled.remove(step.key());
     offeredFor.remove(step.key());
+    ending.remove(step.key());
     return calledOff.remove(step.key());
   }
 
+  /**
+   * Its member has said nothing of it, and is told to end it: until it is over nothing else is
+   * begun with that member.
+   */
+  void isEnding(Step step) {
+    ending.add(step.key());
+    calledOff.add(step.key());
+  }
+
+  /** Nobody waits for what was given up to end. */
   boolean isEmpty() {
-    return underway.isEmpty();
+    return ending.containsAll(underway.keySet());
   }
 
   boolean contains(Step step) {
     return underway.containsKey(step.key());
   }
 
-  /** Whether a step of the same member uses a component that this one needs. */
+  /** Whether a step of the same member uses a component that this one needs, or is to end first. */
   boolean clashesWith(Step next) {
     return underway.values().stream()
         .map(Underway::step)
         .anyMatch(
             running ->
                 running.member().equals(next.member())
-                    && running.feature().occupies().stream()
-                        .anyMatch(next.feature().occupies()::contains));
+                    && (ending.contains(running.key())
+                        || running.feature().occupies().stream()
+                            .anyMatch(next.feature().occupies()::contains)));
   }
 
   /** The member's step of that feature, unless it was called off already. */

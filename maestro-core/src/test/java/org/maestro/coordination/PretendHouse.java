@@ -49,6 +49,8 @@ final class PretendHouse implements Market, Crew {
 
   Consumer<Order> ordered = order -> {};
 
+  final List<String> calledOff = new ArrayList<>();
+
   /** What becomes of the report of a step on its way. */
   BiFunction<Step, Report, Report> reporting = (step, report) -> report;
 
@@ -266,6 +268,11 @@ final class PretendHouse implements Market, Crew {
           }
         });
     return () -> ended[0] = true;
+  }
+
+  @Override
+  public void callOff(String member, Call call) {
+    calledOff.add(call.id());
   }
 
   private Report done(Step step) {

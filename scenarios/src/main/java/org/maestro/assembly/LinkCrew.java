@@ -35,17 +35,19 @@ final class LinkCrew implements Crew {
     String conversation = String.valueOf(++lastOrder);
     deputy.get().view().begun(conversation, step.bindings());
     Performing performing = new Performing(deputy.get(), step, conversation, reported);
+    RatsLink.Order worded =
+        new RatsLink.Order(
+            order.call().map(Call::id),
+            step.member(),
+            order.call().flatMap(Call::life),
+            step.feature().name(),
+            LinkMarket.json(order.parameters()),
+            order.timeout(),
+            Optional.of(order.goalId()));
+    CallReporter reporter =
+        new CallReporter(action -> deputies.later(step.member(), action), performing);
     RatsLink.CallHandle call =
-        link.call(
-            new RatsLink.Order(
-                order.call().map(Call::id),
-                step.member(),
-                order.call().flatMap(Call::life),
-                step.feature().name(),
-                LinkMarket.json(order.parameters()),
-                order.timeout(),
-                Optional.of(order.goalId())),
-            new CallReporter(action -> deputies.later(step.member(), action), performing));
+        order.ends() ? link.end(worded, reporter) : link.call(worded, reporter);
     performing.callId = call.callId();
     return call::cancel;
   }

@@ -1,16 +1,11 @@
 package org.maestro.guide;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.net.URI;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -42,7 +37,7 @@ class OddDevicesTest {
           """)
   void whoTellsRubbishIsCalledThreeTimes(String way, String named) throws Exception {
     try (Stage stage = stage();
-        Odd odd = new Odd(stage.broker(), way)) {
+        PythonProcess odd = odd(stage, way)) {
       stage.await("the odd one", () -> stage.platform().presentMembers().contains("odd-1"));
       GoalOutcome outcome = stage.goal("(>= (weight Box) 3)");
       MaestroAssertions.assertThat(outcome).isNotReached().tells(named);
@@ -64,9 +59,28 @@ class OddDevicesTest {
     isDoneOnce("busy", "50");
   }
 
+  /** Twice it says nothing, so another does it; it may be at it still, and hears that it is not. */
+  @Test
+  @Tag("full")
+  void whoIsPassedOverIsToldToEndIt() throws Exception {
+    try (Stage stage = stage();
+        PythonProcess mute = odd(stage, "slow", "600");
+        PythonProcess other = odd(stage, "slow", "0", "odd-2", "5")) {
+      stage.await("both", () -> stage.platform().presentMembers().size() == 2);
+      GoalOutcome outcome = stage.goal("(bright Box)");
+      MaestroAssertions.assertThat(outcome)
+          .isReached()
+          .tells("odd-1 has not said what became of it, and is told to end it");
+      assertThat(other.lines("POLISH")).hasSize(1);
+      String begun = mute.lines("POLISH").get(0).replace("POLISH", "CANCEL");
+      stage.await("its being told", () -> mute.lines("CANCEL").contains(begun));
+      assertThat(mute.lines("POLISH")).hasSize(1);
+    }
+  }
+
   private void isDoneOnce(String... way) throws Exception {
     try (Stage stage = stage();
-        Odd odd = new Odd(stage.broker(), way)) {
+        PythonProcess odd = odd(stage, way)) {
       stage.await("the odd one", () -> stage.platform().presentMembers().contains("odd-1"));
       GoalOutcome outcome = stage.goal("(bright Box)");
       MaestroAssertions.assertThat(outcome).isReached().hasCalls(1);
@@ -75,9 +89,7 @@ class OddDevicesTest {
   }
 
   private static Stage stage() throws IOException, InterruptedException {
-    assumeTrue(
-        PythonDeviceInAPlanTest.hasPython(),
-        "python3 with paho-mqtt is not installed; .ci/run installs them");
+    PythonProcess.assumePython();
     return Stage.paced(
         new SiteSettings(
             SITE, home(), Optional.empty(), 1, Optional.empty(), 0, false, Optional.empty()));
@@ -90,36 +102,7 @@ class OddDevicesTest {
     }
   }
 
-  /** The process, and what it prints. */
-  private final class Odd implements AutoCloseable {
-    private final Path printed = directory.resolve("odd.txt");
-    private final Process process;
-
-    Odd(URI broker, String... way) throws Exception {
-      Path script = Path.of(OddDevicesTest.class.getResource("/devices/odd.py").toURI());
-      List<String> command =
-          new ArrayList<>(
-              List.of(
-                  "python3",
-                  script.toString(),
-                  broker.getHost(),
-                  String.valueOf(broker.getPort()),
-                  SITE));
-      command.addAll(List.of(way));
-      process =
-          new ProcessBuilder(command)
-              .redirectErrorStream(true)
-              .redirectOutput(printed.toFile())
-              .start();
-    }
-
-    List<String> lines(String word) throws IOException {
-      return Files.readAllLines(printed).stream().filter(line -> line.startsWith(word)).toList();
-    }
-
-    @Override
-    public void close() {
-      process.destroyForcibly();
-    }
+  private PythonProcess odd(Stage stage, String... way) throws Exception {
+    return new PythonProcess("odd.py", directory, stage.broker(), SITE, way);
   }
 }

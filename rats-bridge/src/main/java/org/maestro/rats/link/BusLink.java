@@ -147,6 +147,19 @@ public final class BusLink implements RatsLink {
 
   @Override
   public CallHandle call(Order order, CallListener listener) {
+    Call call = worded(order);
+    perform(() -> calls.begin(call, roster.readyBoot(order.member()), listener));
+    return handle(call);
+  }
+
+  @Override
+  public CallHandle end(Order order, CallListener listener) {
+    Call call = worded(order);
+    perform(() -> calls.end(call, roster.readyBoot(order.member()), nextId(), listener));
+    return handle(call);
+  }
+
+  private Call worded(Order order) {
     Call call =
         new Call(
             order.id().orElseGet(this::nextId),
@@ -160,19 +173,11 @@ public final class BusLink implements RatsLink {
             order.expects());
     // Parameters that JSON cannot hold are the caller's fault, and are told to the caller's face.
     wire.require(call);
-    perform(() -> calls.begin(call, roster.readyBoot(order.member()), listener));
-    return new CallHandle() {
-      @Override
-      public String callId() {
-        return call.id();
-      }
+    return call;
+  }
 
-      @Override
-      public void cancel() {
-        String cancelId = nextId();
-        perform(() -> calls.cancel(call.id(), cancelId));
-      }
-    };
+  private CallHandle handle(Call call) {
+    return new Handle(call.id(), () -> perform(() -> calls.cancel(call.id(), nextId())));
   }
 
   @Override

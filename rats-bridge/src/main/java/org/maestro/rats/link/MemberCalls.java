@@ -99,18 +99,7 @@ public final class MemberCalls {
             Optional.empty());
     wire.require(call);
     whenKnown(called, () -> calls.begin(call, roster.readyBoot(called), listener));
-    return new RatsLink.CallHandle() {
-      @Override
-      public String callId() {
-        return call.id();
-      }
-
-      @Override
-      public void cancel() {
-        String cancelId = nextId();
-        whenKnown(called, () -> calls.cancel(call.id(), cancelId));
-      }
-    };
+    return new Handle(call.id(), () -> whenKnown(called, () -> calls.cancel(call.id(), nextId())));
   }
 
   /** What the parameter sets of another's feature would cost; the answers are in their order. */

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.Complaints;
@@ -53,8 +54,7 @@ final class OpenCalls {
   private final WireFormat wire = new WireFormat();
   private final Map<String, Open> open = new LinkedHashMap<>();
 
-  private final String clockName;
-  private int clocks;
+  private final CallStamps stamps;
 
   private final LateResults late = new LateResults();
 
@@ -62,7 +62,7 @@ final class OpenCalls {
       String controller, Topics topics, Transport transport, Clock clock, Complaints complaints) {
     this.complaints = complaints;
     this.controller = controller;
-    this.clockName = Long.toString(clock.instant().toEpochMilli(), Character.MAX_RADIX);
+    this.stamps = new CallStamps(clock);
     this.topics = topics;
     this.transport = transport;
     this.clock = clock;
@@ -73,6 +73,32 @@ final class OpenCalls {
    * @param boot the member's present life; empty: it is not there, and the call fails
    */
   void begin(Call call, Optional<String> boot, RatsLink.CallListener listener) {
+    begin(call, boot, listener, this::send);
+  }
+
+  /**
+   * The same for a call that was made before: it is not made again, but ended.
+   *
+   * @param cancelId of the call that ends it
+   */
+  void end(Call call, Optional<String> boot, String cancelId, RatsLink.CallListener listener) {
+    begin(call, boot, listener, former -> haveEnded(former, boot, cancelId));
+  }
+
+  private void haveEnded(Open former, Optional<String> boot, String cancelId) {
+    former.isToEnd = true;
+    begin(
+        cancelling(member(former.call), boot, former.call.id(), cancelId),
+        boot,
+        answer -> {
+          if (Boolean.FALSE.equals(answer.values().get("found"))) {
+            end(former, ErrorCode.CANCELED, member(former.call) + " is at no such call");
+          }
+        });
+  }
+
+  private void begin(
+      Call call, Optional<String> boot, RatsLink.CallListener listener, Consumer<Open> first) {
     Open begun = new Open(addressed(call, boot), listener);
     if (open.containsKey(call.id())) {
       String message = "A call of the id " + call.id() + " is under way; each call needs its own";
@@ -93,7 +119,7 @@ final class OpenCalls {
     } else {
       begun.deadline = clock.now().plus(call.timeout());
       watch(begun, call.timeout());
-      send(begun);
+      first.accept(begun);
     }
   }
 
@@ -103,7 +129,8 @@ final class OpenCalls {
   }
 
   private Call addressed(Call call, Optional<String> boot) {
-    return new Call(
+    return stamps.stamp(
+        new Call(
             call.id(),
             call.member(),
             call.boot().or(() -> boot),
@@ -112,29 +139,12 @@ final class OpenCalls {
             call.timeout(),
             call.from(),
             call.task(),
-            call.expects())
-        .madeAt(now());
-  }
-
-  /** Of wall time, as members' clocks may run at another speed. */
-  private Call.Sent now() {
-    return new Call.Sent(clockName + "-" + clocks, (long) (clock.now().toMillis() / clock.speed()));
-  }
-
-  /**
-   * A member that takes for late what cannot have been late has been misled by a clock that stood
-   * still for a while, such as one of a machine that slept: from now on it is another clock.
-   */
-  private void checkClock(Open call, Result result) {
-    boolean tooLate = result.error().filter(error -> error.code() == ErrorCode.EXPIRED).isPresent();
-    if (tooLate && clock.now().compareTo(call.deadline) < 0) {
-      clocks++;
-    }
+            call.expects()));
   }
 
   /** To whomever it concerns; nobody waits for what they answer. */
   void sendUnwatched(Call call) {
-    publish(call.madeAt(now()), call.timeout(), failure -> failure.ifPresent(this::note));
+    publish(stamps.stamp(call), call.timeout(), failure -> failure.ifPresent(this::note));
   }
 
   void cancel(String callId, String cancelId) {
@@ -150,16 +160,19 @@ final class OpenCalls {
 
   /** A call need not be among these: one of a former life of the controller may be meant. */
   void sendCancel(String member, Optional<String> boot, String callId, String cancelId) {
-    sendUnwatched(
-        new Call(
-            cancelId,
-            Optional.of(member),
-            boot,
-            ReservedFeature.CANCEL.word(),
-            Map.of("id", callId),
-            CANCEL_LIMIT,
-            controller,
-            Optional.empty()));
+    sendUnwatched(cancelling(member, boot, callId, cancelId));
+  }
+
+  private Call cancelling(String member, Optional<String> boot, String callId, String cancelId) {
+    return new Call(
+        cancelId,
+        Optional.of(member),
+        boot,
+        ReservedFeature.CANCEL.word(),
+        Map.of("id", callId),
+        CANCEL_LIMIT,
+        controller,
+        Optional.empty());
   }
 
   /**
@@ -194,7 +207,7 @@ final class OpenCalls {
     String sender = topics.senderOf(message.topic()).orElse(result.from());
     Open call = open.get(result.id());
     if (call != null && isFrom(call, sender, result.from())) {
-      checkClock(call, result);
+      stamps.check(call.deadline, result);
       end(call, result);
     } else if (call == null) {
       late.heard(sender, result);
@@ -282,7 +295,7 @@ final class OpenCalls {
 
   private void send(Open call) {
     Duration left = call.established ? call.call.timeout() : call.deadline.minus(clock.now());
-    if (left.isNegative() || left.isZero()) {
+    if (call.isToEnd || left.isNegative() || left.isZero()) {
       return;
     }
     publish(
@@ -367,6 +380,7 @@ final class OpenCalls {
     private Duration deadline = Duration.ZERO;
     private Optional<String> cancelId = Optional.empty();
     private boolean established;
+    private boolean isToEnd;
 
     private Open(Call call, RatsLink.CallListener listener) {
       this.call = call;

@@ -64,6 +64,15 @@ public interface RatsLink extends AutoCloseable {
   }
 
   /**
+   * Ends a call that was made before, and of which nobody knows what became: it is not made again.
+   * Exactly one result follows: the member's own word of the call, FAILED with CANCELED when the
+   * member is at no such call, or that the member says nothing.
+   *
+   * @param order in the words of then
+   */
+  CallHandle end(Order order, CallListener listener);
+
+  /**
    * Ends a call that a former link of the same controller id has made, and whose outcome nobody
    * waits for.
    *

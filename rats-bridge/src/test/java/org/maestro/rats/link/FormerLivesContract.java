@@ -84,6 +84,31 @@ abstract class FormerLivesContract extends ForeignDevicesContract {
   }
 
   @Test
+  void hearsWhatBecomesOfACallThatItEndsAndMakesNoneForThat() {
+    TestDevice device = new TestDevice("anna", clock());
+    String boot = join(device, "home").boot();
+    Transport formerTransport = client("cca");
+    RatsLink former = BusLink.connect("cca", "home", formerTransport, clock());
+    await(() -> usable(former, "anna"));
+    RatsLink.Order grip = order("G1-1", boot, "grip", Map.of());
+    Listener gripping = new Listener();
+    former.call(grip, gripping);
+    await(() -> gripping.progress.size() > 1);
+    formerTransport.die();
+    RatsLink link = connect("cca", "home");
+    await(() -> usable(link, "anna"));
+    Listener ended = new Listener();
+    link.end(grip, ended);
+    Listener neverBegun = new Listener();
+    link.end(order("G1-2", boot, "drive", Map.of("to", "a")), neverBegun);
+    await(() -> ended.ended() && neverBegun.ended());
+    assertThat(ended.only().outcome()).isIn(Outcome.CANCELED, Outcome.FAILED);
+    assertFailed(neverBegun.only(), ErrorCode.CANCELED);
+    await(() -> running(link, "anna").isEmpty());
+    assertThat(device.log).noneMatch(line -> line.endsWith("start drive"));
+  }
+
+  @Test
   void endsACallOfItsFormerLife() {
     RatsMember anna = join("anna", "home");
     Transport formerTransport = client("cca");
