@@ -33,6 +33,7 @@ final class Voice implements MemberNews.Listener {
   private Optional<String> configured;
   private Rights rights = Rights.UNKNOWN;
   private boolean announced;
+  private boolean hasSpoken;
   private Runnable unwatch = () -> {};
 
   Voice(GenericAgent agent, Charge charge, Surroundings here, FormerCalls formerCalls) {
@@ -206,8 +207,10 @@ final class Voice implements MemberNews.Listener {
         Words.named("reason", Words.text(reason)));
   }
 
+  /** Of one that never says anything of itself there is nothing to withdraw. */
   private void say(MemberWord word) {
-    if (!word.facts().isEmpty()) {
+    hasSpoken |= !word.facts().isEmpty();
+    if (hasSpoken) {
       agent.send(
           agent.message(
               ACLMessage.INFORM,

@@ -26,7 +26,7 @@ public final class MemberNews {
 
     /**
      * Facts about itself that can be read, none of them told while a call runs that may be changing
-     * them.
+     * them. What it does not say any more is withdrawn.
      */
     void said(MemberWord word);
 
@@ -63,9 +63,13 @@ public final class MemberNews {
       now.description()
           .filter(text -> isBack || !isCurrent(text) || !boot.equals(now.boot()))
           .ifPresent(text -> describedAs(text, now.boot()));
-      if (isBack || statesHeard != now.statesHeard()) {
-        statesHeard = now.statesHeard();
-        now.state().map(this::readable).flatMap(view::said).ifPresent(this::say);
+      boolean isNews = statesHeard != now.statesHeard();
+      statesHeard = now.statesHeard();
+      if (isBack || isNews) {
+        now.state().map(this::readable).flatMap(view::said).ifPresent(listener::said);
+      }
+      if (isNews && !isBack && now.state().isEmpty()) {
+        view.saidNothing().ifPresent(listener::said);
       }
     } else if (now.phase() != MemberStatus.Phase.INIT && view.isReady()) {
       view.ready(false);
@@ -105,11 +109,5 @@ public final class MemberNews {
 
   private MemberState readable(MemberState state) {
     return state.with(saidFacts.readable(member, state.values()));
-  }
-
-  private void say(MemberWord word) {
-    if (!word.facts().isEmpty()) {
-      listener.said(word);
-    }
   }
 }

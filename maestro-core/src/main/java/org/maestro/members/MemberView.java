@@ -1,6 +1,7 @@
 package org.maestro.members;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
@@ -170,8 +171,16 @@ public final class MemberView {
    * @return what may be told now
    */
   public Optional<MemberWord> said(MemberState state) {
-    MemberWord word = new MemberWord(state.values(), momentOf(state));
-    Heard now = new Heard(word, over(state));
+    return heard(new MemberWord(state.values(), momentOf(state)), over(state));
+  }
+
+  /** The member has withdrawn what it said of itself. */
+  public Optional<MemberWord> saidNothing() {
+    return heard(new MemberWord(List.of(), next()), Set.of());
+  }
+
+  private Optional<MemberWord> heard(MemberWord word, Set<String> over) {
+    Heard now = new Heard(word, over);
     last = Optional.of(now);
     if (inDoubt) {
       inDoubt = false;

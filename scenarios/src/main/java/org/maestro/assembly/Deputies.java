@@ -87,9 +87,7 @@ final class Deputies {
 
     @Override
     public void said(MemberWord word) {
-      if (!word.facts().isEmpty()) {
-        knowledge.state(member, word);
-      }
+      knowledge.state(member, word);
     }
 
     @Override

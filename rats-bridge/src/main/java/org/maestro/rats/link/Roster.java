@@ -125,21 +125,33 @@ final class Roster {
   }
 
   void stateHeard(Message message) {
-    if (message.payload().length == 0) {
-      return;
-    }
     sender(message)
         .ifPresent(
-            id ->
+            id -> {
+              if (message.payload().length == 0) {
+                Optional.ofNullable(entries.get(id))
+                    .filter(entry -> entry.state.isPresent())
+                    .ifPresent(entry -> states(entry, Optional.empty()));
+              } else {
                 decoded(message, () -> wire.decodeState(message.payload()))
                     .filter(state -> isOwn(id, state.member(), message))
-                    .ifPresent(
-                        state -> {
-                          Entry entry = entry(id);
-                          entry.state = Optional.of(state);
-                          entry.statesHeard++;
-                          publish(entry);
-                        }));
+                    .filter(state -> !isToldAgain(entry(id), state))
+                    .ifPresent(state -> states(entry(id), Optional.of(state)));
+              }
+            });
+  }
+
+  /** What a broker has kept, and sends once more after a connect, was not said since. */
+  private static boolean isToldAgain(Entry entry, MemberState state) {
+    boolean isKept = entry.awaitsKept && entry.state.equals(Optional.of(state));
+    entry.awaitsKept = false;
+    return isKept;
+  }
+
+  private void states(Entry entry, Optional<MemberState> state) {
+    entry.state = state;
+    entry.statesHeard++;
+    publish(entry);
   }
 
   /** From now on only those count as there whose status is heard again. */
@@ -149,6 +161,7 @@ final class Roster {
         .forEach(
             entry -> {
               entry.doubted = true;
+              entry.awaitsKept = true;
               entry.settle();
             });
   }
@@ -230,6 +243,10 @@ final class Roster {
     String formerBoot = entry.boot;
     entry.phase = Optional.of(status.phase());
     entry.boot = status.boot();
+    if (leaves(status)) {
+      // When it is back, it has to say anew how it is.
+      entry.state = Optional.empty();
+    }
     publish(entry);
     if (otherLife) {
       watcher.gone(status.member(), formerBoot, "it was started again");
@@ -324,6 +341,7 @@ final class Roster {
     private Optional<MemberState> state = Optional.empty();
     private long statesHeard;
     private boolean doubted;
+    private boolean awaitsKept;
     private Optional<Hearsay> unproven = Optional.empty();
     private int questions;
     private boolean contradicted;

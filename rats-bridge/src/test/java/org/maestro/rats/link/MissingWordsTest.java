@@ -87,6 +87,72 @@ class MissingWordsTest {
     }
   }
 
+  /** A broker sends it once more after a connect: nobody has said it since. */
+  @Test
+  void whatABrokerHasKeptIsNoNews() {
+    TestDevice device = new TestDevice("anna", clock);
+    RatsMember anna =
+        RatsMember.start(
+            device.profile(), () -> List.copyOf(device.facts), bus.client("anna"), "home", clock);
+    BusLink link = BusLink.connect("cca", "home", bus.client("cca"), clock);
+    assertThat(clock.runUntil(() -> isComplete(link, anna), Duration.ofMinutes(1))).isTrue();
+    clock.run(Duration.ofSeconds(5));
+    long heard = known(link).statesHeard();
+    bus.cut("cca");
+    clock.run(Duration.ofSeconds(1));
+    bus.mend("cca");
+    clock.run(Duration.ofMillis(100));
+    assertThat(known(link).statesHeard()).isEqualTo(heard);
+    clock.run(Duration.ofSeconds(5));
+    assertThat(known(link).statesHeard()).as("what it says when it is asked").isGreaterThan(heard);
+
+    bus.cut("cca");
+    device.facts.clear();
+    anna.stateChanged();
+    clock.run(Duration.ofSeconds(1));
+    bus.mend("cca");
+    clock.run(Duration.ofMillis(100));
+    assertThat(known(link).state().orElseThrow().values()).isEmpty();
+  }
+
+  @Test
+  void aStateThatIsClearedIsAskedForAgain() {
+    RatsMember anna = join("anna");
+    RatsLink link = BusLink.connect("cca", "home", bus.client("cca"), clock);
+    assertThat(clock.runUntil(() -> isComplete(link, anna), Duration.ofMinutes(1))).isTrue();
+    Transport other = bus.client("other");
+    other.open(Optional.empty(), new Unconcerned());
+    clock.run(Duration.ofSeconds(1));
+    other.publish(Publication.clearing(topics.state("anna")), failure -> {});
+    clock.run(Duration.ofMillis(100));
+    assertThat(known(link).state()).isEmpty();
+    assertThat(clock.runUntil(() -> isComplete(link, anna), Duration.ofMinutes(1))).isTrue();
+  }
+
+  /** Whoever dies may be otherwise when it is back. */
+  @Test
+  void whatWasSaidBeforeALossDoesNotCountAfterIt() {
+    RatsMember anna = join("anna");
+    RatsLink link = BusLink.connect("cca", "home", bus.client("cca"), clock);
+    assertThat(clock.runUntil(() -> isComplete(link, anna), Duration.ofMinutes(1))).isTrue();
+    anna.die();
+    clock.run(Duration.ofSeconds(1));
+    assertThat(known(link).phase()).isEqualTo(MemberStatus.Phase.LOST);
+    assertThat(known(link).state()).isEmpty();
+  }
+
+  private static RatsLink.Member known(RatsLink link) {
+    return link.members().iterator().next();
+  }
+
+  private static final class Unconcerned implements Transport.ConnectionListener {
+    @Override
+    public void connected() {}
+
+    @Override
+    public void lost(String reason) {}
+  }
+
   @Test
   void whoNeverDescribesItselfIsAskedLaterAndLaterButNotForgotten() {
     Transport mute = bus.client("mute");
