@@ -42,7 +42,11 @@ final class KnownHome {
    *
    * @param fingers two of them; else a bag of grains
    */
-  private record Robot(String name, int room, double payload, boolean fingers) {}
+  private record Robot(String name, int room, double payload, boolean fingers) {
+    double opening() {
+      return fingers ? 0.07 : 0.098;
+    }
+  }
 
   private final Random random;
   private final Kind kind;
@@ -56,6 +60,10 @@ final class KnownHome {
   private final double cupMass;
   private final double cupSize;
   private final int person;
+
+  /** Else it is found out by trying. */
+  private final boolean gripsAreStated;
+
   private int order;
 
   KnownHome(long seed, Kind kind) {
@@ -67,6 +75,7 @@ final class KnownHome {
     this.person = random.nextInt(rooms);
     this.cupMass = random.nextInt(4) == 0 ? 0.9 : 0.1 + 0.1 * random.nextInt(4);
     this.cupSize = List.of(0.05, 0.08, 0.08, 0.16).get(random.nextInt(4));
+    this.gripsAreStated = random.nextBoolean();
     begin(seed);
     for (int room = 0; room < rooms; room++) {
       room(room);
@@ -168,12 +177,13 @@ final class KnownHome {
     robots.add(robot);
     home(
         "%s a :MobileRobot ; maestro:order %d ;%s :colour \"%s\" ; :size \"0.58 0.38 0.4\" ;"
-            + " :speed 0.8 ; :payload %s",
+            + " :speed 0.8 ; :payload %s%s",
         name,
         ++order,
         robot.fingers() ? " maestro:driver \"mobile-robot-with-fingers\" ;" : "",
         name.equals("rose") ? "orange" : "pink",
-        text("%.2f", robot.payload()));
+        text("%.2f", robot.payload()),
+        gripsAreStated ? text(" ; :gripperOpening %.3f", robot.opening()) : "");
     double place = name.equals("rose") ? 0.6 : 2.4;
     scene(
         "%s> scene:position \"%s 0\" ; scene:speed 0.8 ; scene:payload %s",
@@ -216,9 +226,8 @@ final class KnownHome {
             .anyMatch(robot -> reached(robot.room()).containsAll(List.of(cup, to)));
   }
 
-  /** Fingers open 7 cm; the bag gets around what is 9 cm wide. */
   private boolean canHold(Robot robot) {
-    return cupMass <= robot.payload() && cupSize <= (robot.fingers() ? 0.07 : 0.09);
+    return cupMass <= robot.payload() && cupSize <= robot.opening();
   }
 
   /** All rooms to which one comes from there. */
