@@ -27,6 +27,11 @@ public record ArmData(
         reach, other, extendSeconds, foldSeconds, graspTolerance, placingError, power);
   }
 
+  ArmData reaching(double other) {
+    return new ArmData(
+        other, payload, extendSeconds, foldSeconds, graspTolerance, placingError, power);
+  }
+
   /**
    * The same arm with another standard deviation of where things come to stand; metres, each axis.
    */

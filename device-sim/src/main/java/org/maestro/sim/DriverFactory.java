@@ -231,7 +231,10 @@ final class DriverFactory {
         new SimulatedJammingGripper(actuator, data.opening(opening), grasp, arm.power());
     return Drivers.none()
         .with(JammingGripper.class, gripper)
-        .with(GripperArm.class, new SimulatedArm(actuator, arm, grasp, new JammingHand(gripper)));
+        .with(
+            GripperArm.class,
+            new SimulatedArm(
+                actuator, arm, Stated.number(device, "height"), grasp, new JammingHand(gripper)));
   }
 
   private static Drivers fingers(Device device, Actuator actuator, ArmData arm, Grasp grasp) {
@@ -240,7 +243,11 @@ final class DriverFactory {
         .with(
             GripperArm.class,
             new SimulatedArm(
-                actuator, arm, grasp, new SimulatedFingers(actuator, grasp, arm.power(), opening)));
+                actuator,
+                arm,
+                Stated.number(device, "height"),
+                grasp,
+                new SimulatedFingers(actuator, grasp, arm.power(), opening)));
   }
 
   private Drivers robot(Device device, Actuator actuator, Chassis chassis) {
@@ -267,7 +274,8 @@ final class DriverFactory {
     BaseData base = parameters.base().atSpeed(truth.speed().orElse(speed));
     double payload =
         believed(device, "payload", parameters.arm().payload(), ArmData.YOUBOT.payload());
-    ArmData arm = parameters.arm().lifting(truth.payload().orElse(payload));
+    double reach = believed(device, "reach", parameters.arm().reach(), ArmData.YOUBOT.reach());
+    ArmData arm = parameters.arm().lifting(truth.payload().orElse(payload)).reaching(reach);
     world
         .batteries()
         .put(device.id(), parameters.battery(), base.power(), truth.charge().orElse(FULL_CHARGE));

@@ -1,6 +1,7 @@
 package org.maestro.sim;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.maestro.hal.Completion;
 import org.maestro.hal.GripperArm;
@@ -19,14 +20,19 @@ final class SimulatedArm implements GripperArm {
   private final Grasp grasp;
   private final Hand hand;
   private final ArmMotion motion;
+  private final OptionalDouble height;
   private Optional<Boast> boast = Optional.empty();
 
   /** What the hand is said to hold. */
   private record Boast(Optional<String> held) {}
 
-  SimulatedArm(Actuator actuator, ArmData data, Grasp grasp, Hand hand) {
+  /**
+   * @param height above the floor up to which it reaches, where there is a limit; metres
+   */
+  SimulatedArm(Actuator actuator, ArmData data, OptionalDouble height, Grasp grasp, Hand hand) {
     this.actuator = actuator;
     this.data = data;
+    this.height = height;
     this.grasp = grasp;
     this.hand = hand;
     this.motion = new ArmMotion(actuator, data.power());
@@ -42,6 +48,9 @@ final class SimulatedArm implements GripperArm {
           Position there = actuator.world().faults().astray(actuator.device()).reached(place);
           if (robot().floor().distance(there.floor()) > data.reach() + SLACK_METRES) {
             return Optional.of("it is out of reach");
+          }
+          if (place.z() > height.orElse(Double.POSITIVE_INFINITY)) {
+            return Optional.of("it is higher than the arm reaches");
           }
           grasp.moveTo(there);
           return Optional.empty();

@@ -61,6 +61,8 @@ class StatedPropertiesTest {
           Map.entry(":side", List.of("home:west , home:east", "home:west")),
           Map.entry(":locked", List.of("false", "true")),
           Map.entry(":gripperOpening", List.of("0.098", "0.05")),
+          Map.entry(":reach", List.of("0.5", "0.7")),
+          Map.entry(":reachHeight", List.of("0.5", "0.01")),
           Map.entry(":payload", List.of("0.5", "0.05")),
           Map.entry(":speed", List.of("0.8", "0.2")));
 
@@ -276,7 +278,7 @@ class StatedPropertiesTest {
         new StringBuilder(
             "@prefix scene: <%s> .\n@base <https://w3id.org/maestro/home/bob> .\n"
                 .formatted(SceneLoader.NAMESPACE));
-    text.append("<#Cup> scene:position \"2 2 0\" ; scene:radius 0.04 ; scene:mass 0.2 .\n");
+    text.append("<#Cup> scene:position \"2 2 0.02\" ; scene:radius 0.04 ; scene:mass 0.2 .\n");
     text.append("<#dock> scene:charges true .\n<#door> scene:open true .\n");
     if (probe.individual().classes().contains("Shutter")) {
       text.append("<> scene:latitude 50 ; scene:dayOfYear 81 ; scene:solarTime \"12:00\" .\n");

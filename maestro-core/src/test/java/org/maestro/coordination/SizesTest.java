@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.maestro.knowledge.FeatureRun;
+import org.maestro.knowledge.Source;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.sl.Term;
@@ -21,6 +22,11 @@ import org.maestro.sl.Term;
 class SizesTest {
   private static final String CUP = ":size \"0.08 0.08 0.1\"";
   private static final String MUG = ":size \"0.13 0.12 0.1\"";
+
+  /** Fixed in zone-b, where it reaches 0.8 m. */
+  private static final String ARM =
+      "home:arm a maestro:Device , maestro:Place ; maestro:pose \"4 1 0.5\" ; :reach 0.8 ;"
+          + " :payload 2 ; maestro:offers :pick , :place";
 
   @Test
   void whatNoGripperTakesIsImpossibleBeforeAnythingMoves() {
@@ -94,6 +100,63 @@ class SizesTest {
     assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
   }
 
+  @Test
+  void whatLiesHigherThanAnArmReachesIsImpossibleBeforeAnythingMoves() {
+    PretendHouse house = house(CUP, "; :reachHeight 1.2", "");
+    cupIsAt(house, "4.5 1.5 1.8");
+
+    GoalOutcome outcome = house.achieve("(in Cup zone-a)");
+
+    assertThat(outcome.state()).isEqualTo(GoalState.FAILED);
+    assertThat(house.calls).as(String.join("\n", house.story)).isEmpty();
+    assertThat(String.join(" ", outcome.reasons())).contains("Cup is not out of reach of rose");
+  }
+
+  @Test
+  void whatLiesLowEnoughOrWhoeverHasSaidNothingOfHeightsIsUsed() {
+    PretendHouse low = house(CUP, "; :reachHeight 1.2", "");
+    cupIsAt(low, "4.5 1.5 1.1");
+    assertThat(low.achieve("(in Cup zone-a)").reached()).isTrue();
+
+    PretendHouse unsaid = house(CUP, "; :reach 0.1", "");
+    cupIsAt(unsaid, "4.5 1.5 1.8");
+    assertThat(unsaid.achieve("(in Cup zone-a)").reached()).isTrue();
+  }
+
+  /** What it cannot reach up to another brings down. */
+  @Test
+  void whatLiesTooHighForOneTheOtherBrings() {
+    PretendHouse house = house(CUP, "; :reachHeight 1.2", "; :reachHeight 2");
+    cupIsAt(house, "4.5 1.5 1.8");
+
+    GoalOutcome outcome = house.achieve("(in Cup rose)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(house.calls)
+        .containsSubsequence("pick tim", "place tim", "pick rose")
+        .containsOnlyOnce("pick rose");
+  }
+
+  @Test
+  void anArmThatDoesNotMoveTakesWhatLiesWithinItsReach() {
+    PretendHouse near = house(CUP, "", ARM);
+    cupIsAt(near, "4.5 1.4 0");
+    assertThat(near.achieve("(in Cup arm)").reached()).isTrue();
+    assertThat(near.calls).containsExactly("pick arm");
+
+    PretendHouse far = house(CUP, "; :gripperOpening 0.01", ARM);
+    cupIsAt(far, "5.5 2.5 0");
+    GoalOutcome outcome = far.achieve("(in Cup arm)");
+    assertThat(outcome.state()).isEqualTo(GoalState.FAILED);
+    assertThat(far.calls).as(String.join("\n", far.story)).isEmpty();
+  }
+
+  private static void cupIsAt(PretendHouse house, String place) {
+    house.knowledge.state(
+        new Source(Source.Kind.OBSERVED, "cam-b"),
+        List.of("(position Cup \"%s\")".formatted(place)));
+  }
+
   private static void refuseWidth(PretendHouse house, String member) {
     house.reporting =
         (step, report) -> {
@@ -124,8 +187,8 @@ class SizesTest {
       assertThat(said).contains("home:Cup").doesNotContain(size.equals(CUP) ? "none" : CUP);
       String more =
           "\nhome:Plate a :Item ; :colour \"white\" ; :mass 0.2 ; :usuallyIn home:zone-b .\n"
-              + (tim.isEmpty()
-                  ? ""
+              + (tim.isEmpty() || tim.equals(ARM)
+                  ? (tim.isEmpty() ? "" : tim + " .\n")
                   : "home:tim a :MobileRobot ; :colour \"pink\" ; :size \"0.5 0.4 0.4\" ; :payload"
                       + " 1"
                       + (tim.contains(":speed") ? "" : " ; :speed 0.1")

@@ -25,6 +25,7 @@ public final class Geometry {
   private static final double HEMISPHERE_DEGREES = 180;
 
   private static final String FLOOR_AREA = "floorArea";
+  private static final String ELEVATION = "elevation";
 
   private final Map<String, Individual> individuals;
   private final Map<String, Polygon> outlines = new TreeMap<>();
@@ -78,7 +79,8 @@ public final class Geometry {
             "daylightShare",
             "sunlightShare",
             "shortestPath",
-            FLOOR_AREA)
+            FLOOR_AREA,
+            ELEVATION)
         .contains(function);
   }
 
@@ -99,7 +101,8 @@ public final class Geometry {
   }
 
   /**
-   * The value of a function with two arguments, or one for a floor's area, as formulas write it.
+   * The value of a function with two arguments, or one for a floor's area and an elevation, as
+   * formulas write it.
    *
    * @return empty when a position is unknown or the function is none of numbers
    */
@@ -108,6 +111,11 @@ public final class Geometry {
         && arguments.size() == 1
         && arguments.get(0) instanceof Term.Name place) {
       return floorArea(place.text());
+    }
+    if (function.equals(ELEVATION)
+        && arguments.size() == 1
+        && arguments.get(0) instanceof Term.Name thing) {
+      return pose(thing.text(), positions).stream().mapToDouble(Pose::z).findFirst();
     }
     if (arguments.size() != 2
         || !(arguments.get(0) instanceof Term.Name first)

@@ -79,9 +79,10 @@ public final class VocabularyCheck {
                             "daylightShare",
                             "sunlightShare",
                             "shortestPath",
-                            "floorArea"),
+                            "floorArea",
+                            "elevation"),
                         "write one of distance, inside, viewShare, luxAt, daylightShare,"
-                            + " sunlightShare, shortestPath, floorArea")));
+                            + " sunlightShare, shortestPath, floorArea, elevation")));
     predicate.takenFrom().ifPresent(from -> checkSource(node, from));
     for (TypedVariable parameter : predicate.parameters()) {
       parameter
