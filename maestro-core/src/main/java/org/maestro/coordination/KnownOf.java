@@ -1,6 +1,7 @@
 package org.maestro.coordination;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -50,7 +51,7 @@ final class KnownOf {
     return ("Known of " + name + ": " + String.join("; ", facts) + ". " + where).strip();
   }
 
-  /** What the home says of it in words that goals use. */
+  /** What the home says of it in words that goals use, in the order in which people read it. */
   private Stream<String> stated(String name) {
     Individual individual = home.individuals().get(name);
     List<String> facts = new ArrayList<>();
@@ -60,7 +61,7 @@ final class KnownOf {
         fact(declared.get(), new Term.Name(name), value).ifPresent(facts::add);
       }
     }
-    return facts.stream();
+    return facts.stream().sorted(Comparator.comparing(sentences::fact));
   }
 
   private static Optional<String> fact(PredicateDeclaration declared, Term subject, Term value) {
