@@ -102,7 +102,13 @@ final class GoalRequests {
 
       @Override
       public void refused(String reason) {
-        agent.refuse(message, ACLMessage.REFUSE, reason);
+        agent.reply(
+            message,
+            ACLMessage.REFUSE,
+            Words.content(
+                "inform",
+                Words.named("reason", Words.text(reason)),
+                Words.named("temporary", Words.name("true"))));
       }
     };
   }

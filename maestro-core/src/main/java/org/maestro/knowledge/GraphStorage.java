@@ -56,10 +56,21 @@ interface GraphStorage extends AutoCloseable {
 
   /** What is written at once. */
   sealed interface Edit {
+    /** Of a statement of three or four terms. */
+    long BYTES_OF_A_STATEMENT = 256;
+
+    /** What it takes of memory, about. */
+    long bytes();
+
     /** All that is in the graph from now on. */
     record Replacement(Node graph, List<Triple> triples) implements Edit {
       public Replacement {
         triples = List.copyOf(triples);
+      }
+
+      @Override
+      public long bytes() {
+        return BYTES_OF_A_STATEMENT * (1 + triples.size());
       }
     }
 
@@ -68,6 +79,11 @@ interface GraphStorage extends AutoCloseable {
         removed = List.copyOf(removed);
         forgotten = List.copyOf(forgotten);
         added = List.copyOf(added);
+      }
+
+      @Override
+      public long bytes() {
+        return BYTES_OF_A_STATEMENT * (1 + removed.size() + forgotten.size() + added.size());
       }
     }
   }

@@ -17,16 +17,21 @@ import org.slf4j.LoggerFactory;
  */
 final class WriteBehind implements GraphStorage {
   private static final Logger LOG = LoggerFactory.getLogger(WriteBehind.class);
-  private static final int MOST_AT_ONCE = 2_000;
-  private static final int MOST_WAITING = 100_000;
+  private static final int MOST_AT_ONCE = 500;
+  private static final long MOST_BYTES_WAITING = 32L << 20;
   private static final long MILLIS_BETWEEN_TRIES = 500;
+  private static final long MILLIS_FOR_A_STORE_THAT_FAILS = 3_000;
 
   private final GraphStorage storage;
   private final Duration patience;
   private final Deque<Edit> waiting = new ArrayDeque<>();
   private final Thread writer = new Thread(this::write, "knowledge-store");
+  private long waitingBytes;
   private int underway;
-  private boolean failing;
+
+  /** Why it was not written last, a sentence; empty when it was. */
+  private String failure = "";
+
   private boolean overflown;
   private boolean closed;
 
@@ -48,8 +53,9 @@ final class WriteBehind implements GraphStorage {
   @Override
   public synchronized void apply(List<Edit> edits) {
     for (Edit edit : edits) {
-      if (waiting.size() >= MOST_WAITING) {
-        waiting.removeFirst();
+      waitingBytes += edit.bytes();
+      while (waitingBytes > MOST_BYTES_WAITING && !waiting.isEmpty()) {
+        waitingBytes -= waiting.removeFirst().bytes();
         if (!overflown) {
           overflown = true;
           LOG.error("What was kept first is missing in the store, which takes nothing any more.");
@@ -81,7 +87,9 @@ final class WriteBehind implements GraphStorage {
     }
     List<Edit> batch = new ArrayList<>();
     while (!waiting.isEmpty() && batch.size() < MOST_AT_ONCE) {
-      batch.add(waiting.removeFirst());
+      Edit edit = waiting.removeFirst();
+      waitingBytes -= edit.bytes();
+      batch.add(edit);
     }
     underway = batch.size();
     return batch;
@@ -90,18 +98,25 @@ final class WriteBehind implements GraphStorage {
   private boolean written(List<Edit> batch) {
     try {
       storage.apply(batch);
-      if (failing) {
-        LOG.info("The store takes again what is to be kept.");
-        failing = false;
+      if (!failed("").isEmpty()) {
+        LOG.warn("The store takes again what is to be kept.");
       }
       return true;
     } catch (RuntimeException e) {
-      if (!failing) {
-        LOG.error("{} It is tried again.", e.getMessage());
-        failing = true;
+      if (failed(e.getMessage()).isEmpty()) {
+        LOG.error(
+            "{} What is said meanwhile is kept aside, and it is tried again.", e.getMessage());
       }
       return false;
     }
+  }
+
+  /** Returns what it was before. */
+  private synchronized String failed(String because) {
+    String before = failure;
+    failure = because;
+    notifyAll();
+    return before;
   }
 
   private synchronized void done() {
@@ -126,9 +141,10 @@ final class WriteBehind implements GraphStorage {
   }
 
   private synchronized boolean drained() {
-    long end = System.nanoTime() + patience.toNanos();
+    long begin = System.nanoTime();
     while (!waiting.isEmpty() || underway > 0) {
-      long left = (end - System.nanoTime()) / 1_000_000;
+      long most = failure.isEmpty() ? patience.toMillis() : MILLIS_FOR_A_STORE_THAT_FAILS;
+      long left = most - (System.nanoTime() - begin) / 1_000_000;
       if (left <= 0 || !writer.isAlive() || !waited(left)) {
         return false;
       }
@@ -139,11 +155,16 @@ final class WriteBehind implements GraphStorage {
   @Override
   public List<Map<String, String>> select(String query) {
     if (!drained()) {
-      throw new KnowledgeException(
-          "The store has not taken within %d s what was to be kept; see to it, or ask again later."
-              .formatted(patience.toSeconds()));
+      throw new KnowledgeException(notTaken());
     }
     return storage.select(query);
+  }
+
+  private synchronized String notTaken() {
+    return failure.isEmpty()
+        ? "The store has not taken within %d s what was to be kept; see to it, or ask again later."
+            .formatted(patience.toSeconds())
+        : failure + " See to it, and ask again.";
   }
 
   @Override

@@ -2,6 +2,7 @@ package org.maestro.knowledge;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -39,6 +40,81 @@ class KnowledgeOnDiskTest {
         .hasMessageContaining("The store in " + taken + " cannot be used")
         .message()
         .doesNotContain("\n");
+  }
+
+  /** What is said meanwhile waits, and nothing of it is written by half. */
+  @Test
+  void aFullDiskIsWaitedFor() throws Exception {
+    Path disk = Files.createDirectory(directory.resolve("disk"));
+    assumeTrue(
+        ran("mount", "-t", "tmpfs", "-o", "size=48m", "tmpfs", disk.toString()),
+        "no file system can be mounted here; root can");
+    try {
+      Household home = new Household(new Store.OnDisk(disk.resolve("store")));
+      home.state(Household.ROBOT, "(= (level rose) 1)");
+      Path filling = Files.write(disk.resolve("filling"), new byte[30 << 20]);
+      for (int level = 2; level <= 50; level++) {
+        home.state(Household.ROBOT, "(= (level rose) %d)".formatted(level));
+      }
+      assertThatThrownBy(() -> home.knowledge.select("SELECT ?s WHERE { ?s ?p ?o }"))
+          .hasMessageContaining("The store in " + disk.resolve("store"))
+          .hasMessageContaining("of the 32 MiB that it needs to write, ")
+          .message()
+          .doesNotContain("\n");
+      Files.delete(filling);
+      home.close();
+    } finally {
+      ran("umount", "-l", disk.toString());
+    }
+  }
+
+  private static boolean ran(String... command) throws Exception {
+    try {
+      return new ProcessBuilder(command).start().waitFor() == 0;
+    } catch (IOException e) {
+      return false;
+    }
+  }
+
+  /** Files that are cut, gone or full of something else, in stores of which each is a copy. */
+  @Test
+  void aDamagedStoreIsToldInOneSentenceThatSaysWhatToDo() throws IOException {
+    Path whole = Files.createTempDirectory(directory, "whole");
+    Household home = new Household(new Store.OnDisk(whole));
+    home.state(Household.ROBOT, "(in Cup rose)");
+    home.close();
+    int complaints = 0;
+    for (int seed = 0; seed < 60; seed++) {
+      Path store = new DamagedStore(seed, whole).in(directory.resolve("damaged-" + seed));
+      Optional<String> complaint = complaint(store);
+      complaint.ifPresent(
+          sentence ->
+              assertThat(sentence)
+                  .contains("The store in " + store)
+                  .doesNotContain("\n")
+                  .doesNotContain("Exception"));
+      complaints += complaint.isPresent() ? 1 : 0;
+    }
+    assertThat(complaints).isGreaterThan(20);
+  }
+
+  private static Optional<String> complaint(Path store) {
+    DatasetStorage storage;
+    try {
+      storage = DatasetStorage.onDisk(store);
+    } catch (KnowledgeException e) {
+      assertThat(e).hasMessageContaining("put a copy in its place");
+      return Optional.of(e.getMessage());
+    }
+    try {
+      storage.select("SELECT ?s ?p ?o WHERE { GRAPH ?g { ?s ?p ?o } }");
+      return Optional.empty();
+    } catch (KnowledgeException e) {
+      assertThat(e).hasMessageContaining("put a copy in its place");
+      return Optional.of(e.getMessage());
+    } finally {
+      storage.close();
+    }
   }
 
   @Test

@@ -173,7 +173,7 @@ final class GoalCommand implements Callable<Integer> {
       ACLMessage reply = reply(ended, endpoint, container);
       if (reply.getPerformative() == ACLMessage.NOT_UNDERSTOOD
           || reply.getPerformative() == ACLMessage.REFUSE) {
-        throw CommandException.badInput(Reply.reason(Reply.words(reply)));
+        throw Reply.refusal(Reply.words(reply));
       }
       Words words = Reply.words(reply).get(0);
       if (words.string("state").isEmpty() && resumes) {

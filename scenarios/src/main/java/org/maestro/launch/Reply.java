@@ -23,9 +23,18 @@ final class Reply {
       throw CommandException.outside(reason(words));
     }
     if (reply.getPerformative() != ACLMessage.INFORM) {
-      throw CommandException.badInput(reason(words));
+      throw refusal(words);
     }
     return words;
+  }
+
+  /** What is refused for now only, since something outside fails, is no bad input. */
+  static CommandException refusal(List<Words> words) {
+    boolean temporary =
+        words.stream().anyMatch(of -> of.string("temporary").filter("true"::equals).isPresent());
+    return temporary
+        ? CommandException.outside(reason(words))
+        : CommandException.badInput(reason(words));
   }
 
   static List<Words> words(ACLMessage reply) {

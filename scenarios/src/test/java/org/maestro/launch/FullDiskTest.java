@@ -119,6 +119,7 @@ class FullDiskTest {
             .contains("The goal is not taken on, because the journal in " + disk.resolve("data"))
             .contains("No space left on device")
             .doesNotContain("Exception");
+        assertThat(refused.exitCode()).as("it is the disk, and not what was asked").isEqualTo(3);
         String sign = Files.readString(disk.resolve("data/duty-beat"));
         Awaitility.await("who stands by hears that it lives")
             .atMost(LIMIT)
