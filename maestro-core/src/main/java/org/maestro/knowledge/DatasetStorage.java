@@ -37,6 +37,15 @@ final class DatasetStorage implements GraphStorage {
   private static final long COMPACTED_FROM_BYTES = 256L << 20;
 
   /**
+   * Files are not mapped into memory: who touches a page for which a full disk has no room gets an
+   * error of the virtual machine, and none that could be lived with. It can be said once only.
+   */
+  static {
+    JenaSystem.init();
+    SystemIndex.setFileMode(FileMode.direct);
+  }
+
+  /**
    * More than a transaction takes. With less on its disk nothing is begun: Jena's cache of blocks
    * swallows the failure of a write that it has put off, and may end well without it.
    */
@@ -56,14 +65,10 @@ final class DatasetStorage implements GraphStorage {
   }
 
   /**
-   * Files are not mapped into memory: who touches a page for which a full disk has no room gets an
-   * error of the virtual machine, and none that could be lived with.
-   *
    * @throws KnowledgeException when the directory cannot be used, or another process has it
    */
   static DatasetStorage onDisk(Path directory) {
     JenaSystem.init();
-    SystemIndex.setFileMode(FileMode.direct);
     try {
       Files.createDirectories(directory);
       DatasetGraph dataset =
