@@ -10,6 +10,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.maestro.device.Nameplate;
 import org.maestro.hal.Completion;
 import org.maestro.hal.GripperArm;
 import org.maestro.hal.JammingGripper;
@@ -19,6 +20,7 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Result;
+import org.maestro.sl.Term;
 
 class JammingGripperTest {
 
@@ -133,6 +135,27 @@ class JammingGripperTest {
     assertThat(picked(Map.of(), "mobile-robot").outcome()).isEqualTo(Outcome.SUCCEEDED);
     assertThat(picked(Map.of(), "mobile-robot-with-fingers").error().orElseThrow().message())
         .isEqualTo("Cannot grasp Cup: it is too large for fingers that open 7 cm.");
+  }
+
+  /** The bag of 10 cm gets around what leaves 1 cm of its lip. */
+  @Test
+  void aRobotSaysHowWideItsHandOpensUnlessTheHomeDoes() {
+    assertThat(saysOfItsOpening("")).containsExactly(new Term.Number(0.098));
+    assertThat(saysOfItsOpening("; :gripperOpening 0.05")).containsExactly(new Term.Number(0.05));
+    assertThat(saysOfItsOpening("; maestro:driver \"mobile-robot-with-fingers\""))
+        .containsExactly(new Term.Number(0.07));
+  }
+
+  private static List<Term> saysOfItsOpening(String stated) {
+    Home home =
+        new HomeLoader()
+            .load(Homes.text("bob").replace("; :gripperOpening 0.098", stated), "bob.ttl");
+    try (Homes homes = new Homes(home, Homes.scene("bob-lit", home), 1)) {
+      return Nameplate.on(home.devices().get("rose"), homes.simulated.drivers("rose"))
+          .individual()
+          .properties()
+          .get("gripperOpening");
+    }
   }
 
   private static Result picked(Map<String, String> changes, String driver) {
