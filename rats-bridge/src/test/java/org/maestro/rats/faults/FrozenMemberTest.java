@@ -7,8 +7,13 @@ import java.net.URI;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import org.awaitility.Awaitility;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -18,7 +23,10 @@ import org.maestro.rats.link.BusLink;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.member.RatsMember;
 import org.maestro.rats.member.TestDevice;
+import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.MemberStatus;
+import org.maestro.rats.protocol.Outcome;
+import org.maestro.rats.protocol.Result;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.rats.transport.PahoTransport;
 
@@ -53,6 +61,45 @@ class FrozenMemberTest {
     }
   }
 
+  /**
+   * The call lies in the member's socket while it stands still: the broker has delivered it in
+   * time, and the connection is never lost.
+   */
+  @Test
+  @Tag("full")
+  void whatReachedItWhileItWasFrozenForLongerThanTIsNotBegunWhenItThaws() throws Exception {
+    try (EmbeddedBroker broker = EmbeddedBroker.start();
+        PacedClock clock = new PacedClock(1);
+        RatsLink link =
+            BusLink.connect("cca", "home", new PahoTransport(broker.uri(), "cca"), clock)) {
+      Process process = member(broker.uri(), Duration.ofSeconds(60));
+      try {
+        await(() -> is(link, MemberStatus.Phase.READY), COMES_WITHIN);
+        assertThat(outcome(link, "echo", Duration.ofSeconds(30)).join().outcome())
+            .as("by which it knows the caller's clock")
+            .isEqualTo(Outcome.SUCCEEDED);
+        signal("STOP", process);
+        Duration frozen = clock.now();
+        Duration t = Duration.ofSeconds(1);
+        CompletableFuture<Result> late = outcome(link, "drive", t);
+        CompletableFuture<Result> inTime = outcome(link, "wave", Duration.ofSeconds(60));
+        await(() -> clock.now().minus(frozen).compareTo(t.multipliedBy(3)) > 0, COMES_WITHIN);
+        signal("CONT", process);
+        assertThat(late.join().outcome()).isEqualTo(Outcome.REJECTED);
+        assertThat(late.join().error().orElseThrow().code()).isEqualTo(ErrorCode.EXPIRED);
+        assertThat(inTime.join().outcome()).isEqualTo(Outcome.SUCCEEDED);
+      } finally {
+        process.destroyForcibly().onExit().join();
+      }
+    }
+  }
+
+  private static CompletableFuture<Result> outcome(RatsLink link, String feature, Duration t) {
+    CompletableFuture<Result> outcome = new CompletableFuture<>();
+    link.call("anna", feature, Map.of("to", "a"), t, Optional.empty(), outcome::complete);
+    return outcome.orTimeout(COMES_WITHIN.toSeconds(), TimeUnit.SECONDS);
+  }
+
   private static boolean is(RatsLink link, MemberStatus.Phase phase) {
     return link.members().stream().anyMatch(member -> member.phase() == phase);
   }
@@ -65,13 +112,18 @@ class FrozenMemberTest {
   }
 
   private static Process member(URI broker) throws IOException {
+    return member(broker, KEEP_ALIVE);
+  }
+
+  private static Process member(URI broker, Duration keepAlive) throws IOException {
     return new ProcessBuilder(
             Path.of(System.getProperty("java.home"), "bin", "java").toString(),
             "-XX:TieredStopAtLevel=1",
             "-cp",
             System.getProperty("java.class.path"),
             Member.class.getName(),
-            broker.toString())
+            broker.toString(),
+            keepAlive.toString())
         .redirectErrorStream(true)
         .redirectOutput(ProcessBuilder.Redirect.DISCARD)
         .start();
@@ -93,7 +145,7 @@ class FrozenMemberTest {
       RatsMember.start(
           device.profile(),
           () -> List.of(),
-          new PahoTransport(URI.create(arguments[0]), "anna", KEEP_ALIVE),
+          new PahoTransport(URI.create(arguments[0]), "anna", Duration.parse(arguments[1])),
           "home",
           clock);
       Thread.currentThread().join();
