@@ -24,8 +24,21 @@ final class IncomingConnection extends JICPConnection {
   private static final int SIZE_BYTES = 4;
   private static final int BYTE = 0xff;
 
-  IncomingConnection(Socket socket) {
+  private final Newcomers newcomers;
+
+  IncomingConnection(Socket socket, Newcomers newcomers) {
     super(socket);
+    this.newcomers = newcomers;
+    newcomers.enter(socket);
+  }
+
+  @Override
+  public void close() throws IOException {
+    Socket socket = sc;
+    super.close();
+    if (socket != null) {
+      newcomers.leave(socket);
+    }
   }
 
   /**
@@ -41,8 +54,8 @@ final class IncomingConnection extends JICPConnection {
       return bounded(is);
     }
     Socket socket = sc;
-    is = socket.getInputStream();
     try {
+      is = socket.getInputStream();
       socket.setSoTimeout(FIRST_WITHIN_MILLIS);
       JICPPacket first = bounded(is);
       socket.setSoTimeout(0);
@@ -50,6 +63,8 @@ final class IncomingConnection extends JICPConnection {
     } catch (IOException none) {
       LOG.debug("{} connected and sent nothing that can be read", getRemote(socket), none);
       return new JICPPacket(JICPProtocol.RESPONSE_TYPE, JICPProtocol.TERMINATED_INFO, null);
+    } finally {
+      newcomers.leave(socket);
     }
   }
 

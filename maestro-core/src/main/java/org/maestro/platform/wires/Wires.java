@@ -25,6 +25,10 @@ public final class Wires {
   /** So many connections to one address are looked through for closed ones. */
   private static final int MANY = 64;
 
+  /** Many more than hosts begin at the same moment, and each is a thread of JADE's. */
+  private static final int MOST_NEWCOMERS = 128;
+
+  private final Newcomers newcomers = new Newcomers(MOST_NEWCOMERS);
   private final Map<String, List<Connection>> openByAddress = new HashMap<>();
   private final Map<String, Long> barredByAddress = new HashMap<>();
 
@@ -68,7 +72,7 @@ public final class Wires {
     return new ConnectionFactory() {
       @Override
       public Connection createConnection(Socket socket) {
-        return new IncomingConnection(socket);
+        return new IncomingConnection(socket, newcomers);
       }
 
       @Override

@@ -10,6 +10,8 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -24,7 +26,7 @@ class IncomingConnectionTest {
   void connect() throws IOException {
     server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
     stranger = new Socket(server.getInetAddress(), server.getLocalPort());
-    connection = new IncomingConnection(server.accept());
+    connection = new IncomingConnection(server.accept(), new Newcomers(1));
   }
 
   @AfterEach
@@ -56,6 +58,42 @@ class IncomingConnectionTest {
       packet.writeTo(stranger.getOutputStream());
     } catch (IOException e) {
       throw new IllegalStateException(e);
+    }
+  }
+
+  /** Half of them at a time would be too many for the open files that the process may have. */
+  @Test
+  void ofTwoThousandThatSayNothingFewStayAndWhoSpeaksIsHeard() throws IOException {
+    Newcomers newcomers = new Newcomers(10);
+    List<Socket> here = new ArrayList<>();
+    List<Socket> there = new ArrayList<>();
+    try {
+      for (int number = 0; number < 2_000; number++) {
+        there.add(new Socket(server.getInetAddress(), server.getLocalPort()));
+        Socket accepted = server.accept();
+        here.add(accepted);
+        new IncomingConnection(accepted, newcomers);
+        if (number % 100 == 99) {
+          Socket host = new Socket(server.getInetAddress(), server.getLocalPort());
+          there.add(host);
+          IncomingConnection speaks = new IncomingConnection(server.accept(), newcomers);
+          new JICPPacket(JICPProtocol.COMMAND_TYPE, JICPProtocol.DEFAULT_INFO, new byte[3])
+              .writeTo(host.getOutputStream());
+          assertThat(speaks.readPacket().getData()).hasSize(3);
+          speaks.close();
+        }
+        while (there.size() > 20) {
+          there.remove(0).close();
+        }
+      }
+      assertThat(here.stream().filter(socket -> !socket.isClosed())).hasSizeBetween(1, 10);
+    } finally {
+      for (Socket socket : there) {
+        socket.close();
+      }
+      for (Socket socket : here) {
+        socket.close();
+      }
     }
   }
 
