@@ -13,6 +13,7 @@ import java.util.Random;
 import java.util.TreeMap;
 import java.util.function.Function;
 import org.maestro.random.Fault;
+import org.maestro.rats.protocol.MalformedMessageException;
 import org.maestro.rats.protocol.Result;
 import org.maestro.rats.protocol.WireFormat;
 import org.maestro.rats.time.Clock;
@@ -156,7 +157,16 @@ final class ChaosFaults {
                 publication -> List.of(new Copy(useless(publication, kind), Duration.ZERO))));
   }
 
+  /** What a stranger says in a member's name may be no result at all, and stays what it is. */
   private static Publication useless(Publication publication, int kind) {
+    try {
+      return madeUseless(publication, kind);
+    } catch (MalformedMessageException rubbish) {
+      return publication;
+    }
+  }
+
+  private static Publication madeUseless(Publication publication, int kind) {
     WireFormat wire = new WireFormat();
     byte[] payload = publication.payload();
     if (kind == 2) {
