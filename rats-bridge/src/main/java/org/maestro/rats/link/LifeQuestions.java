@@ -18,8 +18,8 @@ import org.maestro.rats.time.Clock;
  */
 final class LifeQuestions {
 
-  /** Wall time in which a life answers that is not over. */
-  static final Duration ANSWER_LIMIT = Duration.ofSeconds(2);
+  /** Wall time in which a life answers that is not over; a death is to be known within a second. */
+  static final Duration ANSWER_LIMIT = Duration.ofMillis(700);
 
   private final String caller;
   private final OpenCalls calls;
