@@ -192,11 +192,15 @@ public final class World {
 
   /** Puts a thing or person somewhere, out of whatever hand it is in. */
   public void moveByHand(String thing, Position place) {
+    Optional<String> holder;
     synchronized (this) {
+      holder = holder(thing);
       whereabouts.stop(thing);
       whereabouts.put(whereabouts.body(thing).at(place));
     }
     tell(WorldEvent.Kind.MOVED, thing, Optional.empty());
+    // A hand feels that it is empty.
+    holder.ifPresent(robot -> tell(WorldEvent.Kind.DROPPED, robot, Optional.of(thing)));
   }
 
   /** Puts a thing into a cupboard where it stands, or takes it out. */

@@ -203,6 +203,16 @@ class RobotTest {
   }
 
   @Test
+  void saysThatItsHandIsEmptyWhenSomebodyTakesTheThingOutOfIt() {
+    assertThat(call("pick", Map.of("object", homes.at("Cup"))).outcome())
+        .isEqualTo(Outcome.SUCCEEDED);
+    assertThat(homes.facts("rose")).contains("(in Cup rose)");
+    homes.world().moveByHand("Cup", new Position(3.6, 2.6, 0));
+    homes.clock.run(Duration.ofSeconds(1));
+    assertThat(homes.facts("rose")).doesNotContain("(in Cup rose)");
+  }
+
+  @Test
   void doesNotGraspWhatIsNotThereOrTooHeavy() {
     Map<String, Object> there = homes.at("Cup");
     homes.world().moveByHand("Cup", new Position(5.5, 0.5, 0));
