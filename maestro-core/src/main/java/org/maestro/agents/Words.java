@@ -54,8 +54,9 @@ public final class Words {
     return new Argument.Named(name, List.copyOf(arguments));
   }
 
+  /** As a text when it is no name of the language. */
   public static Argument name(String text) {
-    return new Argument.OfTerm(new Term.Name(text));
+    return new Argument.OfTerm(Term.named(text));
   }
 
   public static Argument text(String text) {

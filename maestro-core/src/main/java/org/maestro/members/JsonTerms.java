@@ -70,11 +70,12 @@ public final class JsonTerms {
     return cell.matches("[-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?");
   }
 
+  /** What a member told, but for what stands under no name: no description can ask for that. */
   public static Map<String, Term> terms(Map<String, Object> values) {
     Map<String, Term> terms = new TreeMap<>();
     values.forEach(
         (name, value) -> {
-          if (value != null) {
+          if (value != null && Term.named(name) instanceof Term.Name) {
             terms.put(name, term(value));
           }
         });
@@ -96,7 +97,7 @@ public final class JsonTerms {
                   Collectors.joining(list.stream().anyMatch(List.class::isInstance) ? ", " : " ")));
     }
     if (value instanceof Map<?, ?> map && map.get("ref") instanceof String iri) {
-      return new Term.Name(iri.substring(Math.max(iri.lastIndexOf('#'), iri.lastIndexOf('/')) + 1));
+      return Term.named(iri.substring(Math.max(iri.lastIndexOf('#'), iri.lastIndexOf('/')) + 1));
     }
     return new Term.Text(String.valueOf(value));
   }

@@ -8,6 +8,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Locale;
 import java.util.zip.CRC32;
+import org.maestro.text.VisibleText;
 
 /**
  * One line of a journal: a JSON object whose first field is the line's number, whose second is the
@@ -32,7 +33,7 @@ final class JournalLine {
   static String write(int number, String after, ObjectNode fields) {
     ObjectNode numbered = JSON.createObjectNode().put(NUMBER, number).put(AFTER, after);
     numbered.setAll(fields);
-    String text = numbered.toString();
+    String text = VisibleText.line(numbered.toString());
     String body = text.substring(0, text.length() - 1);
     return body + TAIL + checksum(body) + "\"}";
   }

@@ -22,6 +22,7 @@ import org.maestro.coordination.Story;
 import org.maestro.coordination.StoryEntry;
 import org.maestro.rats.time.Clock;
 import org.maestro.storage.WritingAside;
+import org.maestro.text.VisibleText;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -85,7 +86,7 @@ public final class StoryFile implements Story, AutoCloseable {
         clock -> line.put("since", clock.since().toString()).put("speed", clock.speed()));
     line.put("kind", entry.kind().name());
     line.put("text", entry.text());
-    byte[] text = (line + "\n").getBytes(StandardCharsets.UTF_8);
+    byte[] text = (VisibleText.line(line.toString()) + "\n").getBytes(StandardCharsets.UTF_8);
     aside.add(text.length, () -> write(entry.goalId(), text));
   }
 

@@ -55,4 +55,18 @@ class WordsTest {
 
     assertThat(Words.of(Words.parse(text).get(0)).termsOf("outputs")).isEqualTo(outputs);
   }
+
+  /** A stranger's name is one word, or a text, whatever stands in it. */
+  @Test
+  void aNameIsReadAsItWasGiven() {
+    for (String name :
+        List.of("hostile-1", "cli@http://a:7/acc", "G1) (:goal \"x", "", "\u001b\n")) {
+      String text = Words.print(Words.content("inform", Words.named("member", Words.name(name))));
+
+      assertThat(Words.parse(text)).hasSize(1);
+      Words words = Words.of(Words.parse(text).get(0));
+      assertThat(words.all()).hasSize(1);
+      assertThat(words.string("member")).contains(name);
+    }
+  }
 }

@@ -49,4 +49,16 @@ class JsonTermsTest {
     assertThat(JsonTerms.term(17)).isEqualTo(new Term.Number(17));
     assertThat(JsonTerms.term(Map.of("ref", "urn:home#Cup"))).isEqualTo(new Term.Name("Cup"));
   }
+
+  /** What a device calls a thing or a value cannot pass for more words than one. */
+  @Test
+  void whatIsNoNameIsATextOrLeftAway() {
+    String forged = "Box) (:facts \"(bright Box)\"";
+
+    assertThat(JsonTerms.term(Map.of("ref", "urn:home#" + forged)))
+        .isEqualTo(new Term.Text(forged));
+    assertThat(JsonTerms.term(Map.of("ref", "urn:home#Box"))).isEqualTo(new Term.Name("Box"));
+    assertThat(JsonTerms.terms(Map.of("kilograms", 3, forged, 4, "\u001b[2J", 5)))
+        .isEqualTo(Map.of("kilograms", new Term.Number(3)));
+  }
 }

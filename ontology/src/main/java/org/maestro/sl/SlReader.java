@@ -188,7 +188,7 @@ final class SlReader {
   }
 
   /** Letters, numbers of any script and underscores; behind the first also other signs. */
-  private static boolean isName(String word) {
+  static boolean isName(String word) {
     for (int i = 0; i < word.length(); i += Character.charCount(word.codePointAt(i))) {
       int c = word.codePointAt(i);
       if (!isNameStart(c) && (i == 0 || ".@%+-".indexOf(c) < 0)) {

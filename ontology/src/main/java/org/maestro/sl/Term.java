@@ -37,6 +37,14 @@ public sealed interface Term {
 
   record Truth(boolean value) implements Term {}
 
+  /**
+   * A text of others that is meant as a name; what the language cannot write as one stays a text,
+   * so that it cannot pass for more than one word.
+   */
+  static Term named(String text) {
+    return SlReader.isName(text) ? new Name(text) : new Text(text);
+  }
+
   default boolean isGround() {
     return !(this instanceof Variable);
   }

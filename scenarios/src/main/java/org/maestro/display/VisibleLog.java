@@ -2,6 +2,7 @@ package org.maestro.display;
 
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.pattern.CompositeConverter;
+import org.maestro.text.VisibleText;
 
 /**
  * What a log's line is made of: {@code %visible(%msg){line}} is one line whatever the message

@@ -49,7 +49,7 @@ final class CheckCommand implements Callable<Integer> {
       if (json) {
         out.println(document(e.faults(), List.of()));
       } else {
-        e.faults().forEach(out::println);
+        e.faults().forEach(fault -> out.println(fault.toString()));
         out.println(e.faults().size() == 1 ? "1 fault." : e.faults().size() + " faults.");
       }
       return ExitCode.NOT_REACHED;

@@ -21,7 +21,6 @@ import org.maestro.agents.DeskAgent;
 import org.maestro.agents.OtherPlatform;
 import org.maestro.agents.Words;
 import org.maestro.coordination.StoryEntry;
-import org.maestro.display.VisibleText;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.platform.PlatformStartException;
 import org.maestro.sl.Content;
@@ -289,7 +288,7 @@ final class GoalCommand implements Callable<Integer> {
     id = Reply.words(agreed).get(0).string("goal").orElse("");
     PrintWriter out = spec.commandLine().getOut();
     if (!json) {
-      out.println(id + ": " + VisibleText.line(goal));
+      out.println(id + ": " + goal);
       Follower follower = new Follower(out);
       Consumer<ACLMessage> lines = follower::line;
       other.ifPresentOrElse(
@@ -358,10 +357,8 @@ final class GoalCommand implements Callable<Integer> {
           (int) words.number("replans", 0));
       words
           .termsOf("binding")
-          .forEach(
-              (name, term) ->
-                  out.println("  ?" + name + " is " + VisibleText.line(Words.plain(term))));
-      reasons.forEach(reason -> out.println("  " + VisibleText.line(reason)));
+          .forEach((name, term) -> out.println("  ?" + name + " is " + Words.plain(term)));
+      reasons.forEach(reason -> out.println("  " + reason));
     }
     return !reached ? ExitCode.NOT_REACHED : confirmed ? ExitCode.DONE : ExitCode.NOT_SEEN;
   }

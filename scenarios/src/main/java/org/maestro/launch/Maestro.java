@@ -1,8 +1,8 @@
 package org.maestro.launch;
 
 import java.io.PrintStream;
-import org.maestro.display.VisibleText;
 import org.maestro.display.VisibleWriter;
+import org.maestro.text.VisibleText;
 import org.slf4j.bridge.SLF4JBridgeHandler;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;

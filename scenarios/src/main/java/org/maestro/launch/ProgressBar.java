@@ -2,8 +2,8 @@ package org.maestro.launch;
 
 import java.io.PrintWriter;
 import java.util.Locale;
-import org.maestro.display.VisibleText;
 import org.maestro.experiment.running.Progress;
+import org.maestro.text.VisibleText;
 
 /** A bar that grows while an experiment runs; a line for each run where there is no terminal. */
 final class ProgressBar implements Progress {

@@ -25,16 +25,17 @@ final class StoryPrinter {
   }
 
   synchronized void print(StoryEntry entry) {
-    out.printf(
-        Locale.ROOT,
-        "%8.1f s  %-8s %s%n",
-        entry.at().minus(from).toMillis() / 1000.0,
-        word(entry.kind()),
-        wrapped(entry.text()));
+    out.print(
+        String.format(
+            Locale.ROOT,
+            "%8.1f s  %-8s %s%n",
+            entry.at().minus(from).toMillis() / 1000.0,
+            word(entry.kind()),
+            wrapped(entry.text())));
     out.flush();
   }
 
-  /** Lines of a width that terminals have, indented below the first. */
+  /** Lines of a width that terminals have, indented below the first; none is of the text. */
   private static String wrapped(String text) {
     StringBuilder lines = new StringBuilder();
     int length = 0;

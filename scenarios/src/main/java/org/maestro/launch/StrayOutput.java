@@ -5,7 +5,7 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import org.maestro.display.VisibleText;
+import org.maestro.text.VisibleText;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -6,7 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
-import org.maestro.display.VisibleText;
+import org.maestro.text.VisibleText;
 
 /** Rows under column names, for people or as JSON. */
 record Table(List<String> columns, List<List<String>> rows) {

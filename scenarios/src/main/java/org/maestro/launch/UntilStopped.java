@@ -16,7 +16,7 @@ final class UntilStopped {
    */
   static void run(PrintWriter out, String announcement, Runnable end) throws InterruptedException {
     Runtime.getRuntime().addShutdownHook(new Thread(end, "shutdown"));
-    out.println(announcement + " Stop with Ctrl-C.");
+    announcement.concat(" Stop with Ctrl-C.").lines().forEach(out::println);
     out.flush();
     new CountDownLatch(1).await();
   }

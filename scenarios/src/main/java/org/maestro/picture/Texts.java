@@ -7,7 +7,7 @@ import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.font.TextLayout;
 import java.awt.geom.AffineTransform;
-import org.maestro.display.VisibleText;
+import org.maestro.text.VisibleText;
 
 /** Labels with a white edge, so that they can be read on anything. */
 final class Texts {

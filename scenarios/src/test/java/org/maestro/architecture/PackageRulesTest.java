@@ -26,6 +26,7 @@ class PackageRulesTest {
     "org.maestro.members..",
     "org.maestro.deployment..",
     "org.maestro.storage..",
+    "org.maestro.text..",
     "org.maestro.agents..",
     "org.maestro.platform.."
   };

@@ -14,11 +14,14 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.experiment.page.Page;
+import org.maestro.text.VisibleText;
 
 /** What a terminal, a log or a page would obey is shown. */
 class VisibleTextTest {
@@ -44,12 +47,27 @@ class VisibleTextTest {
     String printed = printed(json.writeValueAsString(text));
 
     assertThat(printed.chars()).noneMatch(Character::isISOControl);
-    assertThat(json.readValue(printed, String.class)).isEqualTo(withoutHalfCharacters(text));
+    assertThat(json.readValue(printed, String.class)).isEqualTo(text);
   }
 
-  /** UTF-8 has none. */
-  private static String withoutHalfCharacters(String text) {
-    return new String(text.getBytes(StandardCharsets.UTF_8), StandardCharsets.UTF_8);
+  @Test
+  void whatHidesOrIsHalfIsShownAndWhatIsWrittenSoStays() {
+    assertThat(VisibleText.line("a\u202eb\u2066c\u200bd\ufeffe\udb40\udc41f\ud800g"))
+        .isEqualTo("a\\u202eb\\u2066c\\u200bd\\ufeffe\\udb40\\udc41f\\ud800g");
+    String written = "K\u00fcche \ud83d\udc69\u200d\ud83d\udd2c \u05d0\u05d1 \u0646\u200c\u0647";
+    assertThat(VisibleText.line(written)).isEqualTo(written);
+  }
+
+  /** Nobody's words begin a line, however they come to be printed. */
+  @Test
+  void wordsOfOthersBeginNoLine() {
+    String forged = "no\nmaestro: Reached.";
+    assertThat(printed(out -> out.println(forged)))
+        .isEqualTo("no\\u000amaestro: Reached." + System.lineSeparator());
+    assertThat(printed(out -> out.printf("%s, %d%n", forged, 3)))
+        .isEqualTo("no\\u000amaestro: Reached., 3" + System.lineSeparator());
+    assertThat(printed(out -> out.printf(Locale.ROOT, "%s %.1f%n", forged, 3.0)))
+        .isEqualTo("no\\u000amaestro: Reached. 3.0" + System.lineSeparator());
   }
 
   @Test
@@ -58,9 +76,13 @@ class VisibleTextTest {
   }
 
   private static String printed(String text) {
+    return printed(terminal -> terminal.print(text));
+  }
+
+  private static String printed(Consumer<PrintWriter> words) {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     PrintWriter terminal = VisibleWriter.on(out, false);
-    terminal.print(text);
+    words.accept(terminal);
     terminal.flush();
     return out.toString(StandardCharsets.UTF_8);
   }
@@ -70,6 +92,9 @@ class VisibleTextTest {
     String html = new Page(HOSTILE, HOSTILE, HOSTILE).text(HOSTILE).list(List.of(HOSTILE)).html();
 
     assertThat(html).contains(SHOWN);
+    assertThat(new Page("a", "b", "c").text("\"><script>alert(1)</script>").html())
+        .doesNotContain("<script>")
+        .contains("&quot;&gt;&lt;script&gt;");
     assertThat(html.chars().filter(c -> c != '\n')).noneMatch(Character::isISOControl);
   }
 

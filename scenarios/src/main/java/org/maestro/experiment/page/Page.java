@@ -7,9 +7,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
 import java.util.List;
-import org.maestro.display.VisibleText;
 import org.maestro.experiment.drawing.Figure;
 import org.maestro.experiment.setting.Settings;
+import org.maestro.text.VisibleText;
 
 /** Is written from top to bottom. For one thread. */
 public final class Page {
@@ -110,14 +110,14 @@ public final class Page {
 
   public String html() {
     return """
-        <!DOCTYPE html>
-        <html lang="en">
-        <head><meta charset="utf-8"><title>%s</title><style>
-        %s</style></head>
-        <body>
-        %s</body>
-        </html>
-        """
+    <!DOCTYPE html>
+    <html lang="en">
+    <head><meta charset="utf-8"><title>%s</title><style>
+    %s</style></head>
+    <body>
+    %s</body>
+    </html>
+    """
         .formatted(escaped(title), STYLE, body);
   }
 
