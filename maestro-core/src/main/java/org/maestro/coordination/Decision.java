@@ -64,15 +64,27 @@ public record Decision(PlanningTask task, Plan plan, List<Bid> bids, int questio
       told.add("Nobody else that was asked could take part in it.");
     }
     for (Bid bid : bids) {
-      bid.refusal().ifPresent(reason -> told.add(bid.member() + " refused: " + reason + "."));
+      bid.refusal()
+          .ifPresent(
+              reason ->
+                  told.add(bid.member() + " refused: " + Sentences.withoutFullStop(reason) + "."));
     }
     task.whyBarred()
         .forEach(
-            (key, reason) -> told.add(key.member() + ", " + key.feature() + ": " + reason + "."));
+            (key, reason) ->
+                told.add(
+                    key.member()
+                        + ", "
+                        + key.feature()
+                        + ": "
+                        + Sentences.withoutFullStop(reason)
+                        + "."));
     Map<String, String> absent = new LinkedHashMap<>();
     task.unavailable().forEach(m -> absent.put(m.feature().member(), m.reason()));
     bids.forEach(bid -> absent.remove(bid.member()));
-    absent.forEach((member, reason) -> told.add(member + " was not asked: " + reason + "."));
+    absent.forEach(
+        (member, reason) ->
+            told.add(member + " was not asked: " + Sentences.withoutFullStop(reason) + "."));
     return told;
   }
 

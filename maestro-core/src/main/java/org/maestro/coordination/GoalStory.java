@@ -144,7 +144,7 @@ final class GoalStory {
         StoryEntry.Kind.FAILED,
         "%s gives step %d back (%s): %s."
             .formatted(
-                step.member(), step.number(), sentence(step), reason.replaceAll("\\.$", "")));
+                step.member(), step.number(), sentence(step), Sentences.withoutFullStop(reason)));
   }
 
   void bids(List<Bid> called, int notCalled, int questions, List<String> unpriced) {
@@ -198,8 +198,7 @@ final class GoalStory {
     tell(
         StoryEntry.Kind.FAILED,
         "That failed: "
-            + (problem.startsWith(step.member() + " ") ? "" : step.member() + " says ")
-            + Sentences.withoutFullStop(problem)
+            + Sentences.said(step.member(), problem)
             + (change.facts().isEmpty() ? "" : " (so " + news().all(change) + ")")
             + ".");
   }

@@ -238,12 +238,16 @@ final class PlanFollowing {
     if (course.isPlanning()) {
       course.makePlanAgain("meanwhile " + story.becauseOf(ended.step(), ended.change()));
     } else if (plan.exists() && !insisted.isEmpty()) {
-      course.makePlan(ended.report().problem());
+      course.makePlan(said(ended));
     } else if (plan.exists()) {
-      reconsider(() -> ended.report().problem().orElseGet(() -> becauseOf(ended)));
+      reconsider(() -> said(ended).orElseGet(() -> becauseOf(ended)));
     } else if (underway.isEmpty()) {
       course.makePlan(Optional.of("what was under way has ended"));
     }
+  }
+
+  private static Optional<String> said(StepExecution.Ended ended) {
+    return ended.report().problem().map(problem -> Sentences.said(ended.step().member(), problem));
   }
 
   private String becauseOf(StepExecution.Ended ended) {

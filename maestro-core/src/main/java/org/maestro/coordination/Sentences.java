@@ -124,8 +124,17 @@ public final class Sentences {
   }
 
   /** A sentence to stand within another one. */
+  /** To be put into another sentence; three dots are no full stop. */
   static String withoutFullStop(String sentence) {
-    return sentence.endsWith(".") ? sentence.substring(0, sentence.length() - 1) : sentence;
+    String stripped = sentence.strip();
+    return stripped.endsWith(".") && !stripped.endsWith("..")
+        ? stripped.substring(0, stripped.length() - 1)
+        : stripped;
+  }
+
+  /** A member's own words, unless they speak of it by name already, inside a sentence. */
+  static String said(String member, String words) {
+    return (words.startsWith(member + " ") ? "" : member + " says: ") + withoutFullStop(words);
   }
 
   static String value(Expression expression) {

@@ -135,6 +135,20 @@ class RefusalsTest {
         };
   }
 
+  /** Its sentence stands inside of others, which have one full stop and say whose words it is. */
+  @Test
+  void whatARefusalSaysIsQuotedInOneSentence() {
+    refuse("observeObject", Crew.Refusal.AS_THINGS_ARE, List.of());
+    house.ambientLux.put("zone-b", 80.0);
+
+    house.achieve("(in Cup zone-b)");
+
+    assertThat(house.story)
+        .anyMatch(told -> told.contains("That failed: cam-b says: No."))
+        .anyMatch(told -> told.contains("Plan again, because cam-b says: No; step "))
+        .noneMatch(told -> told.contains("No.;") || told.contains("No..") || told.contains("No.)"));
+  }
+
   private void refuse(String feature, Crew.Refusal refusal, List<FeatureRun.Learnt> refs) {
     house.reporting =
         (step, report) ->

@@ -19,7 +19,7 @@ class StepsTest {
             told(10_000, StoryEntry.Kind.STEP, "Step 1 of 2: rose picks up Cup."),
             told(10_500, StoryEntry.Kind.STEP, "Step 2 of 2: lamp-1 shines."),
             told(11_000, StoryEntry.Kind.DONE, "lamp-1 reports: zone-b is lit."),
-            told(14_000, StoryEntry.Kind.FAILED, "That failed: rose says it is too flat."),
+            told(14_000, StoryEntry.Kind.FAILED, "That failed: rose says: it is too flat."),
             told(14_000, StoryEntry.Kind.STEP, "Step 1 of 1: tim picks up Cup."),
             told(15_000, StoryEntry.Kind.END, "Stopped."));
 

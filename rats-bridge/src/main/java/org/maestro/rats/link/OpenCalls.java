@@ -227,7 +227,7 @@ final class OpenCalls {
             end(
                 call,
                 ErrorCode.INTERNAL,
-                "The answer of %s cannot be read: %s"
+                "%s gave an answer that cannot be read: %s"
                     .formatted(member(call.call), malformed.getMessage())));
   }
 
@@ -274,10 +274,7 @@ final class OpenCalls {
   }
 
   void memberGone(String member, String boot, String why) {
-    failAll(
-        call -> call.isAt(member, boot),
-        ErrorCode.MEMBER_LOST,
-        "The member " + member + " was lost: " + why);
+    failAll(call -> call.isAt(member, boot), ErrorCode.MEMBER_LOST, member + " was lost: " + why);
   }
 
   /** Whether one of them is at that life of the member. */

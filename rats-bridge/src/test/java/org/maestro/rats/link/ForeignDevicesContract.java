@@ -51,7 +51,8 @@ abstract class ForeignDevicesContract extends HearsayContract {
     await(listener::ended);
     assertFailed(listener.only(), ErrorCode.INTERNAL);
     assertThat(listener.only().error().orElseThrow().message())
-        .startsWith("The answer of odd cannot be read: The message's outcome must be one of ");
+        .startsWith(
+            "odd gave an answer that cannot be read: The message's outcome must be one of ");
   }
 
   /** It told nothing for longer than the call's time, and then that it is done. */
