@@ -189,13 +189,15 @@ final class MemberVoice {
     again.forEach(this::sendResult);
   }
 
-  /** Clears all that is retained; then nothing is published any more. */
+  /**
+   * Clears all that is retained; nothing else is published from then on, not even when the member
+   * hears at once that it was cleared.
+   */
   synchronized void leave() {
     if (!silent) {
-      publish(Publication.clearing(topics.state(id)));
-      publish(Publication.clearing(topics.description(id)));
-      publish(Publication.clearing(topics.status(id)));
       silent = true;
+      List.of(topics.state(id), topics.description(id), topics.status(id))
+          .forEach(topic -> transport.publish(Publication.clearing(topic), this::logged));
     }
   }
 
