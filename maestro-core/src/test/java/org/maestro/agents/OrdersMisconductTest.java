@@ -77,7 +77,7 @@ class OrdersMisconductTest {
             onOrder(
                 (actor, order) ->
                     actor.answer(order, ACLMessage.REFUSE, "(inform (:reason \"my break\"))")),
-            "usher says my break",
+            "usher says: my break",
             Duration.ZERO),
         Arguments.of(
             "does not understand",

@@ -85,6 +85,17 @@ class AnotherHandTest {
     }
   }
 
+  /** Nobody said what the cup weighs: that alone makes nothing impossible. */
+  @Test
+  void whatNobodyStatesTheMassOfIsTried() {
+    try (TrialSite site = site(Map.of(" ; :mass 0.25", ""))) {
+      Ending ending = site.pursue("(nextTo Cup Bob)", Duration.ofMinutes(10));
+
+      assertThat(ending.claimed()).as(told(ending)).isTrue();
+      assertThat(site.world().isNextTo("Cup", "Bob")).isTrue();
+    }
+  }
+
   private static TrialSite site(Map<String, String> changes) {
     String text = text("homes/bob-two-robots.ttl");
     for (Map.Entry<String, String> change : changes.entrySet()) {
