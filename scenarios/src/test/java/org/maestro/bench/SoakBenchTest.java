@@ -19,8 +19,8 @@ class SoakBenchTest {
   private static final Duration LIMIT = Duration.ofMinutes(40);
   private static final double MOST_MIB_FOR_100_GOALS = 0.5;
 
-  /** What of it is code is compiled once, and most of it by the thousandth goal. */
-  private static final double MOST_RESIDENT_MIB_FOR_100_GOALS = 1;
+  /** Code is compiled once, but on a busy machine not as soon: it is the most of what is left. */
+  private static final double MOST_RESIDENT_MIB_FOR_100_GOALS = 2;
 
   /** The system counts a page of the heap when it is touched first: all of them at once. */
   private static final String WHOLE_HEAP = "-Xms256m -Xmx256m -XX:+AlwaysPreTouch";
