@@ -85,6 +85,7 @@ class CrashTest {
         Duration.ofMinutes(20));
   }
 
+  /** Who dies before all goals are written down need not do what they ask for. */
   private void crash(int at, int torn) throws IOException {
     Path data = directory.resolve("at-" + at + "-" + torn);
     try (MortalSite site = new MortalSite(home, scene, data)) {
@@ -107,7 +108,9 @@ class CrashTest {
       assertThat(site.allEnded()).as(context).isTrue();
       assertThat(site.outcomes.values()).as(context).allMatch(outcome -> outcome.reached());
       assertThat(site.witness.executedTwice()).as(context).isEmpty();
-      assertThat(site.witness.doneTwice(DEEDS)).as(context).isEmpty();
+      if (site.outcomes.size() == GOALS.size()) {
+        assertThat(site.witness.doneTwice(DEEDS)).as(context).isEmpty();
+      }
     }
   }
 
