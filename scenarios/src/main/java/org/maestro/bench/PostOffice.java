@@ -23,7 +23,7 @@ import org.maestro.rats.transport.PahoTransport;
 
 /**
  * A broker and presses that stamp letters, each of which can be stamped by one press only. The
- * first letter of each press takes until its gate is opened; the others are stamped at once. A
+ * first letter that a press gets takes until its gate is opened; the others are stamped at once. A
  * press counts what it does.
  */
 public final class PostOffice implements AutoCloseable {
@@ -34,6 +34,7 @@ public final class PostOffice implements AutoCloseable {
   private final Map<String, Integer> stampsByLetter = new TreeMap<>();
   private final Map<String, Integer> startsByCall = new TreeMap<>();
   private final Map<String, Execution> atTheGate = new TreeMap<>();
+  private final Map<String, String> firstAt = new TreeMap<>();
   private final List<RatsMember> presses = new ArrayList<>();
   private final List<Integer> lettersByPress;
   private final BusWitness witness;
@@ -141,7 +142,7 @@ public final class PostOffice implements AutoCloseable {
   private synchronized void begun(String press, Execution execution) {
     startsByCall.merge(execution.call().id(), 1, Integer::sum);
     String letter = letterOf(execution);
-    if (letter.endsWith("-0")) {
+    if (firstAt.computeIfAbsent(press, first -> letter).equals(letter)) {
       atTheGate.put(press, execution);
       execution.onCancel(
           safe -> {
