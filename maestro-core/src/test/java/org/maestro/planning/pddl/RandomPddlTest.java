@@ -127,10 +127,10 @@ class RandomPddlTest {
       effectsToo.add("(increase (charge ?r) 2)");
       effectsToo.add("(free ?r)");
     }
-    while (random.nextInt(3) == 0) {
+    for (int more = random.nextInt(3); more > 0; more--) {
       conditions.append(' ').append(conditionsToo.get(random.nextInt(conditionsToo.size())));
     }
-    while (random.nextInt(4) == 0) {
+    for (int more = random.nextInt(2); more > 0; more--) {
       effects.append(' ').append(effectsToo.get(random.nextInt(effectsToo.size())));
     }
     // Before the action's own: what is added wins over what is deleted, whatever comes first.
