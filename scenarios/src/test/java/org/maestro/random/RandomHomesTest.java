@@ -31,9 +31,12 @@ class RandomHomesTest {
   /** Neither a claim nor a proof; more than that would be no planner. */
   private static final double MOST_GIVEN_UP = 0.02;
 
-  /** The first hundredth of all, or the one that is asked for. */
+  /**
+   * The first hundredth of all, but for one that takes as long as all others together, or the one
+   * that is asked for.
+   */
   static LongStream someSeeds() {
-    return seeds(1, 20);
+    return LongStream.concat(seeds(1, 13), seeds(15, 20)).distinct();
   }
 
   private static LongStream seeds(long first, long last) {
@@ -84,7 +87,7 @@ class RandomHomesTest {
   }
 
   static LongStream someHarshSeeds() {
-    return seeds(1, 3);
+    return seeds(1, 2);
   }
 
   @ParameterizedTest(name = "harsh seed {0}")
