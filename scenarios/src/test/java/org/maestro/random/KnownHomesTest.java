@@ -11,6 +11,8 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.maestro.assembly.AgentlessSite;
@@ -22,8 +24,10 @@ import org.maestro.sim.SceneLoader;
 
 /**
  * Where it is plain what can be done, it is done; where it is plain that nobody can, that is said.
- * No way, hands too small or too weak, too little time.
+ * No way, hands too small or too weak, too little time. A home has a world and a clock of its own,
+ * so its tests run beside each other.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class KnownHomesTest {
   private static final Duration LONGEST = Duration.ofMinutes(5);
 
@@ -35,7 +39,7 @@ class KnownHomesTest {
   }
 
   static LongStream allSeeds() {
-    return LongStream.rangeClosed(1, 200);
+    return Share.of(LongStream.rangeClosed(1, 200));
   }
 
   @ParameterizedTest(name = "way {0}")

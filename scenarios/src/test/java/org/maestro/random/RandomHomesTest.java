@@ -9,6 +9,8 @@ import java.util.stream.LongStream;
 import org.assertj.core.api.SoftAssertions;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -19,14 +21,21 @@ import org.junit.jupiter.params.provider.MethodSource;
  *     -Dsurefire.failIfNoSpecifiedTests=false</pre>
  *
  * <p>A part of them: {@code -Dmaestro.seeds=501-1000}, of those with liars {@code
- * -Dmaestro.liars=101-200}, of harsh ones {@code -Dmaestro.harsh=101-200}. A failing seed is seen
- * again with {@code -Dmaestro.seed=N}, which then is the only one, also without {@code -Pfull}.
+ * -Dmaestro.liars=101-200}, of harsh ones {@code -Dmaestro.harsh=101-200}, of those with windows
+ * {@code -Dmaestro.windows=51-100}, of those with agents {@code -Dmaestro.agents=26-50}; {@link
+ * Share} of them all: {@code -Dmaestro.share=2/3}. A failing seed is seen again with {@code
+ * -Dmaestro.seed=N}, which then is the only one, also without {@code -Pfull}.
+ *
+ * <p>A home has a world and a clock of its own, so its tests run beside each other.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class RandomHomesTest {
   private static final String SEED = "maestro.seed";
   private static final String SEEDS = "maestro.seeds";
   private static final String LIARS = "maestro.liars";
   private static final String HARSH = "maestro.harsh";
+  private static final String WINDOWS = "maestro.windows";
+  private static final String AGENTS = "maestro.agents";
 
   /** Neither a claim nor a proof; more than that would be no planner. */
   private static final double MOST_GIVEN_UP = 0.02;
@@ -44,13 +53,10 @@ class RandomHomesTest {
     return one == null ? LongStream.rangeClosed(first, last) : LongStream.of(one);
   }
 
-  private static LongStream allSeeds() {
-    return seeds(SEEDS, "1-2000");
-  }
-
-  private static LongStream seeds(String property, String usual) {
+  private static LongStream manySeeds(String property, String usual) {
     String[] ends = System.getProperty(property, usual).split("-");
-    return seeds(Long.parseLong(ends[0]), Long.parseLong(ends[1]));
+    LongStream seeds = seeds(Long.parseLong(ends[0]), Long.parseLong(ends[1]));
+    return Long.getLong(SEED) == null ? Share.of(seeds) : seeds;
   }
 
   @ParameterizedTest(name = "seed {0}")
@@ -119,7 +125,7 @@ class RandomHomesTest {
   void claimsNothingThatIsNotSoInTwoThousandHomes() {
     Map<Verdict.Kind, Integer> counts = new EnumMap<>(Verdict.Kind.class);
     SoftAssertions softly = new SoftAssertions();
-    allSeeds()
+    manySeeds(SEEDS, "1-2000")
         .forEach(
             seed -> {
               RandomRun run = RandomRun.withoutAgents(RandomHomes.of(seed));
@@ -142,7 +148,7 @@ class RandomHomesTest {
   @Tag("full")
   void claimsNothingOfDaylightThatIsNotSoInAHundredHomes() {
     SoftAssertions softly = new SoftAssertions();
-    seeds(1, 100)
+    manySeeds(WINDOWS, "1-100")
         .forEach(
             seed -> {
               RandomRun run = RandomRun.withoutAgents(RandomHomes.withWindow(seed));
@@ -156,7 +162,7 @@ class RandomHomesTest {
   void claimsNothingOfLiarsThatSomebodyCouldHaveSeenInFiveHundredHomes() {
     Map<Verdict.Kind, Integer> counts = new EnumMap<>(Verdict.Kind.class);
     SoftAssertions softly = new SoftAssertions();
-    seeds(LIARS, "1-500")
+    manySeeds(LIARS, "1-500")
         .forEach(
             seed -> {
               RandomRun run = RandomRun.withoutAgents(RandomHomes.withLiars(seed));
@@ -173,7 +179,7 @@ class RandomHomesTest {
   @Tag("full")
   void claimsNothingThatSomebodyCouldHaveSeenInTwoHundredHarshHomes() {
     SoftAssertions softly = new SoftAssertions();
-    seeds(HARSH, "1-200")
+    manySeeds(HARSH, "1-200")
         .forEach(
             seed -> {
               RandomRun run = RandomRun.withoutAgents(RandomHomes.harsh(seed));
@@ -187,7 +193,7 @@ class RandomHomesTest {
   @Tag("full")
   void agentsClaimNothingThatSomebodyCouldHaveSeenInFiftyHarshHomes() {
     SoftAssertions softly = new SoftAssertions();
-    seeds(1, 50)
+    manySeeds(AGENTS, "1-50")
         .forEach(
             seed -> {
               RandomRun run = RandomRun.withAgents(RandomHomes.harsh(seed));
@@ -200,7 +206,7 @@ class RandomHomesTest {
   @Tag("full")
   void agentsClaimTheSameInAHundredHomes() {
     SoftAssertions softly = new SoftAssertions();
-    seeds(1, 100).forEach(seed -> compareWithAgents(seed, softly));
+    manySeeds(AGENTS, "1-100").forEach(seed -> compareWithAgents(seed, softly));
     softly.assertAll();
   }
 
