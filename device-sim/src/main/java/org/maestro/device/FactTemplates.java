@@ -3,6 +3,7 @@ package org.maestro.device;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.maestro.sl.Self;
 import org.maestro.sl.Fact;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
@@ -53,7 +54,7 @@ final class FactTemplates {
 
   private Fact filled(Fact template, Map<String, Term> values) {
     Map<String, Term> all = new TreeMap<>(values);
-    all.put("self", self);
+    all.put(Self.NAME, self);
     return new Substitution(all).apply(template);
   }
 }

@@ -10,6 +10,7 @@ import java.util.TreeSet;
 import org.maestro.coordination.Story;
 import org.maestro.ontology.home.Group;
 import org.maestro.rats.time.Clock;
+import org.maestro.sl.Self;
 import org.maestro.sl.Content;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Formula;
@@ -103,7 +104,7 @@ public final class GroupAgent extends MaestroAgent {
     if (!started) {
       started = true;
       start.cancel();
-      Substitution self = new Substitution(Map.of("self", new Term.Name(group.id())));
+      Substitution self = new Substitution(Self.is(group.id()));
       goals.pursueOnly(group.pursues().stream().map(self::apply).toList());
     }
   }

@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.function.BiFunction;
 import java.util.stream.Stream;
 import org.maestro.knowledge.Answer;
@@ -25,6 +24,7 @@ import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
+import org.maestro.sl.Self;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
@@ -176,8 +176,7 @@ public final class KnowledgeAgent extends MaestroAgent {
   private void learn(Words words) {
     String member = words.string("member").orElse("");
     String name = words.string("feature").orElse("");
-    Map<String, Term> bindings = new TreeMap<>(words.termsOf("bindings"));
-    bindings.put("self", new Term.Name(member));
+    Map<String, Term> bindings = Self.is(member, words.termsOf("bindings"));
     Optional.ofNullable(knowledge.home().devices().get(member)).stream()
         .flatMap(device -> device.features().stream())
         .filter(feature -> feature.name().equals(name))

@@ -1,9 +1,9 @@
 package org.maestro.agents;
 
+import org.maestro.coordination.GoalId;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.Journal;
 import org.maestro.coordination.JournalEntry;
 import org.maestro.coordination.Recovery;
@@ -43,7 +43,7 @@ public record Past(
 
   /** Of the central agent, whose goals have {@code G} before their number. */
   public Past ofCentre() {
-    return new Past(journal, recovery.of(Coordinator.PREFIX), stories, returns);
+    return new Past(journal, recovery.of(GoalId.CENTRAL), stories, returns);
   }
 
   private record GoalsOnly(Journal journal) implements Journal {

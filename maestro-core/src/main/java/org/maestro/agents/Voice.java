@@ -1,7 +1,6 @@
 package org.maestro.agents;
 
 import jade.lang.acl.ACLMessage;
-import java.util.Map;
 import java.util.Optional;
 import org.maestro.deployment.Charge;
 import org.maestro.knowledge.MemberWord;
@@ -9,9 +8,9 @@ import org.maestro.members.MemberNews;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.home.Device;
 import org.maestro.rats.link.RatsLink;
+import org.maestro.sl.Self;
 import org.maestro.sl.Content;
 import org.maestro.sl.Substitution;
-import org.maestro.sl.Term;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -188,7 +187,7 @@ final class Voice implements MemberNews.Listener {
     goals.ifPresent(
         own -> {
           own.memberPresent(member, agent.getAID(), Optional.of(performances.life()));
-          Substitution self = new Substitution(Map.of("self", new Term.Name(member)));
+          Substitution self = new Substitution(Self.is(member));
           own.pursueOnly(view.device().orElseThrow().pursues().stream().map(self::apply).toList());
         });
   }

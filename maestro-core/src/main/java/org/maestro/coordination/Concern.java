@@ -26,7 +26,7 @@ final class Concern {
     for (Step step : steps) {
       conditions.addConditions(step);
       effects.addEffects(step);
-      unfolding.conjuncts(step.feature().precondition(), Contention.bindings(step)).stream()
+      unfolding.conjuncts(step.feature().precondition(), step.values()).stream()
           .filter(condition -> FreeVariables.of(condition).isEmpty())
           .forEach(closed::add);
     }

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.ontology.vocabulary.Claim;
@@ -101,7 +100,7 @@ final class Contention {
     Set<Resource> used = components(step);
     Evaluation evaluation = new Evaluation(ports.knowledge().snapshot());
     for (Claim claim : step.feature().claims()) {
-      Map<String, Term> bindings = bindings(step);
+      Map<String, Term> bindings = step.values();
       for (Term.Name name :
           ports.knowledge().snapshot().individuals(claim.variable().className().orElse(""))) {
         bindings.put(claim.variable().name(), name);
@@ -111,12 +110,6 @@ final class Contention {
       }
     }
     return used;
-  }
-
-  static Map<String, Term> bindings(Step step) {
-    Map<String, Term> bindings = new TreeMap<>(step.bindings());
-    bindings.put("self", new Term.Name(step.member()));
-    return bindings;
   }
 
   /** What the present part of the plan needs kept. */
@@ -162,7 +155,7 @@ final class Contention {
   }
 
   private static List<Change> changes(Step step, Snapshot before) {
-    return new Evaluation(before).changes(step.feature().effect(), bindings(step));
+    return new Evaluation(before).changes(step.feature().effect(), step.values());
   }
 
   /** The step takes what it uses. */

@@ -23,7 +23,6 @@ import org.maestro.sl.Formula;
  */
 public final class Coordinator {
   /** Before the number of a goal of the whole platform. */
-  public static final String PREFIX = "G";
 
   private static final long MOST_BYTES_OF_EXPLAINED = 1 << 20;
   private static final long MOST_BYTES_OF_ENDED = 512 << 10;
@@ -46,7 +45,7 @@ public final class Coordinator {
 
   /** The coordinator of a whole platform; its goals are G1, G2 ... */
   public Coordinator(Ports ports) {
-    this(ports, PREFIX);
+    this(ports, GoalId.CENTRAL);
   }
 
   /**
@@ -89,7 +88,7 @@ public final class Coordinator {
       GoalRequest request, Answer answer, Consumer<HeldNews> news, Consumer<GoalOutcome> ended) {
     new GoalCheck(ports.knowledge().home()).check(request.goal());
     int number = ++lastNumber;
-    String id = prefix + number;
+    String id = GoalId.of(prefix, number);
     ports
         .journal()
         .accept(
@@ -141,12 +140,12 @@ public final class Coordinator {
           ended(new Recovery.EndedGoal(request, outcome));
           ports.journal().afterwards(() -> told.accept(outcome));
         };
-    HeldPursuit.Reaching reaching =
+    Reaching reaching =
         (wish, with, then) -> new GoalPursuit(id, wish, with, roster, rivals, exactPrices, then);
     Pursuit pursuit =
         request.goal() instanceof Formula.Keep
             ? new HeldPursuit(
-                new HeldPursuit.Wish(id, request, standing),
+                new Wish(id, request, standing),
                 ports,
                 rivals,
                 exactPrices,
@@ -190,7 +189,7 @@ public final class Coordinator {
     }
     recovery.members().stream().filter(m -> !roster.isPresent(m)).forEach(comeback::await);
     for (Recovery.UnfinishedGoal goal : recovery.goals()) {
-      pursuit(goal.id(), goal.request(), number(prefix, goal.id()), news, told)
+      pursuit(goal.id(), goal.request(), GoalId.number(prefix, goal.id()), news, told)
           .prepareToTakeUp(goal, "for its devices to come back after the restart");
     }
     FormerCalls former = new FormerCalls(ports, roster);
@@ -211,12 +210,6 @@ public final class Coordinator {
             goal ->
                 Optional.ofNullable(pursuits.get(goal.id()))
                     .ifPresent(pursuit -> pursuit.takeUp(goal, former)));
-  }
-
-  /** Of a goal's id; 0 when it does not begin so. */
-  static int number(String prefix, String goalId) {
-    String digits = goalId.startsWith(prefix) ? goalId.substring(prefix.length()) : "";
-    return digits.matches("[0-9]{1,9}") ? Integer.parseInt(digits) : 0;
   }
 
   /** The clock's thread only hands over. */
@@ -342,7 +335,7 @@ public final class Coordinator {
 
   /** Whether there was a goal of that id; nothing more may be known of it. */
   public boolean hasHad(String goalId) {
-    int number = number(prefix, goalId);
+    int number = GoalId.number(prefix, goalId);
     return number > 0 && number <= lastNumber;
   }
 
@@ -393,7 +386,7 @@ public final class Coordinator {
     List<GoalStatus> goals = new ArrayList<>();
     ended.values().forEach(goal -> goals.add(status(goal)));
     pursuits.values().forEach(pursuit -> goals.add(pursuit.status()));
-    goals.sort(Comparator.comparingInt(goal -> number(prefix, goal.id())));
+    goals.sort(Comparator.comparingInt(goal -> GoalId.number(prefix, goal.id())));
     return goals;
   }
 

@@ -32,12 +32,12 @@ final class Experience {
   /**
    * A result taught nothing.
    *
-   * @param problem one sentence
+   * @param problem one sentence without its full stop
    */
   void taughtNothing(String member, String feature, String problem) {
     useless.merge(
         new Key(member, feature),
-        new Useless(1, Sentences.withoutFullStop(problem)),
+        new Useless(1, problem),
         (before, now) -> new Useless(before.inARow() + 1, now.latest()));
   }
 

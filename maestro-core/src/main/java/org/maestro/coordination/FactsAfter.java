@@ -44,7 +44,7 @@ final class FactsAfter implements Facts {
 
   /** What the step would change. */
   static List<Change> changes(Facts before, Step step) {
-    return new Evaluation(before).changes(step.feature().effect(), Contention.bindings(step));
+    return new Evaluation(before).changes(step.feature().effect(), step.values());
   }
 
   @Override

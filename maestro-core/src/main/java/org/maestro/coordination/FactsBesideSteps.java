@@ -75,7 +75,7 @@ final class FactsBesideSteps implements Facts {
   Handled handled(Step step, Snapshot before) {
     Set<Subject> subjects = new HashSet<>();
     for (Change change :
-        new Evaluation(before).changes(step.feature().effect(), Contention.bindings(step))) {
+        new Evaluation(before).changes(step.feature().effect(), step.values())) {
       if (change instanceof Change.OfTruth truth) {
         subjects.add(subject(truth.atom()));
         subjects.add(subject(mirrored(truth.atom())));

@@ -38,7 +38,7 @@ final class FailureMemory {
   }
 
   /**
-   * @param problem what its member says
+   * @param problem what its member says, without its full stop
    * @param taught what it teaches
    * @param refusal its member says that it cannot be done as things are
    */
@@ -65,7 +65,7 @@ final class FailureMemory {
             count,
             chances,
             refusal.isPresent(),
-            Sentences.withoutFullStop(problem),
+            problem,
             taught));
   }
 

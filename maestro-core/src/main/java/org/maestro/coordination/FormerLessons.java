@@ -3,7 +3,6 @@ package org.maestro.coordination;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.ontology.vocabulary.FeatureType;
@@ -58,8 +57,7 @@ final class FormerLessons {
 
   /** The step is not under way: it leaves nothing open. */
   private void learn(StepKey step, FeatureType type, List<FeatureRun.Learnt> lasting) {
-    Map<String, Term> bindings = new TreeMap<>(step.bindings());
-    bindings.put("self", new Term.Name(step.member()));
+    Map<String, Term> bindings = step.values();
     knowledge.learn(
         new FeatureRun(
             step.member(),

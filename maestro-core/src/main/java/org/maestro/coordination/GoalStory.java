@@ -123,11 +123,11 @@ final class GoalStory {
     tell(StoryEntry.Kind.WAIT, "Stands back: " + why + ".");
   }
 
-  void heldBack() {
+  void heldBack(Duration atMost) {
     tell(
         StoryEntry.Kind.WAIT,
         "Begins when the many goals that were stated with it are planned, %d s from now at most."
-            .formatted(Rush.LONGEST.toSeconds()));
+            .formatted(atMost.toSeconds()));
   }
 
   void goesOn() {

@@ -20,14 +20,6 @@ final class HeldPursuit implements Pursuit {
   /** Facts grow too old without news; so often it is looked at in any case. */
   private static final Duration BETWEEN_LOOKS = Duration.ofSeconds(60);
 
-  /** What is wished for, and where that stands among the wishes of others. */
-  record Wish(String id, GoalRequest request, Standing standing) {}
-
-  /** Begins a goal that is to be reached once. */
-  interface Reaching {
-    Pursuit pursuit(GoalRequest request, Ports ports, Consumer<GoalOutcome> ended);
-  }
-
   private final Wish wish;
   private final HeldCondition condition;
   private final Ports ports;

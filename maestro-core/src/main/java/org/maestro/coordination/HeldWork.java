@@ -12,9 +12,9 @@ import org.maestro.sl.Formula;
  * are made anew while it holds. The coordinator's thread only.
  */
 final class HeldWork {
-  private final HeldPursuit.Wish wish;
+  private final Wish wish;
   private final Rivals rivals;
-  private final HeldPursuit.Reaching reaching;
+  private final Reaching reaching;
   private final Pursuit held;
   private final Runnable over;
   private Optional<Pursuit> current = Optional.empty();
@@ -26,9 +26,9 @@ final class HeldWork {
    * @param over told each time that work is over, whatever comes after it
    */
   HeldWork(
-      HeldPursuit.Wish wish,
+      Wish wish,
       Rivals rivals,
-      HeldPursuit.Reaching reaching,
+      Reaching reaching,
       Pursuit held,
       Runnable over) {
     this.wish = wish;

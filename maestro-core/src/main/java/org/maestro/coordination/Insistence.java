@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -49,8 +48,7 @@ record Insistence(Formula condition, Formula here) {
     if (ref.need().isEmpty() || fact.isEmpty()) {
       return Optional.empty();
     }
-    Map<String, Term> bindings = new TreeMap<>(step.bindings());
-    bindings.put("self", new Term.Name(step.member()));
+    Map<String, Term> bindings = step.values();
     Substitution substitution = new Substitution(bindings);
     List<Formula> leaves = new ArrayList<>();
     Predicate<Formula.Atom> isMeant = leaf -> substitution.apply(leaf).equals(fact.get());

@@ -89,14 +89,14 @@ final class Interest {
 
   /** What the step needs to begin. */
   void addConditions(Step step) {
-    Map<String, Term> bindings = Contention.bindings(step);
+    Map<String, Term> bindings = step.values();
     add(step.feature().precondition(), bindings);
     step.feature().claims().forEach(claim -> add(claim.when(), bindings));
   }
 
   /** What the step's effect and price depend on. */
   void addEffects(Step step) {
-    Map<String, Term> bindings = Contention.bindings(step);
+    Map<String, Term> bindings = step.values();
     if (step.feature().cost() instanceof Price.Stated stated) {
       add(stated.cost(), bindings);
     }

@@ -61,7 +61,7 @@ public final class JournalImage {
     if (entry instanceof JournalEntry.Submitted submitted) {
       goals.put(submitted.goalId(), new GoalImage(dated));
       lastGoalNumber =
-          Math.max(lastGoalNumber, Coordinator.number(Coordinator.PREFIX, submitted.goalId()));
+          Math.max(lastGoalNumber, GoalId.number(GoalId.CENTRAL, submitted.goalId()));
     } else if (entry instanceof JournalEntry.Withdrawn withdrawn) {
       goals.remove(withdrawn.goalId());
     } else if (entry instanceof JournalEntry.OfGoal ofGoal) {

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.ontology.vocabulary.FeatureType;
@@ -203,7 +202,7 @@ final class Outlook {
   }
 
   /** Returns what is known only now of the conditions on which the step's member insists. */
-  List<Insistence> failed(StepExecution.Ended ended, String problem) {
+  List<Insistence> failed(StepEnd ended, String problem) {
     StepKey step = ended.step().key();
     List<FeatureRun.Learnt> refs = ended.report().refs();
     Set<Formula.Atom> taught = Insistence.facts(refs);
@@ -216,7 +215,7 @@ final class Outlook {
     failures.note(
         step,
         FactsUnder.asTaught(ended.factsBefore(), after, taught),
-        problem,
+        Sentences.withoutFullStop(problem),
         refs,
         ended.report().refusal().filter(refusal -> !isKnownToLackSomething(step, now)));
     List<String> lost =
@@ -229,7 +228,7 @@ final class Outlook {
   private boolean isKnownToLackSomething(StepKey step, Snapshot now) {
     return describedFeature(step)
         .map(type -> rivals.experience().condition(step.member(), type))
-        .map(condition -> new Evaluation(now).truth(condition, bindings(step)))
+        .map(condition -> new Evaluation(now).truth(condition, step.values()))
         .filter(Truth.FALSE::equals)
         .isPresent();
   }
@@ -371,17 +370,11 @@ final class Outlook {
             feature -> {
               Snapshot now = ports.knowledge().snapshot();
               return FactsUnder.with(
-                  FactsUnder.of(feature.precondition(), bindings(key), now),
+                  FactsUnder.of(feature.precondition(), key.values(), now),
                   failures.taught(key),
                   now);
             })
         .orElse("");
-  }
-
-  private static Map<String, Term> bindings(StepKey key) {
-    Map<String, Term> bindings = new TreeMap<>(key.bindings());
-    bindings.put("self", new Term.Name(key.member()));
-    return bindings;
   }
 
   private Optional<FeatureType> describedFeature(StepKey key) {

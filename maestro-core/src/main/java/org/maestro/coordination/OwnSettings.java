@@ -201,8 +201,7 @@ final class OwnSettings {
 
   /** The numbers of the member itself that the step assigns. */
   static Set<Expression.Fluent> assigned(Step step) {
-    Map<String, Term> bindings = new TreeMap<>(step.bindings());
-    bindings.put("self", new Term.Name(step.member()));
+    Map<String, Term> bindings = step.values();
     Set<Expression.Fluent> assigned = new LinkedHashSet<>();
     collect(step.feature().effect(), new Substitution(bindings), step.member(), assigned);
     return assigned;

@@ -151,7 +151,7 @@ final class PlanFollowing {
             && parts.rivals().rush().holdsBack(life.id());
     if (heldBack && life.state() != GoalState.WAITING) {
       life.become(GoalState.WAITING, "for the goals stated with it to be planned");
-      story.heldBack();
+      story.heldBack(Rush.LONGEST);
     }
     return heldBack;
   }
@@ -219,7 +219,7 @@ final class PlanFollowing {
     execution.begin(step, plan.remaining());
   }
 
-  private void stepEnded(StepExecution.Ended ended) {
+  private void stepEnded(StepEnd ended) {
     if (!ended.change().facts().isEmpty()) {
       ownChange = ended.change().version();
     }
@@ -246,11 +246,11 @@ final class PlanFollowing {
     }
   }
 
-  private static Optional<String> said(StepExecution.Ended ended) {
+  private static Optional<String> said(StepEnd ended) {
     return ended.report().problem().map(problem -> Sentences.said(ended.step().member(), problem));
   }
 
-  private String becauseOf(StepExecution.Ended ended) {
+  private String becauseOf(StepEnd ended) {
     return ended.change().facts().isEmpty() && plan.remaining().isEmpty()
         ? story.endedInVain()
         : story.becauseOf(ended.step(), ended.change());

@@ -359,8 +359,7 @@ final class PlanningRound {
   }
 
   private boolean isPossibleNow(Step step) {
-    Map<String, Term> bindings = new TreeMap<>(step.bindings());
-    bindings.put("self", new Term.Name(step.member()));
+    Map<String, Term> bindings = step.values();
     return new Evaluation(facts.get()).truth(step.feature().precondition(), bindings) == Truth.TRUE;
   }
 

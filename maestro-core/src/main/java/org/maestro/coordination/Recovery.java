@@ -29,22 +29,22 @@ public record Recovery(
    */
   public Recovery of(String prefix) {
     List<UnfinishedGoal> own =
-        goals.stream().filter(goal -> Coordinator.number(prefix, goal.id()) > 0).toList();
+        goals.stream().filter(goal -> GoalId.number(prefix, goal.id()) > 0).toList();
     List<EndedGoal> over =
-        ended.stream().filter(goal -> Coordinator.number(prefix, goal.outcome().id()) > 0).toList();
+        ended.stream().filter(goal -> GoalId.number(prefix, goal.outcome().id()) > 0).toList();
     List<UnfinishedCall> calls =
         unwanted.stream()
-            .filter(call -> Coordinator.number(prefix, call.begun().goalId()) > 0)
+            .filter(call -> GoalId.number(prefix, call.begun().goalId()) > 0)
             .toList();
-    if (prefix.equals(Coordinator.PREFIX)) {
+    if (prefix.equals(GoalId.CENTRAL)) {
       return new Recovery(lastGoalNumber, own, over, calls, members);
     }
     int last = 0;
     for (UnfinishedGoal goal : own) {
-      last = Math.max(last, Coordinator.number(prefix, goal.id()));
+      last = Math.max(last, GoalId.number(prefix, goal.id()));
     }
     for (EndedGoal goal : over) {
-      last = Math.max(last, Coordinator.number(prefix, goal.outcome().id()));
+      last = Math.max(last, GoalId.number(prefix, goal.outcome().id()));
     }
     return new Recovery(last, own, over, calls, members);
   }

@@ -41,7 +41,7 @@ final class Reliance {
   }
 
   private List<Formula> conditions(Step step) {
-    return unfolding.conjuncts(step.feature().precondition(), Contention.bindings(step)).stream()
+    return unfolding.conjuncts(step.feature().precondition(), step.values()).stream()
         .filter(formula -> !mentionsUnknown(formula))
         .toList();
   }

@@ -9,15 +9,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.TreeMap;
 import org.maestro.knowledge.Belief;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.ontology.vocabulary.Parameter;
-import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
-import org.maestro.sl.Effect;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Substitution;
@@ -52,9 +49,8 @@ final class SearchLog {
   /** A step has succeeded, and its result is known. */
   void done(
       Step step, Map<String, Term> outputs, Snapshot now, Duration at, Vocabulary vocabulary) {
-    Map<String, Term> bindings = new TreeMap<>(step.bindings());
-    bindings.put("self", new Term.Name(step.member()));
-    for (Formula.Atom atom : sensed(step.feature().effect(), vocabulary)) {
+    Map<String, Term> bindings = step.values();
+    for (Formula.Atom atom : Sensing.sought(step.feature().effect(), vocabulary)) {
       Formula.Atom ground = new Substitution(bindings).apply(atom);
       if (ground.isGround() && now.truth(ground) != Truth.TRUE) {
         JournalEntry.LookedInVain vain =
@@ -80,30 +76,6 @@ final class SearchLog {
       }
     }
     return now.belief(atom).map(Belief::coveredShare).orElse(OptionalDouble.empty());
-  }
-
-  /** The functional predicates of which the effect senses an atom. */
-  static List<Formula.Atom> sensed(Effect effect, Vocabulary vocabulary) {
-    List<Formula.Atom> atoms = new ArrayList<>();
-    collect(effect, atoms);
-    atoms.removeIf(
-        atom ->
-            atom.arguments().size() != 2
-                || vocabulary
-                    .predicate(atom.predicate())
-                    .filter(PredicateDeclaration::functional)
-                    .isEmpty());
-    return atoms;
-  }
-
-  private static void collect(Effect effect, List<Formula.Atom> atoms) {
-    if (effect instanceof Effect.All all) {
-      all.effects().forEach(part -> collect(part, atoms));
-    } else if (effect instanceof Effect.When when) {
-      collect(when.effect(), atoms);
-    } else if (effect instanceof Effect.SenseAtom sense) {
-      atoms.add(sense.atom());
-    }
   }
 
   /** Looks that are not repeated. */

@@ -22,6 +22,7 @@ import org.maestro.planning.PricedFeature;
 import org.maestro.planning.StepKey;
 import org.maestro.planning.Unavailable;
 import org.maestro.rats.time.Clock;
+import org.maestro.sl.Self;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
@@ -119,7 +120,7 @@ final class SearchReview {
     Set<String> predicates = new LinkedHashSet<>();
     for (Device device : home.devices().values()) {
       for (FeatureType feature : device.features()) {
-        SearchLog.sensed(feature.effect(), home.vocabulary())
+        Sensing.sought(feature.effect(), home.vocabulary())
             .forEach(atom -> predicates.add(atom.predicate()));
       }
     }
@@ -253,6 +254,6 @@ final class SearchReview {
     }
     return effect instanceof Effect.Add add
         && add.atom().predicate().equals(predicate)
-        && !add.atom().arguments().get(0).equals(new Term.Variable("self"));
+        && !add.atom().arguments().get(0).equals(Self.VARIABLE);
   }
 }

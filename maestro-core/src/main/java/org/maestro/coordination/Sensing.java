@@ -1,22 +1,14 @@
 package org.maestro.coordination;
 
-import java.util.LinkedHashSet;
-import java.util.Map;
-import java.util.Optional;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Predicate;
-import org.maestro.knowledge.KnowledgeBase;
-import org.maestro.knowledge.Snapshot;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
-import org.maestro.planning.Step;
 import org.maestro.sl.Effect;
-import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
-import org.maestro.sl.Substitution;
-import org.maestro.sl.Term;
-import org.maestro.sl.Truth;
 
 /** What a feature's effect finds out. */
 final class Sensing {
@@ -47,47 +39,32 @@ final class Sensing {
     return names;
   }
 
-  /**
-   * That nothing is known after the step of all that it was to find out; empty when anything is, or
-   * when it was a search, of which it is counted elsewhere how often it was in vain.
-   */
-  static Optional<String> leftUnknown(Step step, KnowledgeBase knowledge) {
-    Vocabulary vocabulary = knowledge.home().vocabulary();
-    Effect effect = step.feature().effect();
-    if (!isIn(effect) || !SearchLog.sensed(effect, vocabulary).isEmpty()) {
-      return Optional.empty();
-    }
-    Map<String, Term> bindings = new TreeMap<>(step.bindings());
-    bindings.put("self", new Term.Name(step.member()));
-    Substitution substitution = new Substitution(bindings);
-    Snapshot now = knowledge.snapshot();
-    Sentences sentences = new Sentences(vocabulary);
-    Set<String> unknown = new LinkedHashSet<>();
-    boolean[] known = {false};
-    any(
-        effect,
-        part -> {
-          if (part instanceof Effect.SenseNumber sense) {
-            Expression.Fluent fluent = substitution.apply(sense.fluent());
-            known[0] |= now.number(fluent).isPresent();
-            if (fluent.arguments().stream().allMatch(Term::isGround)) {
-              unknown.add(sentences.quantity(fluent));
-            }
-          } else if (part instanceof Effect.SenseAtom sense) {
-            Formula.Atom atom = substitution.apply(sense.atom());
-            known[0] |= atom.isGround() && now.truth(atom) != Truth.UNKNOWN;
-            if (atom.isGround()) {
-              unknown.add("whether " + sentences.fact(atom));
-            }
-          }
-          return false;
-        });
-    return known[0] || unknown.isEmpty()
-        ? Optional.empty()
-        : Optional.of("it does not tell " + String.join(", ", unknown));
+  /** The atoms that it seeks: of what is at one place at a time, where that is. */
+  static List<Formula.Atom> sought(Effect effect, Vocabulary vocabulary) {
+    List<Formula.Atom> atoms = new ArrayList<>();
+    collect(effect, atoms);
+    atoms.removeIf(
+        atom ->
+            atom.arguments().size() != 2
+                || vocabulary
+                    .predicate(atom.predicate())
+                    .filter(PredicateDeclaration::functional)
+                    .isEmpty());
+    return atoms;
   }
 
-  private static boolean any(Effect effect, Predicate<Effect> wanted) {
+  private static void collect(Effect effect, List<Formula.Atom> atoms) {
+    if (effect instanceof Effect.All all) {
+      all.effects().forEach(part -> collect(part, atoms));
+    } else if (effect instanceof Effect.When when) {
+      collect(when.effect(), atoms);
+    } else if (effect instanceof Effect.SenseAtom sense) {
+      atoms.add(sense.atom());
+    }
+  }
+
+  /** Whether any simple part of it is wanted; looks at none after that. */
+  static boolean any(Effect effect, Predicate<Effect> wanted) {
     if (effect instanceof Effect.All all) {
       return all.effects().stream().anyMatch(part -> any(part, wanted));
     } else if (effect instanceof Effect.When when) {

@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.Step;
+import org.maestro.sl.Self;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
@@ -66,7 +67,7 @@ public final class Sentences {
         found -> {
           String name = found.group(1);
           Term term =
-              name.equals("self") ? new Term.Name(step.member()) : step.bindings().get(name);
+              name.equals(Self.NAME) ? new Term.Name(step.member()) : step.bindings().get(name);
           return Matcher.quoteReplacement(term == null ? "?" : term(term));
         });
   }

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
@@ -29,25 +28,11 @@ final class StepExecution {
   private final GoalStory story;
   private final StepsUnderway underway;
   private final Outlook outlook;
-  private final Consumer<Ended> ended;
+  private final Consumer<StepEnd> ended;
   private final List<Crew.Performance> established = new ArrayList<>();
   private boolean goalOver;
 
-  /**
-   * A step ended.
-   *
-   * @param calledOff by the coordinator itself, so that its failure says nothing
-   * @param factsBefore on which it rested, before its report taught anything
-   * @param change what its report taught
-   */
-  record Ended(
-      Step step,
-      Crew.Report report,
-      boolean calledOff,
-      String factsBefore,
-      KnowledgeBase.Change change) {}
-
-  StepExecution(PursuitParts parts, Consumer<Ended> ended) {
+  StepExecution(PursuitParts parts, Consumer<StepEnd> ended) {
     this.goalId = parts.id();
     this.ports = parts.ports();
     this.rivals = parts.rivals();
@@ -172,7 +157,7 @@ final class StepExecution {
         keepOrEnd(step, performance);
       }
     }
-    ended.accept(new Ended(step, judged, calledOff, factsBefore, change));
+    ended.accept(new StepEnd(step, judged, calledOff, factsBefore, change));
   }
 
   /** A result that teaches nothing is none; what was sound in it is known all the same. */
@@ -187,17 +172,17 @@ final class StepExecution {
       return report;
     }
     String problem =
-        step.member() + " reports a result that teaches nothing: " + objection.get() + ".";
+        step.member() + " reports a result that teaches nothing: " + objection.get();
     experience.taughtNothing(step.member(), step.feature().name(), problem);
     if (step.feature().continuous()) {
       performance.cancel();
     }
-    return new Crew.Report(false, Map.of(), Optional.of(problem), List.of());
+    return new Crew.Report(false, Map.of(), Optional.of(problem + "."), List.of());
   }
 
   private Optional<String> objection(Step step, Crew.Report report) {
     return ResultCheck.objection(step.feature(), report.outputs())
-        .or(() -> Sensing.leftUnknown(step, ports.knowledge()));
+        .or(() -> EmptyResult.of(step, ports.knowledge()));
   }
 
   /** Sight is kept until the goal ends; one reading of a number is enough while it is valid. */
@@ -210,8 +195,7 @@ final class StepExecution {
   }
 
   private static FeatureRun run(Step step, Optional<Snapshot> before, Crew.Report report) {
-    Map<String, Term> bindings = new TreeMap<>(step.bindings());
-    bindings.put("self", new Term.Name(step.member()));
+    Map<String, Term> bindings = step.values();
     return new FeatureRun(
         step.member(),
         step.feature(),

@@ -7,7 +7,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.ontology.home.Home;
@@ -53,8 +52,7 @@ final class Watch {
 
   /** The step is established and goes on; an earlier one like it is not needed any more. */
   void keep(Step step, Crew.Performance performance, Snapshot now, Home home) {
-    Map<String, Term> bindings = new TreeMap<>(step.bindings());
-    bindings.put("self", new Term.Name(step.member()));
+    Map<String, Term> bindings = step.values();
     Set<Subject> subjects = new LinkedHashSet<>();
     collect(step.feature().effect(), bindings, now, home.vocabulary(), subjects);
     Stream before = streams.put(step.key(), new Stream(subjects, performance));

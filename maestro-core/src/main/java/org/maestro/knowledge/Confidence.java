@@ -1,6 +1,5 @@
 package org.maestro.knowledge;
 
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -9,6 +8,7 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.vocabulary.Doubt;
 import org.maestro.ontology.vocabulary.Parameter;
+import org.maestro.sl.Self;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Facts;
 import org.maestro.sl.FreeVariables;
@@ -34,8 +34,7 @@ final class Confidence {
     if (voice.expects() || !run.succeeded()) {
       return voice;
     }
-    Map<String, Term> bindings = new LinkedHashMap<>(run.bindings());
-    bindings.put("self", new Term.Name(run.member()));
+    Map<String, Term> bindings = Self.is(run.member(), run.bindings());
     double most =
         run.feature().doubts().stream()
             .filter(doubt -> bindings.keySet().containsAll(FreeVariables.of(doubt.when())))

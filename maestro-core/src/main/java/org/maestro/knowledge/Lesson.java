@@ -1,7 +1,6 @@
 package org.maestro.knowledge;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -10,6 +9,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.sl.Self;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
@@ -53,8 +53,7 @@ final class Lesson {
   List<Fact> facts(Draft draft, Consumer<StateVariable> forget) {
     Snapshot before = run.before().orElse(present);
     FeatureType feature = run.feature();
-    Map<String, Term> bindings = new LinkedHashMap<>(run.bindings());
-    bindings.put("self", new Term.Name(run.member()));
+    Map<String, Term> bindings = Self.is(run.member(), run.bindings());
     if (run.succeeded()) {
       bindings.putAll(ResultCheck.sound(feature, run.outputs()));
       Snapshot read = feature.learns().isPresent() ? present : before;

@@ -2,6 +2,7 @@ package org.maestro.knowledge;
 
 import java.util.List;
 import org.maestro.ontology.home.Device;
+import org.maestro.sl.Self;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
@@ -37,7 +38,7 @@ record OwnReports(String device, List<Formula.Atom> templates) {
 
   private boolean fits(Term template, Term value) {
     if (template instanceof Term.Variable variable) {
-      return !variable.name().equals("self") || value.equals(new Term.Name(device));
+      return !variable.name().equals(Self.NAME) || value.equals(new Term.Name(device));
     }
     return template.equals(value);
   }

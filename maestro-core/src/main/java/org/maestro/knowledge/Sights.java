@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.maestro.sl.Self;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Facts;
@@ -35,8 +36,7 @@ final class Sights {
     if (comparisons.isEmpty()) {
       return;
     }
-    Map<String, Term> bindings = new LinkedHashMap<>(run.bindings());
-    bindings.put("self", new Term.Name(run.member()));
+    Map<String, Term> bindings = Self.is(run.member(), run.bindings());
     Formula need = new Substitution(bindings).apply(new Formula.And(comparisons));
     boolean seemsEnough = new Evaluation(present).truth(need, Map.of()) != Truth.FALSE;
     for (Fact fact : facts) {

@@ -4,6 +4,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
+import org.maestro.sl.Self;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Term;
 
@@ -58,7 +59,7 @@ record Deed(Kind kind, String subject, List<Integer> own) {
         kind,
         subject,
         IntStream.range(0, arguments.size())
-            .filter(n -> arguments.get(n) instanceof Term.Variable v && v.name().equals("self"))
+            .filter(n -> arguments.get(n) instanceof Term.Variable v && v.name().equals(Self.NAME))
             .boxed()
             .toList());
   }

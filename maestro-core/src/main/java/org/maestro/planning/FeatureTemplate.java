@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.planning.Condition.Constant;
+import org.maestro.sl.Self;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
@@ -24,7 +25,6 @@ import org.maestro.sl.Term;
  * conditions tie them, and what its effect may change.
  */
 final class FeatureTemplate {
-  private static final String SELF = "self";
   private static final List<Term> TRUTHS = List.of(new Term.Truth(true), new Term.Truth(false));
 
   /** The predicate or number that a part of the effect names. */
@@ -119,7 +119,7 @@ final class FeatureTemplate {
       and.operands().forEach(operand -> collectStatic(operand, signature, staticAnswers));
     } else if (!signature.isDynamic(formula)) {
       Set<String> variables = new LinkedHashSet<>(FreeVariables.of(formula));
-      boolean speaksOfSelf = variables.remove(SELF);
+      boolean speaksOfSelf = variables.remove(Self.NAME);
       conjuncts.add(
           new Conjunct(
               formula,
@@ -192,7 +192,7 @@ final class FeatureTemplate {
 
   private Map<String, Term> selfOnly() {
     Map<String, Term> bindings = new HashMap<>();
-    bindings.put(SELF, new Term.Name(feature.member()));
+    bindings.put(Self.NAME, new Term.Name(feature.member()));
     return bindings;
   }
 
@@ -307,7 +307,7 @@ final class FeatureTemplate {
       values.add(bindings.get(name));
     }
     if (conjunct.speaksOfSelf()) {
-      values.add(bindings.get(SELF));
+      values.add(bindings.get(Self.NAME));
     }
     Boolean known = conjunct.answers().get(values);
     if (known == null) {

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.maestro.ontology.vocabulary.Parameter;
+import org.maestro.sl.Self;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
@@ -140,7 +141,7 @@ final class IdleParameters {
   /** A price that the member itself computed may be above what the others cost at least. */
   private boolean isCheapest(Map<String, Term> bindings) {
     Map<String, Term> parameters = new HashMap<>(bindings);
-    parameters.remove("self");
+    parameters.remove(Self.NAME);
     PricedFeature.ExactPrice exact = feature.exact().get(parameters);
     return exact == null
         || conditions.number(FeatureTemplate.statedPrice(feature), bindings)

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.Price;
+import org.maestro.sl.Self;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Term;
 
@@ -105,7 +106,7 @@ final class LeastPrice {
   }
 
   private Range known(Expression.Fluent fluent, String member) {
-    Map<String, Term> self = Map.of("self", new Term.Name(member));
+    Map<String, Term> self = Self.is(member);
     List<Term> arguments =
         fluent.arguments().stream()
             .map(

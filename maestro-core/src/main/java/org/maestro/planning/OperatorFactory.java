@@ -1,11 +1,11 @@
 package org.maestro.planning;
 
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.planning.Condition.Constant;
 import org.maestro.planning.PricedFeature.ExactPrice;
+import org.maestro.sl.Self;
 import org.maestro.sl.Term;
 
 /** Makes ground operators of features and bindings, with their prices. */
@@ -53,8 +53,7 @@ final class OperatorFactory {
   }
 
   private static Map<String, Term> withSelf(PricedFeature feature, Map<String, Term> parameters) {
-    Map<String, Term> bindings = new HashMap<>(parameters);
-    bindings.put("self", new Term.Name(feature.member()));
+    Map<String, Term> bindings = Self.is(feature.member(), parameters);
     return bindings;
   }
 

@@ -10,6 +10,7 @@ import java.util.OptionalDouble;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.sl.Self;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;
@@ -24,7 +25,6 @@ import org.maestro.sl.Truth;
  * there is.
  */
 final class Returned implements Facts {
-  private static final String SELF = "self";
 
   private record State(String predicate, List<Term> arguments) {}
 
@@ -59,7 +59,7 @@ final class Returned implements Facts {
   }
 
   private static boolean isOfSelf(List<Term> arguments, int size) {
-    return arguments.size() == size && arguments.get(0).equals(new Term.Variable(SELF));
+    return arguments.size() == size && arguments.get(0).equals(Self.VARIABLE);
   }
 
   private static Optional<Double> firstValue(PricedFeature feature, Term value) {

@@ -26,4 +26,9 @@ public record Step(
   public StepKey key() {
     return new StepKey(member, feature.name(), bindings);
   }
+
+  /** What the variables of its feature stand for, {@code ?self} among them. */
+  public Map<String, Term> values() {
+    return key().values();
+  }
 }

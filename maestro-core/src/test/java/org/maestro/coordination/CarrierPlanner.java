@@ -128,14 +128,14 @@ final class CarrierPlanner implements Planner {
     Facts facts = task.facts();
     for (Step step : steps) {
       Evaluation now = new Evaluation(facts);
-      if (unfolding.conjuncts(step.feature().precondition(), Contention.bindings(step)).stream()
+      if (unfolding.conjuncts(step.feature().precondition(), step.values()).stream()
           .anyMatch(condition -> now.truth(condition, Map.of()) == Truth.FALSE)) {
         return Optional.empty();
       }
       facts =
           new FactsAfter(
               facts,
-              now.changes(step.feature().effect(), Contention.bindings(step)),
+              now.changes(step.feature().effect(), step.values()),
               task.vocabulary());
     }
     return new Evaluation(facts).truth(task.goal(), Map.of()) == Truth.TRUE

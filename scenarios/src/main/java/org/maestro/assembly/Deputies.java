@@ -16,6 +16,7 @@ import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.time.Clock;
+import org.maestro.sl.Self;
 import org.maestro.sl.Term;
 
 /**
@@ -97,8 +98,7 @@ final class Deputies {
 
     /** What one more value set of a stream teaches. */
     void learnt(FeatureType feature, Map<String, Term> bindings, Map<String, Term> outputs) {
-      Map<String, Term> all = new TreeMap<>(bindings);
-      all.put("self", new Term.Name(member));
+      Map<String, Term> all = Self.is(member, bindings);
       knowledge.learn(new FeatureRun(member, feature, all, true, outputs, List.of()));
     }
   }

@@ -14,6 +14,7 @@ import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.rats.gateway.LampRole;
 import org.maestro.rats.gateway.ZigbeeLamp;
 import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.sl.Self;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Substitution;
@@ -122,7 +123,7 @@ public final class HomeLamps implements LampRole {
 
   @Override
   public String fact(String id, double level) {
-    Map<String, Term> values = Map.of("self", new Term.Name(id), LEVEL, new Term.Number(level));
+    Map<String, Term> values = Map.of(Self.NAME, new Term.Name(id), LEVEL, new Term.Number(level));
     String template = devices.get(id).reports().getOrDefault(LEVEL, "(= (level ?self) ?level)");
     return SlPrinter.print(new Substitution(values).apply(SlParser.fact(template)));
   }

@@ -12,6 +12,7 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
+import org.maestro.sl.Self;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlPrinter;
@@ -23,7 +24,6 @@ import org.maestro.sl.Term;
  */
 final class SuggestedGoal {
   private static final String THING = "Thing";
-  private static final String SELF = "self";
   private static final Term.Variable WHOEVER = new Term.Variable("agent");
 
   private final List<Individual> things;
@@ -92,7 +92,7 @@ final class SuggestedGoal {
   }
 
   private Optional<Term> value(FeatureType feature, String variable, Set<String> used) {
-    if (variable.equals(SELF)) {
+    if (variable.equals(Self.NAME)) {
       return Optional.of(WHOEVER);
     }
     List<String> types =

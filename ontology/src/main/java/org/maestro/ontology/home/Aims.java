@@ -11,6 +11,7 @@ import org.maestro.ontology.validation.SourceGraph;
 import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.ontology.vocabulary.VocabularyCheck;
+import org.maestro.sl.Self;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
 import org.maestro.sl.SlParser;
@@ -42,7 +43,7 @@ final class Aims {
       goal.ifPresent(
           formula -> {
             Set<String> variables = new LinkedHashSet<>(FreeVariables.of(formula));
-            variables.add("self");
+            variables.add(Self.NAME);
             check.checkFormula(node, "pursues", variables, formula);
             goals.add(formula);
           });

@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.sl.Self;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
@@ -31,7 +32,7 @@ public record Device(
     List<FeatureType> features,
     Map<String, String> reports,
     List<Formula> pursues) {
-  private static final List<Term> SELF = List.of(new Term.Variable("self"));
+  private static final List<Term> SELF = List.of(Self.VARIABLE);
 
   public Device {
     features = List.copyOf(features);

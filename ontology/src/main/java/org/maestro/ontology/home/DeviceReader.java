@@ -19,6 +19,7 @@ import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.ontology.vocabulary.VocabularyCheck;
+import org.maestro.sl.Self;
 import org.maestro.sl.Formula;
 
 /** Reads a device with what its classes, from the general to the special, and it itself say. */
@@ -53,7 +54,7 @@ final class DeviceReader {
       container = literals.text(layer, "container").or(orElse(container));
       driver = literals.text(layer, "driver").or(orElse(driver));
       reports = features.namedFacts(layer, "reports", reports);
-      check.checkFacts(layer, "reports", List.of("self"));
+      check.checkFacts(layer, "reports", List.of(Self.NAME));
       pursues.addAll(aims.pursued(layer));
       for (Node offered : graph.objects(layer, OFFERS)) {
         offer(layer, offered, offers);

@@ -19,6 +19,7 @@ import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Nearest;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.sl.Self;
 import org.maestro.sl.Fact;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
@@ -125,7 +126,7 @@ final class HomeCheck {
   private static boolean isOfSelf(String predicate, List<Term> arguments, String name) {
     return predicate.equals(name)
         && !arguments.isEmpty()
-        && arguments.get(0).equals(new Term.Variable("self"));
+        && arguments.get(0).equals(Self.VARIABLE);
   }
 
   private Set<Node> has(Collection<Node> classes) {

@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.sl.Self;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
@@ -108,7 +109,7 @@ public final class ImpossibleUses {
   private Optional<Shortfall> shortfall(
       Device device, FeatureType feature, Parameter input, Individual thing) {
     Map<String, Term> bindings =
-        Map.of("self", new Term.Name(device.id()), input.name(), new Term.Name(thing.name()));
+        Map.of(Self.NAME, new Term.Name(device.id()), input.name(), new Term.Name(thing.name()));
     return conjuncts(feature.precondition()).stream()
         .filter(part -> FreeVariables.of(part).contains(input.name()))
         .filter(part -> bindings.keySet().containsAll(FreeVariables.of(part)) && isFixed(part))

@@ -5,10 +5,10 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.sl.Self;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Leaves;
-import org.maestro.sl.Term;
 
 /**
  * Numbers of devices that their features need, and that neither the home states nor anybody could
@@ -16,7 +16,6 @@ import org.maestro.sl.Term;
  * ever what was wanted.
  */
 public final class UnstatedNeeds {
-  private static final Term SELF = new Term.Variable("self");
 
   private final ToldNumbers told;
 
@@ -65,7 +64,7 @@ public final class UnstatedNeeds {
   }
 
   private static boolean isOfSelf(Expression.Fluent fluent) {
-    return fluent.arguments().equals(List.of(SELF));
+    return fluent.arguments().equals(List.of(Self.VARIABLE));
   }
 
   private boolean isTold(Device device, String name) {

@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import org.apache.jena.graph.Node;
 import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceGraph;
+import org.maestro.sl.Self;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
@@ -21,7 +22,6 @@ import org.maestro.sl.TypedVariable;
  */
 public final class VocabularyCheck {
 
-  private static final String SELF = "self";
 
   private final SourceGraph graph;
   private final Vocabulary vocabulary;
@@ -128,7 +128,7 @@ public final class VocabularyCheck {
    * @param feature with what the node leaves to its type
    */
   public void check(Node node, FeatureType feature) {
-    List<String> given = new ArrayList<>(List.of(SELF));
+    List<String> given = new ArrayList<>(List.of(Self.NAME));
     Stream.concat(feature.inputs().stream(), feature.binds().stream())
         .forEach(parameter -> given.add(parameter.name()));
     List<String> results = new ArrayList<>(given);
