@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
-import org.maestro.coordination.Crew;
+import org.maestro.coordination.api.Crew;
 
 /**
  * Orders to the generic agents by FIPA request, once it is known that they hold their part. Every

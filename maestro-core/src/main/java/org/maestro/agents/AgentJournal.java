@@ -1,8 +1,8 @@
 package org.maestro.agents;
 
 import java.util.function.Consumer;
-import org.maestro.coordination.Journal;
-import org.maestro.coordination.JournalEntry;
+import org.maestro.coordination.api.Journal;
+import org.maestro.coordination.api.JournalEntry;
 import org.maestro.rats.time.Clock;
 
 /** A journal whose actions run on the agent's thread: what is written down elsewhere comes back. */

@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.maestro.coordination.Bid;
+import org.maestro.coordination.api.Bid;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.sl.Content;
 import org.maestro.sl.Evaluation;

@@ -1,7 +1,7 @@
 package org.maestro.agents;
 
 import org.maestro.coordination.Coordinator;
-import org.maestro.coordination.Takeover;
+import org.maestro.coordination.api.Takeover;
 
 /**
  * What an agent tells the holder of a contract while its member is at it: {@code (inform (:member

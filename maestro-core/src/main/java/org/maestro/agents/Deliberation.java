@@ -10,12 +10,12 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.coordination.Coordinator;
-import org.maestro.coordination.Crew;
-import org.maestro.coordination.Journal;
-import org.maestro.coordination.Market;
-import org.maestro.coordination.Ports;
-import org.maestro.coordination.Story;
-import org.maestro.coordination.Thinking;
+import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.Journal;
+import org.maestro.coordination.api.Market;
+import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Story;
+import org.maestro.coordination.api.Thinking;
 import org.maestro.rats.time.Clock;
 
 /**

@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.maestro.coordination.GoalState;
-import org.maestro.coordination.Latest;
+import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.facts.Latest;
 import org.maestro.sl.Content;
 
 /**

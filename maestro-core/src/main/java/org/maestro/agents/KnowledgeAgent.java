@@ -24,9 +24,9 @@ import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
-import org.maestro.sl.Self;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Self;
 import org.maestro.sl.Term;
 
 /**

@@ -10,7 +10,7 @@ import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.maestro.coordination.Crew;
+import org.maestro.coordination.api.Crew;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.sl.Content;
 import org.maestro.sl.SlSyntaxException;

@@ -1,13 +1,13 @@
 package org.maestro.agents;
 
-import org.maestro.coordination.GoalId;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import org.maestro.coordination.Journal;
-import org.maestro.coordination.JournalEntry;
-import org.maestro.coordination.Recovery;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.GoalId;
+import org.maestro.coordination.api.Journal;
+import org.maestro.coordination.api.JournalEntry;
+import org.maestro.coordination.api.Recovery;
+import org.maestro.coordination.api.StoryEntry;
 
 /**
  * What a coordinator goes on from.

@@ -6,10 +6,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Consumer;
-import org.maestro.coordination.Argument;
-import org.maestro.coordination.Bid;
-import org.maestro.coordination.CallForPrices;
-import org.maestro.coordination.Market;
+import org.maestro.coordination.api.Argument;
+import org.maestro.coordination.api.Bid;
+import org.maestro.coordination.api.CallForPrices;
+import org.maestro.coordination.api.Market;
 
 /** A market on which nobody is asked for what the goal's requester may not ask for. */
 final class PermittedMarket implements Market {

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import org.maestro.coordination.Market.Quote;
+import org.maestro.coordination.api.Market.Quote;
 import org.maestro.sl.Content;
 import org.maestro.sl.SlSyntaxException;
 import org.maestro.sl.Term;

@@ -3,8 +3,8 @@ package org.maestro.agents;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
-import org.maestro.coordination.Recovery;
-import org.maestro.coordination.Story;
+import org.maestro.coordination.api.Recovery;
+import org.maestro.coordination.api.Story;
 import org.maestro.ontology.home.Device;
 import org.maestro.rats.link.RatsLink;
 

@@ -3,8 +3,8 @@ package org.maestro.agents;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.maestro.coordination.Bid;
-import org.maestro.coordination.Market;
+import org.maestro.coordination.api.Bid;
+import org.maestro.coordination.api.Market;
 import org.maestro.planning.Step;
 
 /** A round with the bids of those who were not asked. */

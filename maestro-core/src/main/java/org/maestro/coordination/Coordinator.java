@@ -10,6 +10,34 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
+import org.maestro.coordination.allocation.ExactPrices;
+import org.maestro.coordination.api.GoalId;
+import org.maestro.coordination.api.GoalOutcome;
+import org.maestro.coordination.api.GoalRequest;
+import org.maestro.coordination.api.GoalStatus;
+import org.maestro.coordination.api.HeldNews;
+import org.maestro.coordination.api.InvalidGoalException;
+import org.maestro.coordination.api.JournalEntry;
+import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Recovery;
+import org.maestro.coordination.api.Roster;
+import org.maestro.coordination.api.Standing;
+import org.maestro.coordination.api.Takeover;
+import org.maestro.coordination.api.WaitsFor;
+import org.maestro.coordination.contention.Pursuit;
+import org.maestro.coordination.contention.Rivals;
+import org.maestro.coordination.facts.GoalCheck;
+import org.maestro.coordination.facts.Interest;
+import org.maestro.coordination.facts.Latest;
+import org.maestro.coordination.held.HeldPursuit;
+import org.maestro.coordination.held.Reaching;
+import org.maestro.coordination.held.Wish;
+import org.maestro.coordination.pursuit.GoalPursuit;
+import org.maestro.coordination.recovery.Comeback;
+import org.maestro.coordination.recovery.FormerCalls;
+import org.maestro.coordination.recovery.JournaledCrew;
+import org.maestro.coordination.story.Decision;
+import org.maestro.coordination.story.Decisions;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.planning.Step;
 import org.maestro.rats.time.Clock;
@@ -23,8 +51,8 @@ import org.maestro.sl.Formula;
  */
 public final class Coordinator {
   /** Before the number of a goal of the whole platform. */
-
   private static final long MOST_BYTES_OF_EXPLAINED = 1 << 20;
+
   private static final long MOST_BYTES_OF_ENDED = 512 << 10;
   private static final long BYTES_OF_A_REQUEST = 512;
 

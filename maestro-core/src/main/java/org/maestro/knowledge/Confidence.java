@@ -8,10 +8,10 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.vocabulary.Doubt;
 import org.maestro.ontology.vocabulary.Parameter;
-import org.maestro.sl.Self;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Facts;
 import org.maestro.sl.FreeVariables;
+import org.maestro.sl.Self;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 

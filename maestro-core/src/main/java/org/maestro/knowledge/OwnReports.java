@@ -2,9 +2,9 @@ package org.maestro.knowledge;
 
 import java.util.List;
 import org.maestro.ontology.home.Device;
-import org.maestro.sl.Self;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Self;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
 

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
-import org.maestro.coordination.Argument;
+import org.maestro.coordination.api.Argument;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 

@@ -4,8 +4,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
-import org.maestro.sl.Self;
 import org.maestro.sl.Effect;
+import org.maestro.sl.Self;
 import org.maestro.sl.Term;
 
 /**

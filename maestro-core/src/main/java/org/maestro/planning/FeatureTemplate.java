@@ -13,11 +13,11 @@ import java.util.function.Consumer;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.planning.Condition.Constant;
-import org.maestro.sl.Self;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
+import org.maestro.sl.Self;
 import org.maestro.sl.Term;
 
 /**

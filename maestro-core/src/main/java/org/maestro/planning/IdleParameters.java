@@ -9,10 +9,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.maestro.ontology.vocabulary.Parameter;
-import org.maestro.sl.Self;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
+import org.maestro.sl.Self;
 import org.maestro.sl.Term;
 
 /**

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.Price;
-import org.maestro.sl.Self;
 import org.maestro.sl.Expression;
+import org.maestro.sl.Self;
 import org.maestro.sl.Term;
 
 /**

@@ -10,11 +10,11 @@ import java.util.OptionalDouble;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
-import org.maestro.sl.Self;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Self;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 

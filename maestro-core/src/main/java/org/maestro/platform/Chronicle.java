@@ -2,10 +2,10 @@ package org.maestro.platform;
 
 import java.time.Duration;
 import java.util.function.Consumer;
-import org.maestro.coordination.Journal;
-import org.maestro.coordination.JournalEntry;
-import org.maestro.coordination.JournalImage;
-import org.maestro.coordination.Recovery;
+import org.maestro.coordination.api.Journal;
+import org.maestro.coordination.api.JournalEntry;
+import org.maestro.coordination.api.Recovery;
+import org.maestro.coordination.recovery.JournalImage;
 import org.maestro.rats.time.Clock;
 
 /**

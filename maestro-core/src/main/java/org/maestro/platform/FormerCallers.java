@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Stream;
-import org.maestro.coordination.JournalEntry;
-import org.maestro.coordination.Recovery;
+import org.maestro.coordination.api.JournalEntry;
+import org.maestro.coordination.api.Recovery;
 
 /**
  * Under which names members were called for what was under way when the process before this one

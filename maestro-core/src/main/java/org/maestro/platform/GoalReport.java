@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.maestro.agents.Words;
-import org.maestro.coordination.GoalState;
+import org.maestro.coordination.api.GoalState;
 import org.maestro.sl.Term;
 
 /**

@@ -2,8 +2,8 @@ package org.maestro.platform;
 
 import java.util.Collection;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import org.maestro.coordination.Story;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.Story;
+import org.maestro.coordination.api.StoryEntry;
 
 /**
  * Passes each sentence on to all who listen. The central agent tells, and others that have goals of

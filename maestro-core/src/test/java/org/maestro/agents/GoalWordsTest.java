@@ -7,12 +7,12 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.maestro.coordination.GoalRequest;
-import org.maestro.coordination.GoalState;
-import org.maestro.coordination.GoalStatus;
-import org.maestro.coordination.InvalidGoalException;
-import org.maestro.coordination.Resource;
-import org.maestro.coordination.WaitsFor;
+import org.maestro.coordination.api.GoalRequest;
+import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.api.GoalStatus;
+import org.maestro.coordination.api.InvalidGoalException;
+import org.maestro.coordination.api.Resource;
+import org.maestro.coordination.api.WaitsFor;
 import org.maestro.sl.SlParser;
 
 class GoalWordsTest {

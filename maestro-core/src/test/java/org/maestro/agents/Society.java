@@ -19,7 +19,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import org.awaitility.Awaitility;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.Source;
 import org.maestro.ontology.home.Group;

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
-import org.maestro.coordination.Argument;
+import org.maestro.coordination.api.Argument;
 import org.maestro.sl.Content;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.maestro.coordination.facts.FactsAfter;
+import org.maestro.coordination.facts.Unfolding;
 import org.maestro.planning.Plan;
 import org.maestro.planning.Planner;
 import org.maestro.planning.PlanningResult;
@@ -134,9 +136,7 @@ final class CarrierPlanner implements Planner {
       }
       facts =
           new FactsAfter(
-              facts,
-              now.changes(step.feature().effect(), step.values()),
-              task.vocabulary());
+              facts, now.changes(step.feature().effect(), step.values()), task.vocabulary());
     }
     return new Evaluation(facts).truth(task.goal(), Map.of()) == Truth.TRUE
         ? Optional.of(new Plan(steps, steps.stream().mapToDouble(Step::cost).sum(), Map.of()))

@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 

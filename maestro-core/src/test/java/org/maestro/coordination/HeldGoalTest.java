@@ -11,6 +11,11 @@ import java.util.Random;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.maestro.coordination.api.GoalOutcome;
+import org.maestro.coordination.api.GoalRequest;
+import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.api.GoalStatus;
+import org.maestro.coordination.api.HeldNews;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.sl.SlParser;
 
@@ -29,7 +34,9 @@ class HeldGoalTest {
             new HomeLoader()
                 .load(
                     Files.readString(Path.of("../scenarios/src/main/resources/homes/bob.ttl"))
-                        + "\nhome:desk a maestro:Location ; maestro:referencePoint \"5 1.5 0.75\" .\n",
+                        + "\n"
+                        + "home:desk a maestro:Location ; maestro:referencePoint \"5 1.5 0.75\""
+                        + " .\n",
                     "bob.ttl"));
   }
 

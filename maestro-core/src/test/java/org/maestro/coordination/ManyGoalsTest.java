@@ -8,6 +8,8 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.maestro.coordination.api.GoalOutcome;
+import org.maestro.coordination.api.GoalState;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 

@@ -12,6 +12,8 @@ import java.util.stream.LongStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.maestro.coordination.api.GoalOutcome;
+import org.maestro.coordination.contention.ContentionTest;
 import org.maestro.ontology.home.Home;
 
 /**

@@ -12,6 +12,18 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.maestro.coordination.api.Argument;
+import org.maestro.coordination.api.Bid;
+import org.maestro.coordination.api.CallForPrices;
+import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.GoalOutcome;
+import org.maestro.coordination.api.GoalRequest;
+import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.api.GoalStatus;
+import org.maestro.coordination.api.Market;
+import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.StoryEntry;
+import org.maestro.coordination.api.Thinking;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.KnowledgeBase;
@@ -30,28 +42,28 @@ import org.maestro.sl.Term;
  * Robots in rooms with narrow doors, without devices, bus or agents. It is a strict house: two
  * robots in one door, or two things at once done by one robot, are written down as accidents.
  */
-final class NarrowHouse implements Market, Crew {
+public final class NarrowHouse implements Market, Crew {
   private static final int MOST_SENTENCES = 4_000;
 
-  final SteppedClock clock = new SteppedClock();
+  public final SteppedClock clock = new SteppedClock();
   final KnowledgeBase knowledge;
-  final Coordinator coordinator;
+  public final Coordinator coordinator;
   final List<String> story = new ArrayList<>();
-  final List<String> accidents = new ArrayList<>();
-  final List<String> calls = new ArrayList<>();
-  final Map<String, String> place = new TreeMap<>();
-  final Map<String, GoalOutcome> outcomes = new LinkedHashMap<>();
+  public final List<String> accidents = new ArrayList<>();
+  public final List<String> calls = new ArrayList<>();
+  public final Map<String, String> place = new TreeMap<>();
+  public final Map<String, GoalOutcome> outcomes = new LinkedHashMap<>();
   final Set<String> dead = new TreeSet<>();
-  final Set<String> mute = new TreeSet<>();
+  public final Set<String> mute = new TreeSet<>();
   double failures;
   private final Random random;
   private final Map<String, String> busy = new TreeMap<>();
 
-  NarrowHouse(Home home, long seed) {
+  public NarrowHouse(Home home, long seed) {
     this(home, seed, new OptimalPlanner());
   }
 
-  NarrowHouse(Home home, long seed, Planner planner) {
+  public NarrowHouse(Home home, long seed, Planner planner) {
     random = new Random(seed);
     knowledge = new CollectiveKnowledge(home, clock);
     coordinator =
@@ -87,7 +99,7 @@ final class NarrowHouse implements Market, Crew {
     }
   }
 
-  NarrowHouse with(String thing, String zone) {
+  public NarrowHouse with(String thing, String zone) {
     place.put(thing, zone);
     knowledge.state(
         new Source(
@@ -96,35 +108,35 @@ final class NarrowHouse implements Market, Crew {
     return this;
   }
 
-  String wish(String goal) {
+  public String wish(String goal) {
     return wish(goal, 0, Optional.empty());
   }
 
-  String wish(String goal, int priority, Optional<Duration> deadline) {
+  public String wish(String goal, int priority, Optional<Duration> deadline) {
     return coordinator.submit(
         new GoalRequest(SlParser.formula(goal), "Bob", priority, deadline),
         outcome -> outcomes.put(outcome.id(), outcome));
   }
 
   /** Returns whether all wishes have come to an end. */
-  boolean run(int wishes, Duration limit) {
+  public boolean run(int wishes, Duration limit) {
     clock.runUntil(() -> outcomes.size() == wishes, limit);
     return outcomes.size() == wishes;
   }
 
-  GoalState state(String goal) {
+  public GoalState state(String goal) {
     return status(goal).state();
   }
 
-  GoalStatus status(String goal) {
+  public GoalStatus status(String goal) {
     return coordinator.goals().stream().filter(g -> g.id().equals(goal)).findFirst().orElseThrow();
   }
 
-  String told() {
+  public String told() {
     return String.join("\n", story);
   }
 
-  void die(String robot) {
+  public void die(String robot) {
     dead.add(robot);
     busy.values().removeIf(robot::equals);
     coordinator.memberLost(robot, "no power");

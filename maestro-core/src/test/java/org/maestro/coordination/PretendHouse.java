@@ -13,6 +13,19 @@ import java.util.function.Consumer;
 import java.util.function.DoubleSupplier;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import org.maestro.coordination.api.Argument;
+import org.maestro.coordination.api.Bid;
+import org.maestro.coordination.api.CallForPrices;
+import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.GoalOutcome;
+import org.maestro.coordination.api.GoalRequest;
+import org.maestro.coordination.api.Journal;
+import org.maestro.coordination.api.JournalEntry;
+import org.maestro.coordination.api.Market;
+import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Recovery;
+import org.maestro.coordination.api.Thinking;
+import org.maestro.coordination.recovery.JournalImage;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.KnowledgeBase;
@@ -32,20 +45,20 @@ import org.maestro.sl.Term;
  * Bob's home without devices, bus or agents: the ports of coordination answered from a table of
  * truths.
  */
-final class PretendHouse implements Market, Crew {
-  final SteppedClock clock = new SteppedClock();
-  final KnowledgeBase knowledge;
-  Coordinator coordinator;
-  final List<String> story = new ArrayList<>();
-  final Map<String, String> place = new TreeMap<>();
-  final Map<String, Double> ambientLux = new TreeMap<>();
+public final class PretendHouse implements Market, Crew {
+  public final SteppedClock clock = new SteppedClock();
+  public final KnowledgeBase knowledge;
+  public Coordinator coordinator;
+  public final List<String> story = new ArrayList<>();
+  public final Map<String, String> place = new TreeMap<>();
+  public final Map<String, Double> ambientLux = new TreeMap<>();
   final Map<String, Double> level = new TreeMap<>();
-  final Set<String> dead = new TreeSet<>();
-  final List<String> calls = new ArrayList<>();
-  final Set<String> weak = new TreeSet<>();
+  public final Set<String> dead = new TreeSet<>();
+  public final List<String> calls = new ArrayList<>();
+  public final Set<String> weak = new TreeSet<>();
   final Set<String> heavy = new TreeSet<>();
-  Predicate<String> declines = feature -> false;
-  Consumer<String> beforeCall = call -> {};
+  public Predicate<String> declines = feature -> false;
+  public Consumer<String> beforeCall = call -> {};
 
   Consumer<Order> ordered = order -> {};
 
@@ -54,7 +67,7 @@ final class PretendHouse implements Market, Crew {
   /** What becomes of the report of a step on its way. */
   BiFunction<Step, Report, Report> reporting = (step, report) -> report;
 
-  Duration stepTakes = Duration.ofMillis(500);
+  public Duration stepTakes = Duration.ofMillis(500);
   DoubleSupplier noise = () -> 1;
 
   /** What becomes of a step by its member and procedure, where it is none of Bob's home. */
@@ -63,7 +76,7 @@ final class PretendHouse implements Market, Crew {
   private final JournalImage journal = new JournalImage(0);
   private int lives;
 
-  PretendHouse(Home home) {
+  public PretendHouse(Home home) {
     knowledge = new CollectiveKnowledge(home, clock);
     coordinator = coordinator();
     knowledge.watch(
@@ -143,7 +156,7 @@ final class PretendHouse implements Market, Crew {
     return device.features().stream().anyMatch(f -> f.procedure().equals(procedure));
   }
 
-  GoalOutcome achieve(String goal) {
+  public GoalOutcome achieve(String goal) {
     List<GoalOutcome> outcome = new ArrayList<>();
     coordinator.submit(new GoalRequest(SlParser.formula(goal), "Bob"), outcome::add);
     clock.runUntil(() -> !outcome.isEmpty(), Duration.ofMinutes(10));

@@ -10,6 +10,8 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.Source;
 import org.maestro.ontology.home.Home;

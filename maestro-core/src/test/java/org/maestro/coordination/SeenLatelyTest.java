@@ -9,6 +9,7 @@ import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.knowledge.Source;
 import org.maestro.ontology.home.HomeLoader;
 

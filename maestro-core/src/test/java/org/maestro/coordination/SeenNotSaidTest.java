@@ -11,6 +11,8 @@ import java.util.Map;
 import java.util.function.Function;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.knowledge.Source;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.planning.Step;

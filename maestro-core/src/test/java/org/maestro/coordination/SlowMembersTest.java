@@ -11,6 +11,8 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.maestro.coordination.Crew;
+import org.maestro.coordination.api.Crew;
 import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.ReservedFeature;

@@ -20,7 +20,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.maestro.coordination.Crew;
+import org.maestro.coordination.api.Crew;
 import org.maestro.knowledge.Belief;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.FeatureRun;

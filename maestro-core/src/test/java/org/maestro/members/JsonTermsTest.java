@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.maestro.coordination.Argument;
+import org.maestro.coordination.api.Argument;
 import org.maestro.sl.Term;
 
 class JsonTermsTest {

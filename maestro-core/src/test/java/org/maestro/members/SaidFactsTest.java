@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.maestro.coordination.Crew;
+import org.maestro.coordination.api.Crew;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.MemberWord;
 import org.maestro.ontology.home.Device;

@@ -3,7 +3,9 @@ package org.maestro.sl;
 import java.util.HashMap;
 import java.util.Map;
 
-/** The individual whose feature or wish a formula is part of: in the formula it is {@code ?self}. */
+/**
+ * The individual whose feature or wish a formula is part of: in the formula it is {@code ?self}.
+ */
 public final class Self {
   /** Its variable's name. */
   public static final String NAME = "self";

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.maestro.coordination.Crew;
+import org.maestro.coordination.api.Crew;
 import org.maestro.members.CallReporter;
 import org.maestro.planning.Step;
 import org.maestro.rats.link.RatsLink;

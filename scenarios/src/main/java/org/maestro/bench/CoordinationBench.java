@@ -17,7 +17,7 @@ import java.util.regex.Pattern;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteException;
 import org.maestro.assembly.SiteSettings;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.platform.GoalReport;

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
-import org.maestro.coordination.Ports;
+import org.maestro.coordination.api.Ports;
 import org.maestro.experiment.drawing.Bars;
 import org.maestro.experiment.drawing.Figure;
 import org.maestro.experiment.drawing.Ink;
@@ -204,7 +204,8 @@ final class JoinLeave implements Experiment {
     figures.add(
         Figure.of(
             "endings",
-            "How the goals ended: undisturbed; with members that come, go and fail, plans being made again; and with a fixed plan, under the same events.",
+            "How the goals ended: undisturbed; with members that come, go and fail, plans being"
+                + " made again; and with a fixed plan, under the same events.",
             Stacks.draw(
                 "How goals ended while agents came and went",
                 "goals",
@@ -231,7 +232,8 @@ final class JoinLeave implements Experiment {
     figures.add(
         Figure.of(
             "times",
-            "Time of each goal while agents come and go, in the order of their times; hatched with a cross: not reached. The line is the mean time of the same goals undisturbed.",
+            "Time of each goal while agents come and go, in the order of their times; hatched with"
+                + " a cross: not reached. The line is the mean time of the same goals undisturbed.",
             Bars.draw(
                 "Time of each goal while agents come and go",
                 "goal, by its time",
@@ -262,7 +264,11 @@ final class JoinLeave implements Experiment {
     Page page =
         new Page(
             "Agents come and go",
-            "The paper's sections 1 and 6: agents can be added and removed at run time, and the system as a whole is more flexible and reliable. Here a cup is to be brought to Bob by one of two robots, while robots, cameras, lamps and sensors fail, leave the bus, return, and join. The same events meet a platform that plans again, and a fixed plan.",
+            "The paper's sections 1 and 6: agents can be added and removed at run time, and the"
+                + " system as a whole is more flexible and reliable. Here a cup is to be brought to"
+                + " Bob by one of two robots, while robots, cameras, lamps and sensors fail, leave"
+                + " the bus, return, and join. The same events meet a platform that plans again,"
+                + " and a fixed plan.",
             request.command("join-leave"));
     Spread added = Spread.of(added(runs));
     page.heading("Paper and measurement")
@@ -277,7 +283,8 @@ final class JoinLeave implements Experiment {
                     "the same with a fixed plan",
                     "not told",
                     reached(runs.get(JoinRun.Way.FIXED_PLAN)).text(),
-                    "the platform's own first plan, everything being known, followed until a step fails or the rest is impossible"),
+                    "the platform's own first plan, everything being known, followed until a step"
+                        + " fails or the rest is impossible"),
                 new Page.Row(
                     "undisturbed",
                     "not told",
@@ -317,17 +324,25 @@ final class JoinLeave implements Experiment {
     page.heading("What was assumed")
         .list(
             List.of(
-                "Bob's home with two robots. Half of the time the second robot is away at first and joins within 12 s. Then one to three members, half of them robots, fail or leave the bus within 12 s, about what a goal takes; four of ten come back within 12 s more.",
-                "Each goal begins on a platform of its own that has seen cup and Bob, so that the fixed plan needs no search and both ways meet the same.",
+                "Bob's home with two robots. Half of the time the second robot is away at first and"
+                    + " joins within 12 s. Then one to three members, half of them robots, fail or"
+                    + " leave the bus within 12 s, about what a goal takes; four of ten come back"
+                    + " within 12 s more.",
+                "Each goal begins on a platform of its own that has seen cup and Bob, so that the"
+                    + " fixed plan needs no search and both ways meet the same.",
                 String.format(
                     Locale.ROOT,
-                    "A goal that needs a member which was lost moments ago waits for it, %d s from the loss at most, as people would; the fixed plan has no such rule, since it ends with its first step that cannot be done.",
+                    "A goal that needs a member which was lost moments ago waits for it, %d s from"
+                        + " the loss at most, as people would; the fixed plan has no such rule,"
+                        + " since it ends with its first step that cannot be done.",
                     Ports.USUAL_COMEBACK.toSeconds()),
-                "Some events leave nothing that could be done: no robot, or no light. Such goals count as not reached here, too."));
+                "Some events leave nothing that could be done: no robot, or no light. Such goals"
+                    + " count as not reached here, too."));
     page.heading("What differs from the paper, and why")
         .list(
             List.of(
-                "The paper gives no figures for what it claims in section 6; the fixed plan is our reading of what it is compared with.",
+                "The paper gives no figures for what it claims in section 6; the fixed plan is our"
+                    + " reading of what it is compared with.",
                 "lower_bound_s in runs.csv is the time of the same goal undisturbed."));
     return page.settings(request.settings());
   }

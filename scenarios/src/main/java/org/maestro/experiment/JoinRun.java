@@ -3,7 +3,7 @@ package org.maestro.experiment;
 import java.time.Duration;
 import java.util.List;
 import java.util.SplittableRandom;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.experiment.running.Ending;
 import org.maestro.experiment.running.Trial;
 import org.maestro.experiment.running.TrialSite;

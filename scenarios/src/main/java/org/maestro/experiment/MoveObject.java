@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.experiment.drawing.Figure;
 import org.maestro.experiment.measuring.Share;
 import org.maestro.experiment.measuring.Spread;
@@ -36,7 +36,8 @@ final class MoveObject implements Experiment {
 
   @Override
   public String purpose() {
-    return "an object is brought to another, 10 times one way, 10 times the other (figures 9 to 12)";
+    return "an object is brought to another, 10 times one way, 10 times the other (figures 9 to"
+               + " 12)";
   }
 
   @Override

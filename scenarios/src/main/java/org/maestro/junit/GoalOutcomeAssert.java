@@ -2,7 +2,7 @@ package org.maestro.junit;
 
 import java.time.Duration;
 import org.assertj.core.api.AbstractAssert;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 

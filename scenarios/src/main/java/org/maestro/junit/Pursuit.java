@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import org.maestro.assembly.LocalSite;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.platform.GoalReport;
 import org.maestro.sl.Formula;
 

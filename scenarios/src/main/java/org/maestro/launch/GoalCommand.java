@@ -20,7 +20,7 @@ import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.OtherPlatform;
 import org.maestro.agents.Words;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.platform.PlatformStartException;
 import org.maestro.sl.Content;

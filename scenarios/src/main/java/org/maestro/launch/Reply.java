@@ -5,7 +5,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import org.maestro.agents.Words;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.sl.Content;
 
 /** Reads what agents answer to the command line. */

@@ -3,7 +3,7 @@ package org.maestro.launch;
 import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.Locale;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.StoryEntry;
 
 /**
  * Prints a story for people: simulated time, what kind of news it is, and the sentence. Any thread

@@ -12,9 +12,9 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
-import org.maestro.sl.Self;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Self;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 

@@ -12,7 +12,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.Words;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.platform.StoryFile;
 import org.maestro.sl.Content;
@@ -58,7 +58,8 @@ final class WhyCommand implements Callable<Integer> {
     }
     if (step.isPresent() && !platform.isThere()) {
       throw CommandException.badInput(
-          "No platform runs, and what its plans were chosen from ended with it: only stories are kept; leave --step away for the story.");
+          "No platform runs, and what its plans were chosen from ended with it: only stories are"
+              + " kept; leave --step away for the story.");
     }
     List<StoryEntry> story = platform.isThere() ? asked() : left();
     PrintWriter out = spec.commandLine().getOut();

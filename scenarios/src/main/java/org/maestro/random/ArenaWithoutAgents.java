@@ -6,7 +6,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.maestro.assembly.AgentlessSite;
 import org.maestro.coordination.Coordinator;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.InProcessBus;
 import org.maestro.sim.World;

@@ -6,7 +6,7 @@ import static org.maestro.junit.MaestroAssertions.assertThat;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.hal.Position;
 import org.maestro.junit.GoalOutcome;
 import org.maestro.junit.MaestroTest;

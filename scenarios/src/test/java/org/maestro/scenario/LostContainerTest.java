@@ -30,7 +30,7 @@ import org.maestro.agents.pulse.Condition;
 import org.maestro.assembly.BusWitness;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.launch.JavaProcess;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.agents.Words;
 import org.maestro.assembly.SiteSettings;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.junit.Pursuit;
 import org.maestro.junit.Stage;
 import org.maestro.ontology.home.Home;
@@ -85,7 +85,8 @@ class OwnAccordTest {
   @Test
   void whatItsMembersLackADeviceAsksOfOthersAsAnEffect() {
     String wish =
-        "maestro:pursues \"(keep (exists (?z - Zone) (and (in ?self ?z) (>= (illuminance ?z) 72))))\" ; :speed 0.8";
+        "maestro:pursues \"(keep (exists (?z - Zone) (and (in ?self ?z) (>= (illuminance ?z)"
+            + " 72))))\" ; :speed 0.8";
     try (Stage stage = stage("asking", "", ":speed 0.8", wish)) {
       List<StoryEntry> story = listen(stage);
       stage.await("it is light where Rose is", () -> stage.world().lux("zone-b") >= 72);

@@ -11,9 +11,9 @@ import org.maestro.ontology.validation.SourceGraph;
 import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.ontology.vocabulary.VocabularyCheck;
-import org.maestro.sl.Self;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
+import org.maestro.sl.Self;
 import org.maestro.sl.SlParser;
 
 /** Reads the goals that agents have of their own accord, and the groups that some stand for. */

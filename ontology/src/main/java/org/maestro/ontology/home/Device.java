@@ -8,9 +8,9 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.maestro.ontology.vocabulary.FeatureType;
-import org.maestro.sl.Self;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Self;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
 

@@ -19,8 +19,8 @@ import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.ontology.vocabulary.VocabularyCheck;
-import org.maestro.sl.Self;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Self;
 
 /** Reads a device with what its classes, from the general to the special, and it itself say. */
 final class DeviceReader {

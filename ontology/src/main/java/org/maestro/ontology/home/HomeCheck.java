@@ -19,8 +19,8 @@ import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Nearest;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
-import org.maestro.sl.Self;
 import org.maestro.sl.Fact;
+import org.maestro.sl.Self;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
@@ -124,9 +124,7 @@ final class HomeCheck {
   }
 
   private static boolean isOfSelf(String predicate, List<Term> arguments, String name) {
-    return predicate.equals(name)
-        && !arguments.isEmpty()
-        && arguments.get(0).equals(Self.VARIABLE);
+    return predicate.equals(name) && !arguments.isEmpty() && arguments.get(0).equals(Self.VARIABLE);
   }
 
   private Set<Node> has(Collection<Node> classes) {

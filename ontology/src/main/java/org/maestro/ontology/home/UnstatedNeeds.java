@@ -5,10 +5,10 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.maestro.ontology.vocabulary.FeatureType;
-import org.maestro.sl.Self;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Leaves;
+import org.maestro.sl.Self;
 
 /**
  * Numbers of devices that their features need, and that neither the home states nor anybody could

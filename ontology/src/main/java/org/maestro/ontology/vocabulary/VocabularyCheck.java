@@ -10,9 +10,9 @@ import java.util.stream.Stream;
 import org.apache.jena.graph.Node;
 import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceGraph;
-import org.maestro.sl.Self;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Self;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlSyntaxException;
 import org.maestro.sl.TypedVariable;
@@ -21,7 +21,6 @@ import org.maestro.sl.TypedVariable;
  * Checks that what was read speaks in declared words; every problem becomes a fault of the graph.
  */
 public final class VocabularyCheck {
-
 
   private final SourceGraph graph;
   private final Vocabulary vocabulary;

@@ -3,7 +3,7 @@ package org.maestro.experiment.running;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import org.maestro.coordination.StoryEntry;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.platform.GoalReport;
 
 /**

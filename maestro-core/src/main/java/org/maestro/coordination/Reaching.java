@@ -1,8 +1,0 @@
-package org.maestro.coordination;
-
-import java.util.function.Consumer;
-
-/** Begins a goal that is to be reached once. */
-interface Reaching {
-  Pursuit pursuit(GoalRequest request, Ports ports, Consumer<GoalOutcome> ended);
-}

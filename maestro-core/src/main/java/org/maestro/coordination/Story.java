@@ -1,6 +1,0 @@
-package org.maestro.coordination;
-
-/** Where stories are told. Called on the coordinator's thread; must not block. */
-public interface Story {
-  void tell(StoryEntry entry);
-}

@@ -1,0 +1,406 @@
+package org.maestro.coordination.allocation;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.maestro.coordination.api.Bid;
+import org.maestro.coordination.api.CallForPrices;
+import org.maestro.coordination.api.Market;
+import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Roster;
+import org.maestro.coordination.facts.CallArguments;
+import org.maestro.coordination.facts.Confirmation;
+import org.maestro.coordination.facts.FindingOut;
+import org.maestro.coordination.facts.Relevance;
+import org.maestro.coordination.facts.Sensing;
+import org.maestro.coordination.lessons.Experience;
+import org.maestro.coordination.story.Sentences;
+import org.maestro.knowledge.Snapshot;
+import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.planning.PlanningResult;
+import org.maestro.planning.PlanningTask;
+import org.maestro.planning.PricedFeature;
+import org.maestro.planning.Step;
+import org.maestro.planning.StepKey;
+import org.maestro.planning.Unavailable;
+import org.maestro.sl.Effect;
+import org.maestro.sl.Evaluation;
+import org.maestro.sl.Facts;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * One round from goal to plan: candidate features, a contract-net round for their prices, the
+ * cheapest plan, exact prices for those of its steps whose price was a lower bound, the plan found
+ * again, until the cheapest plan has exact prices.
+ */
+public final class PlanningRound {
+
+  /**
+   * What to plan for: in a confirming round, the goal is extended by what has to be seen; in a
+   * round that finds out, to have seen what decides it will do.
+   */
+  public record Subject(
+      String goalId, Formula goal, Optional<Confirmation> confirmation, boolean findingOut) {
+    public Formula planned(Home home) {
+      return findingOut
+          ? FindingOut.goal(goal, home.vocabulary())
+          : confirmation.map(c -> c.goal(goal)).orElse(goal);
+    }
+
+    Formula relevant(Home home) {
+      boolean ofPlaces = confirmation.filter(c -> !c.things().isEmpty()).isPresent();
+      return findingOut || ofPlaces ? FindingOut.relevant(goal, home.vocabulary()) : goal;
+    }
+
+    /** Whether it matters who has seen what. */
+    boolean isOfSeeing() {
+      return findingOut || confirmation.isPresent();
+    }
+
+    public Vocabulary vocabulary(Home home) {
+      return isOfSeeing() ? Confirmation.extend(home.vocabulary()) : home.vocabulary();
+    }
+
+    PricedFeature feature(PricedFeature priced, Home home) {
+      return isOfSeeing() ? Confirmation.extend(priced, home.vocabulary()) : priced;
+    }
+  }
+
+  /**
+   * How the round ended.
+   *
+   * @param questions exact prices asked
+   * @param unpriced sentences about exact prices that were not given or cannot be, the member's
+   *     name first
+   * @param task what was planned last: with all prices that are known, and who could not be counted
+   *     on
+   */
+  public record Ended(
+      Tenders tender,
+      PlanningResult result,
+      List<PricedFeature> features,
+      int questions,
+      List<String> unpriced,
+      PlanningTask task) {
+
+    /** A sentence about those who might have helped, and named no price. */
+    public Optional<String> notCountedOn() {
+      List<String> others = new ArrayList<>();
+      for (Bid bid : tender.bids()) {
+        bid.refusal().ifPresent(reason -> others.add(bid.member() + " (" + reason + ")"));
+      }
+      others.addAll(unpriced);
+      return others.isEmpty()
+          ? Optional.empty()
+          : Optional.of("Not counted on: " + String.join("; ", others) + ".");
+    }
+  }
+
+  /** How often it is asked again before a goal is given up because of prices not named. */
+  private static final int LAST_CHANCES = 2;
+
+  private static final double SAME_PRICE = 1e-9;
+
+  private static final Logger LOG = LoggerFactory.getLogger(PlanningRound.class);
+
+  private final Ports ports;
+  private final Roster roster;
+  private final ExactPrices exactPrices;
+  private final Experience experience;
+  private final Subject subject;
+  private final Map<StepKey, String> barred;
+  private final Set<String> without;
+  private final boolean trusting;
+  private final Supplier<? extends Facts> facts;
+  private final Consumer<Ended> then;
+  private final Set<String> unpriced = new LinkedHashSet<>();
+  private final Set<StepKey> declined = new HashSet<>();
+  private final Map<StepKey, String> reasons = new HashMap<>();
+  private Tenders tenders;
+  private int questions;
+  private int lastChances;
+
+  /**
+   * @param without members that are left out on trial: when there is no plan without them, nobody
+   *     is asked why
+   * @param trusting whether a step that is declined now counts as possible after steps that change
+   *     the world
+   */
+  public PlanningRound(
+      Ports ports,
+      Roster roster,
+      ExactPrices exactPrices,
+      Experience experience,
+      Subject subject,
+      Map<StepKey, String> barred,
+      Set<String> without,
+      boolean trusting,
+      Supplier<? extends Facts> facts,
+      Consumer<Ended> then) {
+    this.ports = ports;
+    this.roster = roster;
+    this.exactPrices = exactPrices;
+    this.experience = experience;
+    this.subject = subject;
+    this.barred = barred;
+    this.reasons.putAll(barred);
+    this.without = without;
+    this.trusting = trusting;
+    this.facts = facts;
+    this.then = then;
+  }
+
+  public void start() {
+    Home home = ports.knowledge().home();
+    Map<String, List<String>> candidates = candidates(home);
+    candidates.keySet().removeAll(without);
+    tenders = new Tenders(candidates, roster);
+    Set<String> first = tenders.atFirst();
+    if (first.isEmpty()) {
+      solve();
+    } else {
+      call(first, this::solve);
+    }
+  }
+
+  /** Nobody, where what has to be seen is seen by no feature of anybody. */
+  private Map<String, List<String>> candidates(Home home) {
+    Map<String, List<String>> candidates = Relevance.candidates(subject.relevant(home), home);
+    if (subject.confirmation().isPresent() && !subject.findingOut()) {
+      List<Effect> effects =
+          home.devices().values().stream()
+              .flatMap(device -> device.features().stream())
+              .map(FeatureType::effect)
+              .toList();
+      return subject.confirmation().get().canBeSeenBy(effects) ? candidates : new TreeMap<>();
+    }
+    return candidates;
+  }
+
+  private void call(Set<String> members, Runnable answered) {
+    ports
+        .market()
+        .callForPrices(
+            new CallForPrices(subject.goalId(), subject.goal(), tenders.featuresOf(members)),
+            round -> {
+              tenders.add(members, round);
+              answered.run();
+            });
+  }
+
+  private List<PricedFeature> features(Home home) {
+    return experience.reliable(tenders.features(home, exactPrices)).stream()
+        .map(feature -> subject.feature(feature, home))
+        .toList();
+  }
+
+  private void solve() {
+    Home home = ports.knowledge().home();
+    Snapshot snapshot = ports.knowledge().snapshot();
+    List<PricedFeature> features = features(home);
+    Set<StepKey> unusable = new HashSet<>(barred.keySet());
+    unusable.addAll(declined);
+    unusable.addAll(exactPrices.unusable(ports.clock().now()));
+    PlanningTask task =
+        new PlanningTask(
+                subject.vocabulary(home), facts.get(), features, subject.planned(home), unusable)
+            .withUnavailable(unavailable(home), Map.copyOf(reasons));
+    boolean explaining = tenders.allCalled() && !isTrial() && !subject.isOfSeeing();
+    ports
+        .thinking()
+        .think(() -> planned(task, explaining), result -> planned(task, result, home, snapshot));
+  }
+
+  private boolean isTrial() {
+    return !without.isEmpty();
+  }
+
+  /** Nothing is to be planned again when those who are called now only say what they describe. */
+  private void planned(PlanningTask task, PlanningResult result, Home home, Snapshot snapshot) {
+    boolean failedTrial = isTrial() && !(result instanceof PlanningResult.Found);
+    Set<String> wanted = failedTrial ? Set.of() : tenders.wantedFor(result);
+    if (wanted.isEmpty()) {
+      solved(task, result, home, snapshot);
+      return;
+    }
+    call(
+        wanted,
+        () -> {
+          if (result instanceof PlanningResult.Found && task.features().equals(features(home))) {
+            solved(task, result, home, snapshot);
+          } else {
+            solve();
+          }
+        });
+  }
+
+  /** A fault of the planner's own ends the goal with a reason; it must not leave it without end. */
+  private PlanningResult planned(PlanningTask task, boolean explaining) {
+    try {
+      return explaining ? ports.planner().plan(task) : ports.planner().solve(task);
+    } catch (RuntimeException e) {
+      LOG.error("Planning for {} failed", subject.goalId(), e);
+      return new PlanningResult.GaveUp("The planner failed; its log says why.");
+    }
+  }
+
+  private void solved(PlanningTask task, PlanningResult result, Home home, Snapshot snapshot) {
+    Map<List<String>, List<Step>> inexact = new LinkedHashMap<>();
+    Set<Step> trusted = new HashSet<>();
+    if (result instanceof PlanningResult.Found found) {
+      for (Step step : found.plan().steps()) {
+        if (!step.exactPrice()) {
+          inexact
+              .computeIfAbsent(
+                  List.of(step.member(), step.feature().name()), k -> new ArrayList<>())
+              .add(step);
+          if (trusting && isAfterDeeds(step, found.plan().steps())) {
+            trusted.add(step);
+          }
+        }
+      }
+    }
+    if (inexact.isEmpty()) {
+      if (!(result instanceof PlanningResult.Found) && mayAskAgain()) {
+        solve();
+      } else {
+        then.accept(
+            new Ended(tenders, result, task.features(), questions, List.copyOf(unpriced), task));
+      }
+      return;
+    }
+    Duration asked = ports.clock().now();
+    CallArguments arguments = new CallArguments(home, snapshot);
+    int[] open = {inexact.size()};
+    inexact.forEach(
+        (memberAndFeature, steps) -> {
+          questions += steps.size();
+          ports
+              .market()
+              .exactPrices(
+                  memberAndFeature.get(0),
+                  memberAndFeature.get(1),
+                  steps.stream().map(s -> arguments.of(s.feature(), s.bindings())).toList(),
+                  quotes -> {
+                    note(steps, quotes, asked, trusted);
+                    if (--open[0] == 0) {
+                      solve();
+                    }
+                  });
+        });
+  }
+
+  /**
+   * What nobody answered is no reason to say that it cannot be done, as long as it may be asked.
+   */
+  private boolean mayAskAgain() {
+    return lastChances++ < LAST_CHANCES && exactPrices.forgetUnanswered();
+  }
+
+  private static boolean isAfterDeeds(Step step, List<Step> plan) {
+    return plan.stream()
+        .filter(earlier -> step.after().contains(earlier.number()))
+        .anyMatch(
+            earlier -> !Sensing.isIn(earlier.feature().effect()) || isAfterDeeds(earlier, plan));
+  }
+
+  private void note(
+      List<Step> steps, List<Market.Quote> quotes, Duration asked, Set<Step> trusted) {
+    for (int i = 0; i < steps.size(); i++) {
+      Step step = steps.get(i);
+      Market.Quote quote =
+          i < quotes.size() ? quotes.get(i) : new Market.Quote.Unanswered("named too few prices");
+      if (quote instanceof Market.Quote.Priced priced && priced.cost() < step.cost() - SAME_PRICE) {
+        unpriced.add(
+            "%s (%s: it names %s, and had said at least %s, which counts)"
+                .formatted(
+                    step.member(),
+                    step.feature().name(),
+                    Sentences.number(priced.cost()),
+                    Sentences.number(step.cost())));
+        quote = new Market.Quote.Priced(step.cost(), priced.seconds());
+      }
+      if (quote instanceof Market.Quote.Declined declined) {
+        decline(step, asked, trusted.contains(step));
+        reasons.put(step.key(), "it names no price: " + declined.reason());
+        unpriced.add(
+            "%s (%s: %s)".formatted(step.member(), step.feature().name(), declined.reason()));
+      } else if (quote instanceof Market.Quote.Unanswered unanswered) {
+        exactPrices.put(step.key(), quote, asked, ports.clock().now());
+        reasons.put(step.key(), unanswered.reason());
+        unpriced.add("%s (%s)".formatted(step.member(), unanswered.reason()));
+      } else {
+        exactPrices.put(step.key(), quote, asked, ports.clock().now());
+      }
+    }
+  }
+
+  /**
+   * A member prices what it could do now. That it cannot do what earlier steps have yet to make
+   * possible, such as going through a door that is still shut, says nothing: the lower bound
+   * stands. Any other refusal holds for this round only, since it may be due to what others do just
+   * now.
+   */
+  private void decline(Step step, Duration asked, boolean trusted) {
+    if (isPossibleNow(step) && !trusted) {
+      declined.add(step.key());
+    } else {
+      exactPrices.put(
+          step.key(),
+          new Market.Quote.Priced(step.cost(), step.seconds()),
+          asked,
+          ports.clock().now());
+    }
+  }
+
+  private boolean isPossibleNow(Step step) {
+    Map<String, Term> bindings = step.values();
+    return new Evaluation(facts.get()).truth(step.feature().precondition(), bindings) == Truth.TRUE;
+  }
+
+  /** Features that would count if their members were there, or took part. */
+  private List<Unavailable> unavailable(Home home) {
+    List<Unavailable> unavailable = new ArrayList<>();
+    for (Unavailable left : experience.unreliable(tenders.features(home, exactPrices))) {
+      unavailable.add(new Unavailable(subject.feature(left.feature(), home), left.reason()));
+    }
+    for (String member : tenders.missing()) {
+      Device device = home.devices().get(member);
+      if (device != null) {
+        String reason = absence(member);
+        device.features().stream()
+            .filter(type -> tenders.candidateFeatures(member).contains(type.name()))
+            .map(type -> new PricedFeature(member, type, type.cost(), Map.of()))
+            .forEach(f -> unavailable.add(new Unavailable(subject.feature(f, home), reason)));
+      }
+    }
+    return unavailable;
+  }
+
+  private String absence(String member) {
+    if (!roster.isPresent(member)) {
+      return roster.absence(member, ports.clock().now());
+    }
+    return tenders
+        .bid(member)
+        .map(b -> "it refuses: " + b.refusal().orElse("no reason given"))
+        .orElse("it did not answer");
+  }
+}

@@ -1,0 +1,12 @@
+package org.maestro.coordination.api;
+
+import java.util.List;
+import java.util.Map;
+import org.maestro.sl.Formula;
+
+/**
+ * What a contract-net round asks.
+ *
+ * @param features names of the features in question, by member
+ */
+public record CallForPrices(String goalId, Formula goal, Map<String, List<String>> features) {}

@@ -1,0 +1,25 @@
+package org.maestro.coordination.api;
+
+/**
+ * What a goal took so far.
+ *
+ * @param plans made, those to have it seen among them
+ * @param confirmingPlans made to have it seen
+ * @param calls of features begun
+ */
+public record GoalEffort(int plans, int confirmingPlans, int calls) {
+  public static final GoalEffort NONE = new GoalEffort(0, 0, 0);
+
+  public GoalEffort planned(boolean confirming) {
+    return new GoalEffort(plans + 1, confirmingPlans + (confirming ? 1 : 0), calls);
+  }
+
+  public GoalEffort called() {
+    return new GoalEffort(plans, confirmingPlans, calls + 1);
+  }
+
+  /** Plans made after the first, without those to have it seen. */
+  public int replans() {
+    return Math.max(0, plans - confirmingPlans - 1);
+  }
+}

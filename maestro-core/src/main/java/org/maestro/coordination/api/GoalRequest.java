@@ -1,0 +1,23 @@
+package org.maestro.coordination.api;
+
+import java.time.Duration;
+import java.util.Optional;
+import org.maestro.sl.Formula;
+
+/**
+ * A wish.
+ *
+ * @param requester who asks: an agent's name
+ * @param priority higher goes first; 0 is usual
+ * @param deadline the clock's time by which it has to be reached; later it fails
+ */
+public record GoalRequest(
+    Formula goal, String requester, int priority, Optional<Duration> deadline) {
+
+  public static final int USUAL_PRIORITY = 0;
+
+  /** A wish of usual priority that may take its time. */
+  public GoalRequest(Formula goal, String requester) {
+    this(goal, requester, USUAL_PRIORITY, Optional.empty());
+  }
+}

@@ -1,0 +1,99 @@
+package org.maestro.coordination.api;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * What the coordinators before this one have left, in times of this one's clock (which are below
+ * zero for what was before its start).
+ *
+ * @param lastGoalNumber the highest that a goal's id has had
+ * @param goals without an end, oldest first
+ * @param ended how others ended, oldest first
+ * @param unwanted calls that may go on though nobody wants them
+ * @param members that were there at the end
+ */
+public record Recovery(
+    int lastGoalNumber,
+    List<UnfinishedGoal> goals,
+    List<EndedGoal> ended,
+    List<UnfinishedCall> unwanted,
+    Set<String> members) {
+
+  /**
+   * What concerns one of several coordinators that share a journal.
+   *
+   * @param prefix of its goals' ids
+   */
+  public Recovery of(String prefix) {
+    List<UnfinishedGoal> own =
+        goals.stream().filter(goal -> GoalId.number(prefix, goal.id()) > 0).toList();
+    List<EndedGoal> over =
+        ended.stream().filter(goal -> GoalId.number(prefix, goal.outcome().id()) > 0).toList();
+    List<UnfinishedCall> calls =
+        unwanted.stream().filter(call -> GoalId.number(prefix, call.begun().goalId()) > 0).toList();
+    if (prefix.equals(GoalId.CENTRAL)) {
+      return new Recovery(lastGoalNumber, own, over, calls, members);
+    }
+    int last = 0;
+    for (UnfinishedGoal goal : own) {
+      last = Math.max(last, GoalId.number(prefix, goal.id()));
+    }
+    for (EndedGoal goal : over) {
+      last = Math.max(last, GoalId.number(prefix, goal.outcome().id()));
+    }
+    return new Recovery(last, own, over, calls, members);
+  }
+
+  /** Nobody is waited for: they are there, or it does not matter. */
+  public Recovery withoutMembers() {
+    return new Recovery(lastGoalNumber, goals, ended, unwanted, Set.of());
+  }
+
+  /** Nobody was there before. */
+  public static final Recovery NOTHING = new Recovery(0, List.of(), List.of(), List.of(), Set.of());
+
+  /**
+   * A goal to be taken up.
+   *
+   * @param keeps what it had for itself
+   * @param memory what else it remembered
+   * @param calls begun for it, and not known to be over
+   */
+  public record UnfinishedGoal(
+      String id,
+      GoalRequest request,
+      Duration submittedAt,
+      GoalState state,
+      String detail,
+      GoalEffort effort,
+      JournalEntry.Keeps keeps,
+      GoalMemory memory,
+      List<UnfinishedCall> calls) {}
+
+  /**
+   * What a goal has learnt on its way.
+   *
+   * @param everHeld a held goal was so once
+   * @param failures one for each step that failed
+   * @param looks in vain, oldest first
+   * @param settings that a held goal's steps have made
+   * @param asked what an agent has asked of the central one for the goal, and hears the end of yet
+   */
+  public record GoalMemory(
+      boolean everHeld,
+      List<JournalEntry.Failed> failures,
+      List<JournalEntry.LookedInVain> looks,
+      List<JournalEntry.Setting> settings,
+      Optional<JournalEntry.Asked> asked) {}
+
+  public record EndedGoal(GoalRequest request, GoalOutcome outcome) {}
+
+  /**
+   * @param begunAt when it was written down
+   * @param established its step is done; it goes on as a stream
+   */
+  public record UnfinishedCall(JournalEntry.Begun begun, Duration begunAt, boolean established) {}
+}

@@ -1,0 +1,33 @@
+package org.maestro.coordination.api;
+
+import java.time.Duration;
+
+/**
+ * One sentence of a goal's story.
+ *
+ * @param at simulated time since the platform's start
+ */
+public record StoryEntry(String goalId, Duration at, Kind kind, String text) {
+
+  public enum Kind {
+    GOAL,
+    RESTART,
+    KNOWN,
+    BIDS,
+    PLAN,
+    WAIT,
+    STEP,
+    DONE,
+    FAILED,
+    LEARNT,
+    MISCONDUCT,
+    REPLAN,
+    CONFIRM,
+    SEARCHED,
+    /** A held goal is so, for the first time or again. */
+    HELD,
+    /** A held goal is not so any more. */
+    LOST,
+    END
+  }
+}

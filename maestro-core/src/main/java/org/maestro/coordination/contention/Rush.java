@@ -1,0 +1,84 @@
+package org.maestro.coordination.contention;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.maestro.coordination.api.Thinking;
+import org.maestro.rats.time.Clock;
+
+/**
+ * When many goals are stated at once, all of them get a plan before the first step of any is begun:
+ * steps take processors from planning, and change what the plans of the others count on, which are
+ * then made in vain. It lasts until all are planned, and a few seconds at most; then it is over
+ * until there was a moment without goals to be planned. The coordinator's thread only.
+ */
+public final class Rush {
+  /** So many goals without a plan are common where several people share a home. */
+  private static final int FEW = 8;
+
+  /** Wall time: how fast plans are made does not depend on how fast the world goes. */
+  public static final Duration LONGEST = Duration.ofSeconds(5);
+
+  private final Clock clock;
+  private final Thinking thinking;
+  private final Consumer<String> goOn;
+  private final Set<String> unplanned = new LinkedHashSet<>();
+  private final Set<String> heldBack = new LinkedHashSet<>();
+  private Clock.Timer limit = () -> {};
+  private boolean under;
+  private boolean spent;
+
+  /**
+   * @param goOn told of each goal that was held back and is not any more
+   */
+  Rush(Clock clock, Thinking thinking, Consumer<String> goOn) {
+    this.clock = clock;
+    this.thinking = thinking;
+    this.goOn = goOn;
+  }
+
+  /** The goal's first plan is being made. */
+  public void planning(String goal) {
+    unplanned.add(goal);
+    if (!under && !spent && unplanned.size() > FEW) {
+      under = true;
+      long millis = (long) (LONGEST.toMillis() * Math.max(1, clock.speed()));
+      limit =
+          clock.schedule(
+              Duration.ofMillis(millis),
+              "rush",
+              () -> thinking.think(() -> LONGEST, passed -> over()));
+    }
+  }
+
+  /** It has a plan, or there is none. */
+  public void planned(String goal) {
+    if (unplanned.remove(goal) && unplanned.isEmpty()) {
+      over();
+      spent = false;
+    }
+  }
+
+  /** Whether nothing is begun for the goal yet; if so, it is told when that is over. */
+  public boolean holdsBack(String goal) {
+    if (under) {
+      heldBack.add(goal);
+    }
+    return under;
+  }
+
+  private void over() {
+    if (!under) {
+      return;
+    }
+    limit.cancel();
+    under = false;
+    spent = true;
+    List<String> free = new ArrayList<>(heldBack);
+    heldBack.clear();
+    free.forEach(goOn);
+  }
+}

@@ -1,0 +1,73 @@
+package org.maestro.coordination.facts;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.maestro.coordination.api.Argument;
+import org.maestro.knowledge.Snapshot;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Individual;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.Parameter;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Term;
+
+/**
+ * Makes the parameters of a call: a member has no knowledge base, so a pointer brings what the
+ * feature's input needs.
+ */
+public final class CallArguments {
+  private final Home home;
+  private final Snapshot snapshot;
+
+  public CallArguments(Home home, Snapshot snapshot) {
+    this.home = home;
+    this.snapshot = snapshot;
+  }
+
+  /** The arguments that are bound, each with what its input needs of it. */
+  public Map<String, Argument> of(FeatureType feature, Map<String, Term> bindings) {
+    Map<String, Argument> arguments = new LinkedHashMap<>();
+    feature.inputs().forEach(input -> add(arguments, input, bindings));
+    feature.binds().forEach(bound -> add(arguments, bound, bindings));
+    return arguments;
+  }
+
+  private void add(
+      Map<String, Argument> arguments, Parameter parameter, Map<String, Term> bindings) {
+    Term value = bindings.get(parameter.name());
+    if (value != null) {
+      arguments.put(parameter.name(), argument(parameter, value));
+    }
+  }
+
+  private Argument argument(Parameter parameter, Term value) {
+    Individual individual =
+        value instanceof Term.Name name ? home.individuals().get(name.text()) : null;
+    if (individual == null) {
+      return new Argument(value, Optional.empty(), Map.of());
+    }
+    Map<String, List<Term>> properties = new TreeMap<>();
+    for (String need : parameter.needs()) {
+      known(need, individual).ifPresent(values -> properties.put(need, values));
+    }
+    return new Argument(value, Optional.of(individual.iri()), properties);
+  }
+
+  private Optional<List<Term>> known(String property, Individual individual) {
+    Term.Name name = new Term.Name(individual.name());
+    Optional<Term> current = snapshot.value(property, List.of(name));
+    if (current.isPresent()) {
+      return current.map(List::of);
+    }
+    if (home.vocabulary().predicate(property).filter(p -> p.fluent()).isPresent()) {
+      var number = snapshot.number(new Expression.Fluent(property, List.of(name)));
+      if (number.isPresent()) {
+        return Optional.of(List.of(new Term.Number(number.getAsDouble())));
+      }
+    }
+    return Optional.ofNullable(individual.properties().get(property));
+  }
+}

@@ -1,0 +1,41 @@
+package org.maestro.coordination.facts;
+
+import java.util.Set;
+import org.maestro.coordination.api.InvalidGoalException;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.StatementCheck;
+import org.maestro.sl.Formula;
+import org.maestro.sl.NumberVariables;
+
+/**
+ * Refuses goals that speak of what neither home nor vocabulary know, before anybody is asked for
+ * anything.
+ */
+public final class GoalCheck {
+  private final StatementCheck statements;
+
+  /** For goals in this home. */
+  public GoalCheck(Home home) {
+    this.statements = new StatementCheck(home, "The goal");
+  }
+
+  /**
+   * Looks at every word of a goal.
+   *
+   * @throws InvalidGoalException for the first that is wrong
+   */
+  public void check(Formula goal) {
+    statements
+        .fault(goal)
+        .ifPresent(
+            sentence -> {
+              throw new InvalidGoalException(sentence);
+            });
+    Set<String> open = NumberVariables.of(goal);
+    if (!open.isEmpty()) {
+      throw new InvalidGoalException(
+          "The goal leaves the number ?%s open; write one in its place."
+              .formatted(open.iterator().next()));
+    }
+  }
+}

@@ -1,0 +1,298 @@
+package org.maestro.coordination.facts;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.maestro.knowledge.AsClaimed;
+import org.maestro.knowledge.Belief;
+import org.maestro.knowledge.Dispute;
+import org.maestro.knowledge.Snapshot;
+import org.maestro.knowledge.Source;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.sl.Evaluation;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Leaves;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
+import org.maestro.sl.TypedVariable;
+
+/**
+ * What a goal that holds rests on without any witness of late, or though a witness says otherwise:
+ * things whose place is only expected, disputed or was seen too long ago, other facts of which only
+ * their doer tells, and numbers that are only reckoned, told by who made them, or were measured too
+ * long ago. Sources of numbers differ always a little; of these the surer counts.
+ */
+final class OnlyExpected {
+  static final String POSITION = "position";
+
+  private final Snapshot snapshot;
+  private final Home home;
+  private final Vocabulary vocabulary;
+  private final Testimony testimony;
+  private final SortedSet<String> things = new TreeSet<>();
+  private final Set<Formula.Atom> facts = new LinkedHashSet<>();
+  private final Set<Expression.Fluent> numbers = new LinkedHashSet<>();
+  private final SortedSet<String> reporters = new TreeSet<>();
+  private final Set<Belief> objections = new LinkedHashSet<>();
+  private final Set<Belief> denials = new LinkedHashSet<>();
+  private final SortedSet<String> tellers = new TreeSet<>();
+  private Optional<Instant> oldest = Optional.empty();
+
+  /**
+   * @param notBefore what was observed earlier has to be observed again: anybody may have changed
+   *     it since
+   */
+  OnlyExpected(Snapshot snapshot, Home home, Instant notBefore) {
+    this.snapshot = snapshot;
+    this.home = home;
+    this.vocabulary = home.vocabulary();
+    this.testimony = new Testimony(snapshot, home, notBefore);
+  }
+
+  SortedSet<String> things() {
+    return things;
+  }
+
+  /** Of which no position tells whether they hold. */
+  List<Formula.Atom> facts() {
+    return List.copyOf(facts);
+  }
+
+  List<Expression.Fluent> numbers() {
+    return List.copyOf(numbers);
+  }
+
+  /** Whose deeds, or whose word of themselves, let it be expected. */
+  SortedSet<String> reporters() {
+    return reporters;
+  }
+
+  /** What others have said since what is believed, and what contradicts it. */
+  List<Belief> objections() {
+    return List.copyOf(objections);
+  }
+
+  /** What witnesses say against what only its doer says. */
+  List<Belief> denials() {
+    return List.copyOf(denials);
+  }
+
+  /** Witnesses that tell of it of their own accord whenever it changes. */
+  SortedSet<String> tellers() {
+    return tellers;
+  }
+
+  /** When the oldest of what was observed too long ago was observed. */
+  Optional<Instant> oldest() {
+    return oldest;
+  }
+
+  /** Of alternatives the first that holds counts. */
+  void collect(Formula formula) {
+    if (formula instanceof Formula.And and) {
+      and.operands().forEach(this::collect);
+    } else if (formula instanceof Formula.Or or) {
+      or.operands().stream().filter(this::holds).findFirst().ifPresent(this::collect);
+    } else if (formula instanceof Formula.Exists exists) {
+      witness(exists.variables(), exists.body()).ifPresent(this::collect);
+    } else if (formula instanceof Formula.Forall forall) {
+      instances(forall.variables(), forall.body()).forEach(this::collect);
+    } else if (formula instanceof Formula.Comparison comparison) {
+      Leaves.of(comparison, atom -> {}, number -> collect(number, comparison));
+    } else if (formula instanceof Formula.Atom atom && atom.isGround()) {
+      derivation(atom).ifPresentOrElse(this::collect, () -> collect(atom, atom));
+    } else if (formula instanceof Formula.Not not
+        && not.operand() instanceof Formula.Atom atom
+        && atom.isGround()) {
+      derivation(atom)
+          .map(derived -> Assured.of(new Formula.Not(derived), vocabulary))
+          .ifPresentOrElse(this::collect, () -> collect(atom, not));
+    }
+  }
+
+  private void collect(Expression.Fluent number, Formula comparison) {
+    List<Belief> claims = snapshot.claims(number);
+    if (claims.isEmpty()) {
+      collectThings(number.arguments(), List.of(), number.name(), comparison);
+    } else if (!isSure(snapshot.belief(number), number.name())
+        && !testimony.isWitnessed(claims, number.name(), comparison)) {
+      numbers.add(number);
+      note(snapshot.belief(number), claims, number.name(), comparison);
+    }
+  }
+
+  /**
+   * @param condition the atom, or that it does not hold
+   */
+  private void collect(Formula.Atom atom, Formula condition) {
+    String name = atom.predicate();
+    List<Belief> claims = snapshot.claims(atom);
+    Optional<PredicateDeclaration> seeable =
+        vocabulary.predicate(name).filter(declared -> declared.observedWhen().isPresent());
+    if (seeable.isPresent() && testimony.isWitnessed(claims, name, condition)) {
+      collectObjections(atom, condition);
+    } else if (seeable.isPresent()) {
+      // Where a thing is, the thing tells when it is seen; nobody can see the place.
+      int seen = seeable.get().functional() ? 1 : atom.arguments().size();
+      collectThings(atom.arguments().subList(0, seen), claims, name, condition);
+      note(snapshot.belief(atom), claims, name, condition);
+      collectObjections(atom, condition);
+    } else if (claims.isEmpty()) {
+      collectThings(atom.arguments(), claims, name, condition);
+    } else if (!isSure(snapshot.belief(atom), name)
+        && !testimony.isWitnessed(claims, name, condition)) {
+      facts.add(atom);
+      note(snapshot.belief(atom), claims, name, condition);
+    }
+  }
+
+  /** Those of which something is said, and no witness has seen of late that it is so. */
+  private void collectThings(
+      List<Term> arguments, List<Belief> claims, String name, Formula condition) {
+    for (Term argument : arguments) {
+      if (argument instanceof Term.Name thing) {
+        List<Belief> places = testimony.ofPlace(thing);
+        if (!(places.isEmpty() && claims.stream().allMatch(said -> isSure(said, name)))
+            && !testimony.isSeen(places, condition)) {
+          things.add(thing.text());
+          note(position(thing), places, POSITION, condition);
+        }
+      }
+    }
+  }
+
+  private boolean isSure(Optional<Belief> believed, String name) {
+    return believed.filter(said -> !isSure(said, name)).isEmpty();
+  }
+
+  private boolean isSure(Belief believed, String name) {
+    return testimony.isWitness(believed, name) && !testimony.isOld(believed, name);
+  }
+
+  /** Who says so without being a witness, who says otherwise, and how long ago it was seen. */
+  private void note(
+      Optional<Belief> believed, List<Belief> claims, String name, Formula condition) {
+    believed
+        .filter(said -> !testimony.isWitness(said, name))
+        .ifPresent(said -> reporters.add(said.source().agent()));
+    believed
+        .filter(said -> testimony.isOld(said, name))
+        .map(Belief::since)
+        .filter(then -> oldest.filter(o -> !o.isAfter(then)).isEmpty())
+        .ifPresent(then -> oldest = Optional.of(then));
+    believed
+        .map(said -> testimony.denials(claims, name, condition, said.since()))
+        .ifPresent(denials::addAll);
+    claims.stream()
+        .filter(said -> said.source().kind() == Source.Kind.STATED)
+        .filter(said -> testimony.isWitness(said, name))
+        .forEach(said -> tellers.add(said.source().agent()));
+  }
+
+  /**
+   * A surer source counts, also when another says otherwise since: but then it is time to look
+   * again. Of equally sure sources the later one is believed, and nothing is said since.
+   */
+  private void collectObjections(Formula.Atom atom, Formula condition) {
+    if (!atom.equals(condition)) {
+      return;
+    }
+    for (Dispute dispute : snapshot.disputes()) {
+      for (Dispute.Loser loser : dispute.losers()) {
+        Belief said = loser.belief();
+        boolean since =
+            dispute.believed().filter(b -> b.since().isBefore(said.since())).isPresent();
+        if (since
+            && !isExpected(said)
+            && !isExpected(dispute.believed().get())
+            && new AsClaimed(snapshot, home, said).contradicts(atom)) {
+          objections.add(said);
+          subject(said)
+              .filter(thing -> atom.arguments().contains(thing))
+              .ifPresent(thing -> things.add(thing.text()));
+        }
+      }
+    }
+  }
+
+  private Optional<Term.Name> subject(Belief belief) {
+    List<Term.Name> subjects = new ArrayList<>();
+    Leaves.of(
+        SlParser.formula(belief.fact(), vocabulary::isFluent),
+        atom -> {
+          if (atom.arguments().get(0) instanceof Term.Name name) {
+            subjects.add(name);
+          }
+        },
+        fluent -> {});
+    return subjects.stream().findFirst();
+  }
+
+  private boolean holds(Formula formula) {
+    return new Evaluation(snapshot).truth(formula, Map.of()) == Truth.TRUE;
+  }
+
+  /** The body with values for which it holds. */
+  private Optional<Formula> witness(List<TypedVariable> variables, Formula body) {
+    if (variables.isEmpty()) {
+      return Optional.of(body).filter(this::holds);
+    }
+    TypedVariable first = variables.get(0);
+    List<TypedVariable> others = variables.subList(1, variables.size());
+    return first.className().stream()
+        .flatMap(name -> snapshot.individuals(name).stream())
+        .map(value -> new Substitution(Map.of(first.name(), value)).apply(body))
+        .flatMap(bound -> witness(others, bound).stream())
+        .findFirst();
+  }
+
+  /** The body with each choice of values. */
+  private List<Formula> instances(List<TypedVariable> variables, Formula body) {
+    if (variables.isEmpty()) {
+      return List.of(body);
+    }
+    TypedVariable first = variables.get(0);
+    List<TypedVariable> others = variables.subList(1, variables.size());
+    return snapshot.individuals(first.className().orElse("")).stream()
+        .map(value -> new Substitution(Map.of(first.name(), value)).apply(body))
+        .flatMap(bound -> instances(others, bound).stream())
+        .toList();
+  }
+
+  /** What a derived atom says in the words that it is derived from. */
+  private Optional<Formula> derivation(Formula.Atom atom) {
+    return vocabulary
+        .predicate(atom.predicate())
+        .filter(declared -> declared.parameters().size() == atom.arguments().size())
+        .flatMap(
+            declared -> {
+              Map<String, Term> bindings = new TreeMap<>();
+              for (int i = 0; i < atom.arguments().size(); i++) {
+                bindings.put(declared.parameters().get(i).name(), atom.arguments().get(i));
+              }
+              return declared.derivedWhen().map(new Substitution(bindings)::apply);
+            });
+  }
+
+  private static boolean isExpected(Belief belief) {
+    return belief.source().kind() == Source.Kind.EXPECTED;
+  }
+
+  private Optional<Belief> position(Term.Name thing) {
+    return snapshot
+        .value(POSITION, List.of(thing))
+        .flatMap(value -> snapshot.belief(new Formula.Atom(POSITION, List.of(thing, value))));
+  }
+}

@@ -1,0 +1,89 @@
+package org.maestro.coordination.held;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.maestro.coordination.api.Crew;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.knowledge.Snapshot;
+import org.maestro.planning.StepKey;
+
+/**
+ * The crew as the plans of a held goal use it: what they set is noted, and observation of what the
+ * goal speaks of goes on when the plan that began it is over.
+ */
+final class HeldCrew implements Crew {
+  private final Crew crew;
+  private final KnowledgeBase knowledge;
+  private final Watch watch;
+  private final OwnSettings settings;
+
+  HeldCrew(Crew crew, KnowledgeBase knowledge, Watch watch, OwnSettings settings) {
+    this.crew = crew;
+    this.knowledge = knowledge;
+    this.watch = watch;
+    this.settings = settings;
+  }
+
+  @Override
+  public Performance perform(Order order, Consumer<Report> reported) {
+    Snapshot before = knowledge.snapshot();
+    boolean sets =
+        !order.ends()
+            && !order.step().feature().continuous()
+            && !watch.concerns(order.step().feature(), knowledge.home());
+    if (sets) {
+      settings.begun(order.step(), before);
+    }
+    Performance[] performance = new Performance[1];
+    performance[0] =
+        crew.perform(
+            order,
+            report -> {
+              if (report.succeeded() && !order.ends()) {
+                done(order, before, performance[0], sets);
+              } else if (sets) {
+                settings.failed(order.step());
+              }
+              reported.accept(report);
+            });
+    return new Performance() {
+      @Override
+      public void cancel() {
+        if (!watch.keeps(performance[0])) {
+          performance[0].cancel();
+        }
+      }
+
+      @Override
+      public Optional<Duration> aliveAt() {
+        return performance[0].aliveAt();
+      }
+    };
+  }
+
+  private void done(Order order, Snapshot before, Performance performance, boolean sets) {
+    if (sets) {
+      settings.done(order.step(), before);
+    } else if (watch.concerns(order.step().feature(), knowledge.home())) {
+      watch.keep(order.step(), performance, knowledge.snapshot(), knowledge.home());
+    }
+  }
+
+  @Override
+  public boolean isOwed(String goalId, StepKey step) {
+    return crew.isOwed(goalId, step);
+  }
+
+  @Override
+  public List<Order> giveUpOwed(String goalId, Set<StepKey> wanted) {
+    return crew.giveUpOwed(goalId, wanted);
+  }
+
+  @Override
+  public void callOff(String member, Call call) {
+    crew.callOff(member, call);
+  }
+}

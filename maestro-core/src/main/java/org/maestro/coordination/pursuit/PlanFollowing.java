@@ -1,0 +1,320 @@
+package org.maestro.coordination.pursuit;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.maestro.coordination.allocation.ExactPrices;
+import org.maestro.coordination.allocation.Offers;
+import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.GoalRequest;
+import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.api.Market;
+import org.maestro.coordination.api.Takeover;
+import org.maestro.coordination.api.WaitsFor;
+import org.maestro.coordination.contention.PlanUnderway;
+import org.maestro.coordination.contention.Pursuit;
+import org.maestro.coordination.contention.Rush;
+import org.maestro.coordination.contention.StepsUnderway;
+import org.maestro.coordination.facts.Concern;
+import org.maestro.coordination.facts.Interest;
+import org.maestro.coordination.facts.Look;
+import org.maestro.coordination.lessons.Insistence;
+import org.maestro.coordination.story.GoalLife;
+import org.maestro.coordination.story.GoalStory;
+import org.maestro.coordination.story.Sentences;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.planning.Plan;
+import org.maestro.planning.Step;
+
+/**
+ * Has the steps of a goal's plan done, and compares what is known with what the rest of the plan
+ * needs. The coordinator's thread only.
+ */
+final class PlanFollowing {
+  private final PursuitParts parts;
+  private final PlanUnderway plan;
+  private final StepsUnderway underway;
+  private final Outlook outlook;
+  private final GoalLife life;
+  private final GoalStory story;
+  private final Course course;
+  private final StepExecution execution;
+  private final Offers offers = new Offers();
+  private Concern concern;
+  private long ownChange = -1;
+  private Look lookedAt;
+
+  PlanFollowing(PursuitParts parts, Course course) {
+    this.parts = parts;
+    this.plan = parts.plan();
+    this.underway = parts.underway();
+    this.outlook = parts.outlook();
+    this.life = parts.life();
+    this.story = parts.story();
+    this.course = course;
+    this.concern = outlook.concern(List.of());
+    this.lookedAt = outlook.look();
+    this.execution = new StepExecution(parts, this::stepEnded);
+  }
+
+  void takeUp(Crew.Order order) {
+    execution.takeUp(order);
+  }
+
+  /** The goal is over. */
+  void release() {
+    execution.release();
+  }
+
+  private boolean isActive() {
+    return !life.isOver() && !course.isPlanning() && plan.exists();
+  }
+
+  void adopt(Plan found, Market.Tender tender) {
+    plan.adopt(found);
+    concern = outlook.concern(found.steps());
+    story.plan(life.plans(), found, outlook.isConfirming());
+    Map<String, List<Step>> awards = new TreeMap<>();
+    found.steps().forEach(s -> awards.computeIfAbsent(s.member(), m -> new ArrayList<>()).add(s));
+    tender.award(awards);
+    offers
+        .lateBeside(found.steps())
+        .filter(underway::contains)
+        .forEach(step -> outlook.tooLate(step, "it takes longer than was told"));
+    execution.callOffAllBut(found.steps());
+    parts.contention().letGoOfWhatIsDone();
+    if (!outlook.isConfirming()) {
+      life.become(GoalState.RUNNING, "");
+    }
+    continueOrSettle();
+  }
+
+  void knowledgeChanged(KnowledgeBase.Change change, Interest changed) {
+    if (!isActive()
+        || change.version() == ownChange
+        || !concern.perhaps(changed)
+        || lookedAt.has(change, changed)) {
+      return;
+    }
+    if (parts.turn().isAwaited()) {
+      if (concern.ofGoal(changed)) {
+        settleIfReached();
+      }
+    } else if (concern.indeed(changed, outlook.presentFacts())) {
+      reconsider(() -> story.becauseOf(change));
+    }
+  }
+
+  void memberLost(String member) {
+    if (isActive() && plan.remaining().stream().anyMatch(step -> step.member().equals(member))) {
+      course.makePlan(Optional.of(member + " is lost (" + parts.roster().absence(member) + ")"));
+    }
+  }
+
+  /**
+   * The goal decides by a plan from the present, in which both have their present prices. Who is at
+   * it goes on meanwhile, and ends before another begins.
+   */
+  void offered(Takeover offer) {
+    if (!isActive() || parts.turn().isAwaited() || !parts.roster().isPresent(offer.by())) {
+      return;
+    }
+    underway.find(offer.from(), offer.feature()).ifPresent(step -> consider(step, offer));
+  }
+
+  private void consider(Step step, Takeover offer) {
+    Duration now = parts.ports().clock().now();
+    Optional<String> why = offers.reason(step, story.sentence(step), offer, now);
+    if (why.isEmpty()) {
+      return;
+    }
+    outlook.offersAgain(offer.by(), offer.feature());
+    underway.mayChangeHands(step);
+    ExactPrices prices = parts.exactPrices();
+    prices.forget(offer.by());
+    prices.forget(offer.from());
+    offers.priceIfLate(step, offer, now).ifPresent(p -> prices.put(step.key(), p, now, now));
+    course.makePlan(why);
+  }
+
+  /** What it reports at its end has it planned again. */
+  void givenBack(String member, String feature, String reason) {
+    underway.find(member, feature).ifPresent(step -> story.givenBack(step, reason));
+  }
+
+  void advance() {
+    Turn turn = parts.turn();
+    if (!isActive() || turn.isAfterAnother()) {
+      return;
+    }
+    List<WaitsFor> obstacles = parts.contention().keepWhatIsWanted();
+    if (!obstacles.isEmpty()) {
+      turn.await(parts.contention().wanted(), obstacles);
+    } else if (turn.isAwaited()) {
+      turn.came(outlook.isConfirming());
+      reconsider(() -> "things have changed while it waited");
+    } else if (!turn.givesWay(parts.contention().wanted()) && !isHeldBack()) {
+      beginSteps();
+    }
+  }
+
+  /** What has begun goes on, and so does what comes before others. */
+  private boolean isHeldBack() {
+    boolean heldBack =
+        life.calls() == 0
+            && life.request().priority() <= GoalRequest.USUAL_PRIORITY
+            && parts.rivals().rush().holdsBack(life.id());
+    if (heldBack && life.state() != GoalState.WAITING) {
+      life.become(GoalState.WAITING, "for the goals stated with it to be planned");
+      story.heldBack(Rush.LONGEST);
+    }
+    return heldBack;
+  }
+
+  private void beginSteps() {
+    List<WaitsFor> waits = new ArrayList<>();
+    for (Step step : plan.startable()) {
+      if (underway.contains(step) || underway.clashesWith(step) || underway.isHandedOver(step)) {
+        continue;
+      }
+      List<WaitsFor> obstacles = parts.contention().obstacles(step);
+      Optional<Pursuit> spoiled = heldBy(obstacles);
+      if (spoiled.isPresent()) {
+        leaveAlone(step, spoiled.get());
+        return;
+      }
+      if (obstacles.isEmpty()) {
+        begin(step);
+      } else {
+        waits.addAll(obstacles);
+      }
+    }
+    if (waits.isEmpty()) {
+      parts.rivals().leases().stopWaiting(life.id());
+    } else {
+      parts.turn().awaitForStep(waits);
+    }
+  }
+
+  /** A wish that is kept has no end to wait for. */
+  private Optional<Pursuit> heldBy(List<WaitsFor> obstacles) {
+    return obstacles.stream()
+        .flatMap(obstacle -> parts.rivals().find(obstacle.holder()).stream())
+        .filter(Pursuit::isHolding)
+        .findFirst();
+  }
+
+  private void leaveAlone(Step step, Pursuit holding) {
+    if (life.request().priority() > holding.priority()) {
+      holding.standBackFor(life.id());
+      advance();
+    } else {
+      outlook.leaveAlone(step, holding.id());
+      course.makePlan(
+          Optional.of(
+              "%s would end what %s keeps (%s)"
+                  .formatted(story.sentence(step), holding.id(), holding.status().goal())));
+    }
+  }
+
+  private void begin(Step step) {
+    boolean owed = parts.ports().crew().isOwed(parts.id(), step.key());
+    if (!owed) {
+      life.countCall();
+    }
+    if (life.state() == GoalState.WAITING) {
+      life.become(outlook.isConfirming() ? GoalState.CONFIRMING : GoalState.RUNNING, "");
+    }
+    if (owed) {
+      story.askedAgain(step);
+    } else {
+      story.begun(step, plan.size());
+    }
+    offers.begun(step, parts.ports().clock().now());
+    execution.begin(step, plan.remaining());
+  }
+
+  private void stepEnded(StepEnd ended) {
+    if (!ended.change().facts().isEmpty()) {
+      ownChange = ended.change().version();
+    }
+    List<Insistence> insisted = List.of();
+    if (ended.report().succeeded()) {
+      plan.done(ended.step());
+      outlook.done(ended.step(), ended.factsBefore(), ended.report().outputs());
+      story.done(ended.step(), ended.change());
+    } else if (!ended.calledOff()) {
+      String problem = ended.report().problem().orElse("no reason given");
+      insisted = outlook.failed(ended, problem);
+      story.failed(ended.step(), problem, ended.change());
+      story.insists(ended.step(), insisted);
+    }
+    parts.contention().letGoOfWhatIsDone();
+    if (course.isPlanning()) {
+      course.makePlanAgain("meanwhile " + story.becauseOf(ended.step(), ended.change()));
+    } else if (plan.exists() && !insisted.isEmpty()) {
+      course.makePlan(said(ended));
+    } else if (plan.exists()) {
+      reconsider(() -> said(ended).orElseGet(() -> becauseOf(ended)));
+    } else if (underway.isEmpty()) {
+      course.makePlan(Optional.of("what was under way has ended"));
+    }
+  }
+
+  private static Optional<String> said(StepEnd ended) {
+    return ended.report().problem().map(problem -> Sentences.said(ended.step().member(), problem));
+  }
+
+  private String becauseOf(StepEnd ended) {
+    return ended.change().facts().isEmpty() && plan.remaining().isEmpty()
+        ? story.endedInVain()
+        : story.becauseOf(ended.step(), ended.change());
+  }
+
+  /** Is the rest of the plan still good, from what is known now? */
+  private void reconsider(Supplier<String> why) {
+    lookedAt = outlook.look();
+    Optional<Plan> reached = outlook.holds();
+    if (reached.isPresent()) {
+      if (underway.isEmpty()) {
+        course.settle(reached.get().goalBinding());
+      }
+      return;
+    }
+    List<Step> remaining = plan.remaining();
+    Optional<Step> unable =
+        remaining.stream().filter(step -> !parts.roster().isPresent(step.member())).findFirst();
+    if (unable.isPresent()) {
+      course.makePlan(Optional.of(parts.roster().absence(unable.get().member())));
+    } else if (remaining.isEmpty() || !outlook.isGood(remaining)) {
+      course.makePlan(Optional.of(why.get() + blockedStep(remaining)));
+    } else {
+      continueOrSettle();
+    }
+  }
+
+  private String blockedStep(List<Step> remaining) {
+    return outlook
+        .blocked(remaining)
+        .map(
+            step ->
+                "; step %d (%s) is not possible so".formatted(step.number(), story.sentence(step)))
+        .orElse("");
+  }
+
+  private void continueOrSettle() {
+    if (!plan.remaining().isEmpty() || !settleIfReached()) {
+      advance();
+    }
+  }
+
+  private boolean settleIfReached() {
+    Optional<Plan> reached = outlook.holds().filter(plan -> underway.isEmpty());
+    reached.ifPresent(plan -> course.settle(plan.goalBinding()));
+    return reached.isPresent();
+  }
+}

@@ -1,0 +1,125 @@
+package org.maestro.coordination.recovery;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.maestro.coordination.api.GoalId;
+import org.maestro.coordination.api.JournalEntry;
+import org.maestro.coordination.api.Recovery;
+
+/**
+ * What a journal's entries amount to: what somebody who takes over has to know, and no more. Not
+ * safe for use by several threads.
+ */
+public final class JournalImage {
+  /** An entry and the clock's time at which it was written. */
+  public record Dated(Duration at, JournalEntry entry) {}
+
+  private final Map<String, GoalImage> goals = new LinkedHashMap<>();
+  private final Map<String, Dated> members = new TreeMap<>();
+  private int lastGoalNumber;
+
+  public JournalImage(int lastGoalNumber) {
+    this.lastGoalNumber = lastGoalNumber;
+  }
+
+  /**
+   * What entries that amount to this recovery would amount to.
+   *
+   * @param now the time of what has none of its own
+   */
+  public static JournalImage of(Recovery recovery, Duration now) {
+    JournalImage image = new JournalImage(recovery.lastGoalNumber());
+    recovery
+        .members()
+        .forEach(m -> image.add(new Dated(now, new JournalEntry.MemberCame(m, Optional.empty()))));
+    for (Recovery.UnfinishedGoal goal : recovery.goals()) {
+      image.add(
+          new Dated(goal.submittedAt(), new JournalEntry.Submitted(goal.id(), goal.request())));
+    }
+    for (Recovery.EndedGoal goal : recovery.ended()) {
+      Duration submitted = goal.outcome().submittedAt();
+      image.add(
+          new Dated(submitted, new JournalEntry.Submitted(goal.outcome().id(), goal.request())));
+      image.add(new Dated(goal.outcome().endedAt(), new JournalEntry.Over(goal.outcome())));
+    }
+    for (Recovery.UnfinishedCall call : recovery.unwanted()) {
+      image.add(new Dated(call.begunAt(), call.begun()));
+      image.add(
+          new Dated(
+              now, new JournalEntry.CalledOff(call.begun().goalId(), call.begun().call().id())));
+    }
+    recovery.goals().forEach(goal -> GoalImage.entries(goal, now).forEach(image::add));
+    return image;
+  }
+
+  public void add(Dated dated) {
+    JournalEntry entry = dated.entry();
+    if (entry instanceof JournalEntry.Submitted submitted) {
+      goals.put(submitted.goalId(), new GoalImage(dated));
+      lastGoalNumber = Math.max(lastGoalNumber, GoalId.number(GoalId.CENTRAL, submitted.goalId()));
+    } else if (entry instanceof JournalEntry.Withdrawn withdrawn) {
+      goals.remove(withdrawn.goalId());
+    } else if (entry instanceof JournalEntry.OfGoal ofGoal) {
+      Optional.ofNullable(goals.get(ofGoal.goalId())).ifPresent(goal -> goal.add(dated));
+    } else if (entry instanceof JournalEntry.MemberCame came) {
+      members.put(came.member(), dated);
+    } else if (entry instanceof JournalEntry.MemberWent went) {
+      members.remove(went.member());
+    }
+  }
+
+  /**
+   * Forgets goals that ended before that time, and all but the latest that ended that fit into so
+   * many bytes of memory.
+   */
+  public void forgetEnded(Duration before, long mostBytes) {
+    List<String> ended =
+        goals.entrySet().stream()
+            .filter(e -> e.getValue().overSince().isPresent())
+            .sorted(Comparator.comparing(e -> e.getValue().overSince().orElseThrow()))
+            .map(Map.Entry::getKey)
+            .toList();
+    long bytes = ended.stream().mapToLong(id -> goals.get(id).bytes()).sum();
+    for (String id : ended) {
+      boolean old = goals.get(id).overSince().orElseThrow().compareTo(before) < 0;
+      if (old || bytes > mostBytes) {
+        bytes -= goals.remove(id).bytes();
+      }
+    }
+  }
+
+  /** Forgets calls that were cancelled before that time: the members have heard it by now. */
+  public void forgetCalledOff(Duration before) {
+    goals.values().forEach(goal -> goal.forgetCalledOff(before));
+  }
+
+  public int lastGoalNumber() {
+    return lastGoalNumber;
+  }
+
+  /** The shortest list of entries that amounts to the same. */
+  public List<Dated> entries() {
+    List<Dated> entries = new ArrayList<>(members.values());
+    goals.values().forEach(goal -> entries.addAll(goal.entries()));
+    return entries;
+  }
+
+  public Recovery recovery() {
+    List<Recovery.UnfinishedGoal> unfinished = new ArrayList<>();
+    List<Recovery.EndedGoal> ended = new ArrayList<>();
+    List<Recovery.UnfinishedCall> unwanted = new ArrayList<>();
+    for (GoalImage goal : goals.values()) {
+      unwanted.addAll(goal.unwanted());
+      goal.ended().ifPresentOrElse(ended::add, () -> unfinished.add(goal.unfinished()));
+    }
+    return new Recovery(
+        lastGoalNumber, unfinished, ended, unwanted, new TreeSet<>(members.keySet()));
+  }
+}

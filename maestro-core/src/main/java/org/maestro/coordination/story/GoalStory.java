@@ -1,0 +1,358 @@
+package org.maestro.coordination.story;
+
+import java.time.Duration;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.maestro.coordination.api.Bid;
+import org.maestro.coordination.api.GoalOutcome;
+import org.maestro.coordination.api.GoalRequest;
+import org.maestro.coordination.api.JournalEntry;
+import org.maestro.coordination.api.Recovery;
+import org.maestro.coordination.api.SearchReport;
+import org.maestro.coordination.api.Story;
+import org.maestro.coordination.api.StoryEntry;
+import org.maestro.coordination.api.WaitsFor;
+import org.maestro.coordination.facts.Confirmation;
+import org.maestro.coordination.lessons.Insistence;
+import org.maestro.knowledge.Belief;
+import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.knowledge.Source;
+import org.maestro.planning.Objective;
+import org.maestro.planning.Plan;
+import org.maestro.planning.PlanningResult;
+import org.maestro.planning.Step;
+import org.maestro.rats.time.Clock;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
+
+/** Tells one goal's story in sentences as it happens. */
+public final class GoalStory {
+  private static final int MOST_FACTS = 6;
+
+  private final String goalId;
+  private final Story story;
+  private final Clock clock;
+  private final KnowledgeBase knowledge;
+  private final BidSentences bids = new BidSentences();
+
+  public GoalStory(String goalId, Story story, Clock clock, KnowledgeBase knowledge) {
+    this.goalId = goalId;
+    this.story = story;
+    this.clock = clock;
+    this.knowledge = knowledge;
+  }
+
+  public void submitted(GoalRequest request) {
+    tell(
+        StoryEntry.Kind.GOAL,
+        request.requester() + " asks for: " + sentences().fact(request.goal()) + ".");
+    List<String> known =
+        knowledge.snapshot().beliefs().stream().map(Belief::fact).collect(Collectors.toList());
+    KnownOf knownOf = new KnownOf(knowledge.home(), known);
+    for (String name : names(request)) {
+      tell(StoryEntry.Kind.KNOWN, knownOf.sentences(name));
+    }
+  }
+
+  /** The coordinator ended and another goes on. */
+  public void takenUp(Recovery.UnfinishedGoal goal) {
+    tell(
+        StoryEntry.Kind.RESTART,
+        "Taken up again after a restart, "
+            + (goal.calls().isEmpty() ? "with nothing under way" : "with steps under way")
+            + ".");
+  }
+
+  /** What becomes of a call that was under way then; empty: it is asked for again. */
+  public void takenUp(Recovery.UnfinishedCall call, Optional<String> obstacle) {
+    JournalEntry.Begun begun = call.begun();
+    String step =
+        "Step %d (%s by %s)"
+            .formatted(begun.number(), begun.step().feature(), begun.step().member());
+    tell(
+        StoryEntry.Kind.RESTART,
+        obstacle
+            .map(why -> step + " was under way, and nobody knows what became of it: " + why + ".")
+            .orElse(step + " was under way; asked for again, which is no second time."));
+  }
+
+  private List<String> names(GoalRequest request) {
+    Set<String> words = KnownOf.words(SlPrinter.print(request.goal()));
+    return knowledge.home().individuals().keySet().stream().filter(words::contains).toList();
+  }
+
+  public void takesWhatIsFree(
+      Collection<String> busy, double waitSeconds, double cheapest, double chosen) {
+    tell(
+        StoryEntry.Kind.PLAN,
+        "The plan of cost %s would wait %s seconds or so for %s; with what is free it costs %s."
+            .formatted(
+                Sentences.number(cheapest),
+                Sentences.number(waitSeconds),
+                String.join(", ", busy),
+                Sentences.number(chosen)));
+  }
+
+  /** Each thing is told once, until another is waited for. */
+  public void waits(List<WaitsFor> obstacles) {
+    String text =
+        obstacles.stream()
+            .map(WaitsFor::inWords)
+            .distinct()
+            .limit(MOST_FACTS)
+            .collect(Collectors.joining(", "));
+    tell(StoryEntry.Kind.WAIT, "Waits: " + text + ".");
+  }
+
+  /** There is no plan as things are; that may be so for a moment only. */
+  public void triesOnceMore(Duration pause, PlanningResult result) {
+    tell(
+        StoryEntry.Kind.WAIT,
+        "No plan as things are. %s It is waited %d s and tried once more."
+            .formatted(String.join(" ", reasons(result)), pause.toSeconds()));
+  }
+
+  public void awaitsCertainty(String doubts) {
+    tell(
+        StoryEntry.Kind.WAIT, "There is no other way, and it is not given up yet: " + doubts + ".");
+  }
+
+  public void awaits(String members, Duration atMost) {
+    tell(
+        StoryEntry.Kind.WAIT,
+        "There is no other way, and it is not given up yet: it is waited %s, %d s at most."
+            .formatted(members, atMost.toSeconds()));
+  }
+
+  public void suspended(String why) {
+    tell(StoryEntry.Kind.WAIT, "Stands back: " + why + ".");
+  }
+
+  public void heldBack(Duration atMost) {
+    tell(
+        StoryEntry.Kind.WAIT,
+        "Begins when the many goals that were stated with it are planned, %d s from now at most."
+            .formatted(atMost.toSeconds()));
+  }
+
+  public void goesOn() {
+    tell(StoryEntry.Kind.WAIT, "Goes on.");
+  }
+
+  public void planning(int number, Optional<String> why) {
+    why.ifPresent(reason -> tell(StoryEntry.Kind.REPLAN, "Plan again, because " + reason + "."));
+  }
+
+  /** Its outcome follows. */
+  public void givenBack(Step step, String reason) {
+    tell(
+        StoryEntry.Kind.FAILED,
+        "%s gives step %d back (%s): %s."
+            .formatted(
+                step.member(), step.number(), sentence(step), Sentences.withoutFullStop(reason)));
+  }
+
+  public void bids(List<Bid> called, int notCalled, int questions, List<String> unpriced) {
+    tell(StoryEntry.Kind.BIDS, bids.of(called, notCalled, questions, unpriced));
+  }
+
+  public void plan(int number, Plan plan, boolean confirming) {
+    if (plan.steps().isEmpty()) {
+      return;
+    }
+    tell(
+        confirming ? StoryEntry.Kind.CONFIRM : StoryEntry.Kind.PLAN,
+        "Plan "
+            + number
+            + " (cost "
+            + Sentences.number(plan.cost())
+            + "): "
+            + sentences().plan(plan.steps())
+            + ".");
+  }
+
+  /** The planner broke its search off: a better plan may exist. */
+  public void notProven(Objective objective, double atLeast, Plan plan) {
+    tell(
+        StoryEntry.Kind.PLAN,
+        objective == Objective.CHEAPEST
+            ? "That this plan is the cheapest is not proven: it costs %s, none costs less than %s."
+                .formatted(Sentences.number(plan.cost()), Sentences.number(atLeast))
+            : "That this plan is over first is not proven: it takes %s s, none takes less than %s s."
+                .formatted(Sentences.number(plan.seconds()), Sentences.number(atLeast)));
+  }
+
+  public void begun(Step step, int steps) {
+    tell(
+        StoryEntry.Kind.STEP,
+        "Step " + step.number() + " of " + steps + ": " + sentences().step(step) + ".");
+  }
+
+  public void askedAgain(Step step) {
+    tell(
+        StoryEntry.Kind.STEP,
+        "%s is asked what became of step %d, which is no second time: %s."
+            .formatted(step.member(), step.number(), sentences().step(step)));
+  }
+
+  public void done(Step step, KnowledgeBase.Change change) {
+    tell(StoryEntry.Kind.DONE, step.member() + " reports: " + news().report(change) + ".");
+  }
+
+  public void failed(Step step, String problem, KnowledgeBase.Change change) {
+    tell(
+        StoryEntry.Kind.FAILED,
+        "That failed: "
+            + Sentences.said(step.member(), problem)
+            + (change.facts().isEmpty() ? "" : " (so " + news().all(change) + ")")
+            + ".");
+  }
+
+  /** From now on its member is asked only when this is so, too. */
+  public void insists(Step step, List<Insistence> insisted) {
+    if (!insisted.isEmpty()) {
+      tell(
+          StoryEntry.Kind.FAILED,
+          "%s insists on more than it has described, which counts from now on: %s."
+              .formatted(
+                  step.member(),
+                  insisted.stream()
+                      .map(insistence -> sentences().fact(insistence.here()))
+                      .collect(Collectors.joining(", "))));
+    }
+  }
+
+  public void ends(Step step) {
+    tell(
+        StoryEntry.Kind.STEP,
+        "%s has not said what became of it, and is told to end it: %s."
+            .formatted(step.member(), sentences().step(step)));
+  }
+
+  public void cancelled(Step step) {
+    tell(StoryEntry.Kind.STEP, "No longer wanted: " + sentences().step(step) + ".");
+  }
+
+  public void confirming(Confirmation needed) {
+    tell(StoryEntry.Kind.CONFIRM, witnesses().wanted(needed));
+  }
+
+  /** Who saw what the goal speaks of. */
+  public void confirmed(Formula goal, Map<String, Term> binding) {
+    witnessed(new Substitution(binding).apply(goal));
+  }
+
+  private void witnessed(Formula goal) {
+    if (goal instanceof Formula.And and) {
+      and.operands().forEach(this::witnessed);
+    } else if (goal instanceof Formula.Atom atom && atom.isGround()) {
+      knowledge
+          .snapshot()
+          .belief(atom)
+          .filter(belief -> belief.source().kind() == Source.Kind.OBSERVED)
+          .ifPresent(
+              belief ->
+                  tell(
+                      StoryEntry.Kind.CONFIRM,
+                      belief.source().agent() + " confirms: " + sentences().fact(atom) + "."));
+    }
+  }
+
+  /** Returns what is told: that it is not certain though it is said to be so. */
+  public String unconfirmed(Confirmation needed) {
+    String told = witnesses().missing(needed);
+    tell(StoryEntry.Kind.CONFIRM, told);
+    return told;
+  }
+
+  /** Its doer says that it is so, and who has looked says otherwise: a reason to give it up. */
+  public String denied(Confirmation needed) {
+    return witnesses().against(needed);
+  }
+
+  /** Who tells of its own accord whether it is so. */
+  public void listens(String tellers, Duration pause) {
+    tell(
+        StoryEntry.Kind.CONFIRM,
+        "Nobody can look; it is waited %d s for what %s may tell."
+            .formatted(pause.toSeconds(), tellers));
+  }
+
+  void ended(GoalOutcome outcome) {
+    String binding =
+        outcome.binding().isEmpty() ? "" : " (" + sentences().binding(outcome.binding()) + ")";
+    tell(
+        StoryEntry.Kind.END,
+        switch (outcome.state()) {
+          case ACHIEVED ->
+              "Reached" + (outcome.confirmed() ? "" : ", but not seen") + binding + ".";
+          case CANCELLED -> String.join(" ", outcome.reasons());
+          default -> "Not reached. " + String.join(" ", outcome.reasons());
+        });
+  }
+
+  public List<String> reasons(PlanningResult result) {
+    if (result instanceof PlanningResult.Impossible impossible) {
+      List<String> reasons =
+          new ObstacleSentences(knowledge.home(), knowledge.snapshot())
+              .all(impossible.explanation());
+      return reasons.isEmpty() ? List.of("No agent can bring it about.") : reasons;
+    }
+    if (result instanceof PlanningResult.GaveUp gaveUp) {
+      return List.of(gaveUp.reason());
+    }
+    throw new IllegalStateException("A plan that was found is no reason: " + result);
+  }
+
+  /** Tells it, and returns it as sentences. */
+  public List<String> searched(SearchReport report) {
+    List<String> told =
+        new SearchSentences(
+                new ObstacleSentences(knowledge.home(), knowledge.snapshot()), clock.now())
+            .of(report);
+    told.forEach(text -> tell(StoryEntry.Kind.SEARCHED, text));
+    return told;
+  }
+
+  public String becauseOf(KnowledgeBase.Change change) {
+    return news().all(change);
+  }
+
+  /** Why the rest is thought over after a step that was done. */
+  public String becauseOf(Step step, KnowledgeBase.Change change) {
+    return change.facts().isEmpty()
+        ? "what %s reports is what was known before".formatted(step.member())
+        : news().all(change);
+  }
+
+  /** Nothing is left to be done. */
+  public String endedInVain() {
+    return "all steps are done, and the goal is not reached";
+  }
+
+  public String sentence(Step step) {
+    return sentences().step(step);
+  }
+
+  private NewsSentences news() {
+    return new NewsSentences(knowledge.home().vocabulary());
+  }
+
+  private WitnessSentences witnesses() {
+    return new WitnessSentences(knowledge.home().vocabulary(), clock.instant());
+  }
+
+  private Sentences sentences() {
+    return new Sentences(knowledge.home().vocabulary());
+  }
+
+  private void tell(StoryEntry.Kind kind, String text) {
+    story.tell(new StoryEntry(goalId, clock.now(), kind, text));
+  }
+}

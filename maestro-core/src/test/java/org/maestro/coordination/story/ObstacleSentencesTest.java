@@ -1,0 +1,129 @@
+package org.maestro.coordination.story;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.junit.jupiter.api.Test;
+import org.maestro.coordination.PretendHouse;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+import org.maestro.planning.PlanningResult.Explanation;
+import org.maestro.planning.PlanningResult.Obstacle;
+import org.maestro.planning.PlanningResult.Obstacle.Extent;
+import org.maestro.planning.PlanningResult.Obstacle.Kind;
+import org.maestro.planning.StepKey;
+import org.maestro.sl.Term;
+
+/** A number is called a limit only where it is one, and by whose help. */
+class ObstacleSentencesTest {
+
+  @Test
+  void whatIsProvenIsALimit() throws IOException {
+    assertThat(said("(>= (illuminance zone-b) 72)", "60", Extent.LIMIT))
+        .contains("has to be at least 72 lux, and it can be 60 lux at most.");
+    assertThat(said("(<= (illuminance zone-b) 10)", "17", Extent.LIMIT))
+        .contains("has to be at most 10 lux, and it can be no less than 17 lux.");
+  }
+
+  @Test
+  void whatOthersCouldChangeIsALimitAsThingsAreNow() throws IOException {
+    assertThat(said("(>= (illuminance zone-b) 72)", "60", Extent.LIMIT_NOW))
+        .contains("and as things are now it can be 60 lux at most.");
+  }
+
+  @Test
+  void whatIsNotProvenIsNoLimit() throws IOException {
+    assertThat(said("(>= (illuminance zone-b) 72)", "60", Extent.FOUND))
+        .contains("and no way was found to bring it above 60 lux.")
+        .doesNotContain("can be");
+    assertThat(said("(>= (illuminance zone-b) 72)", "60", Extent.KNOWN))
+        .contains("and it is 60 lux.")
+        .doesNotContain("can be");
+  }
+
+  /** Each would be possible without the other. */
+  @Test
+  void whatIsOutOfReachOnlyBesideTheRestIsToldSo() throws IOException {
+    assertThat(said("(>= (illuminance zone-b) 72)", "80", Extent.LIMIT))
+        .contains("and it can be 80 lux, but not together with all else that is needed.");
+  }
+
+  /** Who is away might do it, and who refuses. */
+  @Test
+  void whatOthersCouldDoIsOutOfReachAsThingsAreNow() throws IOException {
+    assertThat(said(Kind.GOAL, "(nextTo Cup Bob)", "false", Extent.LIMIT_NOW))
+        .isEqualTo("As things are now nobody can bring it about that Cup is next to Bob.");
+    assertThat(said(Kind.GOAL, "(nextTo Cup Bob)", "false", Extent.LIMIT))
+        .isEqualTo("Nobody can bring it about that Cup is next to Bob.");
+    assertThat(said(Kind.UNKNOWN, "(in Cup zone-b)", "unknown", Extent.LIMIT_NOW))
+        .startsWith(
+            "It is not known that Cup is in zone-b; as things are now nobody can find out.");
+  }
+
+  /** It has failed, and has left since. */
+  @Test
+  void whoIsGoneIsNotNamedAsWhoCouldDoItAfterAll() throws IOException {
+    StepKey step = new StepKey("rose", "pickUp", Map.of("object", new Term.Name("Cup")));
+    Obstacle failed = obstacle(Kind.STEP, "rose picks up Cup", "it failed twice", step);
+    Obstacle absent =
+        obstacle(Kind.MEMBER, "rose", "lost since 3 s", new StepKey("rose", "", Map.of()));
+    ObstacleSentences sentences = sentences();
+
+    assertThat(sentences.all(new Explanation(List.of(failed), true)))
+        .singleElement()
+        .asString()
+        .contains("It would do if rose did it after all");
+    assertThat(sentences.all(new Explanation(List.of(failed, absent), true)))
+        .first()
+        .asString()
+        .contains("It would do if rose were there and did it after all");
+  }
+
+  private static Obstacle obstacle(Kind kind, String what, String why, StepKey subject) {
+    return new Obstacle(
+        kind,
+        what,
+        "",
+        why,
+        Extent.KNOWN,
+        OptionalDouble.empty(),
+        Optional.empty(),
+        Optional.of(subject),
+        List.of());
+  }
+
+  private static String said(String condition, String possible, Extent extent) throws IOException {
+    return said(Kind.NUMBER, condition, possible, extent);
+  }
+
+  private static String said(Kind kind, String condition, String possible, Extent extent)
+      throws IOException {
+    return sentences()
+        .obstacle(
+            new Obstacle(
+                kind,
+                condition,
+                "",
+                possible,
+                extent,
+                OptionalDouble.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                List.of()));
+  }
+
+  private static ObstacleSentences sentences() throws IOException {
+    try (InputStream turtle = ObstacleSentencesTest.class.getResourceAsStream("/bob.ttl")) {
+      Home home =
+          new HomeLoader()
+              .load(new String(turtle.readAllBytes(), StandardCharsets.UTF_8), "bob.ttl");
+      return new ObstacleSentences(home, new PretendHouse(home).knowledge.snapshot());
+    }
+  }
+}
