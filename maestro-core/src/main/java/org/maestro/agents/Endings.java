@@ -8,7 +8,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.maestro.coordination.api.GoalOutcome;
-import org.maestro.coordination.facts.Latest;
+import org.maestro.coordination.api.Latest;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Substitution;

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.maestro.coordination.api.GoalState;
-import org.maestro.coordination.facts.Latest;
+import org.maestro.coordination.api.Latest;
 import org.maestro.sl.Content;
 
 /**

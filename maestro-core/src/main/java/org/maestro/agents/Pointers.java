@@ -9,7 +9,7 @@ import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.maestro.coordination.api.Argument;
-import org.maestro.coordination.facts.CallArguments;
+import org.maestro.coordination.api.CallArguments;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.ontology.home.Device;

@@ -8,9 +8,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.maestro.coordination.api.Latest;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.StoryEntry;
-import org.maestro.coordination.facts.Latest;
 import org.maestro.sl.Content;
 
 /**

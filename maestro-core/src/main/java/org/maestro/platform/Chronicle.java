@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Recovery;
-import org.maestro.coordination.recovery.JournalImage;
+import org.maestro.coordination.journal.JournalImage;
 import org.maestro.rats.time.Clock;
 
 /**

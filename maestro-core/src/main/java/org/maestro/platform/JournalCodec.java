@@ -25,7 +25,7 @@ import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Resource;
-import org.maestro.coordination.recovery.JournalImage.Dated;
+import org.maestro.coordination.journal.JournalImage.Dated;
 import org.maestro.planning.StepKey;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;

@@ -16,7 +16,7 @@ import java.util.stream.Collectors;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Recovery;
-import org.maestro.coordination.recovery.JournalImage.Dated;
+import org.maestro.coordination.journal.JournalImage.Dated;
 import org.maestro.rats.time.Clock;
 import org.maestro.storage.StorageFault;
 import org.slf4j.Logger;

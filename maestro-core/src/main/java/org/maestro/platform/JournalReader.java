@@ -8,7 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.maestro.coordination.recovery.JournalImage;
+import org.maestro.coordination.journal.JournalImage;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -25,7 +25,7 @@ import org.maestro.coordination.api.Market;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Thinking;
-import org.maestro.coordination.recovery.JournalImage;
+import org.maestro.coordination.journal.JournalImage;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.knowledge.KnowledgeBase;

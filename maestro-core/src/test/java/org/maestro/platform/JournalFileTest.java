@@ -29,7 +29,7 @@ import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Resource;
 import org.maestro.coordination.api.SearchReport;
-import org.maestro.coordination.recovery.JournalImage;
+import org.maestro.coordination.journal.JournalImage;
 import org.maestro.knowledge.FeatureRun;
 import org.maestro.planning.StepKey;
 import org.maestro.rats.time.Clock;

@@ -37,7 +37,7 @@ final class MoveObject implements Experiment {
   @Override
   public String purpose() {
     return "an object is brought to another, 10 times one way, 10 times the other (figures 9 to"
-               + " 12)";
+        + " 12)";
   }
 
   @Override

@@ -14,6 +14,7 @@ import org.maestro.agents.GenericAgent;
 /** Who may know whom. The reasons stand in docs/decisions/0002-package-rules.md. */
 @AnalyzeClasses(packages = "org.maestro", importOptions = ImportOption.DoNotIncludeTests.class)
 class PackageRulesTest {
+  private static final String COORDINATION = "org.maestro.coordination";
   private static final String[] ONTOLOGY = {"org.maestro.sl..", "org.maestro.ontology.."};
   private static final String[] BRIDGE = {"org.maestro.rats.."};
   private static final String[] DEVICES = {
@@ -178,6 +179,44 @@ class PackageRulesTest {
           .dependOnClassesThat()
           .resideInAnyPackage("org.maestro.agents..", "org.maestro.platform..");
 
+  /** What moves a goal on is the Coordinator's own business. */
+  @ArchTest
+  static final ArchRule OF_COORDINATION_ITS_API_AND_THE_COORDINATOR_ARE_SEEN =
+      noClasses()
+          .that()
+          .resideOutsideOfPackage(COORDINATION + "..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage(within("facts", "lessons", "story", "recovery", "contention"))
+          .orShould()
+          .dependOnClassesThat()
+          .resideInAnyPackage(within("allocation", "pursuit", "held"));
+
+  @ArchTest
+  static final ArchRule COORDINATIONS_API_KNOWS_NONE_OF_ITS_PARTS =
+      inCoordination(
+          "api", "facts", "lessons", "story", "journal", "recovery", "contention", "pursuit");
+
+  @ArchTest
+  static final ArchRule FACTS_ARE_NOT_TOLD_YET =
+      inCoordination("facts", "lessons", "story", "journal", "recovery", "contention", "pursuit");
+
+  @ArchTest
+  static final ArchRule A_STORY_DECIDES_NOTHING =
+      inCoordination("story", "recovery", "contention", "allocation", "pursuit", "held");
+
+  @ArchTest
+  static final ArchRule GOALS_BESIDE_EACH_OTHER_DO_NOT_SEE_HOW_THEY_ARE_REACHED =
+      inCoordination("contention", "allocation", "pursuit", "held");
+
+  @ArchTest
+  static final ArchRule GOALS_THAT_ARE_REACHED_KNOW_NONE_THAT_ARE_HELD =
+      inCoordination("pursuit", "held");
+
+  @ArchTest
+  static final ArchRule GOALS_THAT_ARE_HELD_DO_NOT_KNOW_HOW_ONE_IS_REACHED =
+      inCoordination("held", "pursuit");
+
   @ArchTest
   static final ArchRule THE_COMMAND_LINE_IS_KNOWN_TO_NOBODY =
       noClasses()
@@ -190,6 +229,19 @@ class PackageRulesTest {
   @ArchTest
   static final ArchRule PACKAGES_FORM_NO_CIRCLE =
       slices().matching("org.maestro.(**)").should().beFreeOfCycles();
+
+  private static ArchRule inCoordination(String part, String... unknown) {
+    return noClasses()
+        .that()
+        .resideInAPackage(COORDINATION + "." + part)
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage(within(unknown));
+  }
+
+  private static String[] within(String... parts) {
+    return Arrays.stream(parts).map(part -> COORDINATION + "." + part).toArray(String[]::new);
+  }
 
   private static ArchRule from(String[] packages, String[]... forbidden) {
     return noClasses()

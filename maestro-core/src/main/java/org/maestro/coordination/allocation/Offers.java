@@ -10,8 +10,8 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.maestro.coordination.api.Market;
+import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.api.Takeover;
-import org.maestro.coordination.story.Sentences;
 import org.maestro.planning.Step;
 import org.maestro.planning.StepKey;
 

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.maestro.coordination.api.Argument;
+import org.maestro.coordination.api.CallArguments;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.planning.Step;
 import org.maestro.sl.Term;

@@ -8,7 +8,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.coordination.api.Crew;
 import org.maestro.coordination.api.Ports;
-import org.maestro.coordination.story.Sentences;
+import org.maestro.coordination.api.Sentences;
 import org.maestro.rats.time.Clock;
 
 /**

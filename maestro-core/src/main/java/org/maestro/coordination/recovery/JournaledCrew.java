@@ -12,8 +12,8 @@ import java.util.function.Consumer;
 import org.maestro.coordination.api.Crew;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
+import org.maestro.coordination.api.Latest;
 import org.maestro.coordination.api.Roster;
-import org.maestro.coordination.facts.Latest;
 import org.maestro.planning.StepKey;
 
 /**

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.maestro.coordination.api.Bid;
+import org.maestro.coordination.api.Sentences;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.Choice;
 import org.maestro.planning.ChoiceSearch;

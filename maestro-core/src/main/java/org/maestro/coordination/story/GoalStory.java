@@ -13,6 +13,7 @@ import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.SearchReport;
+import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.coordination.api.WaitsFor;

@@ -2,6 +2,7 @@ package org.maestro.coordination.story;
 
 import java.util.List;
 import java.util.stream.Collectors;
+import org.maestro.coordination.api.Sentences;
 import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.Formula;

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.facts.ReckonedFromPlaces;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.PlanningResult.Cure;

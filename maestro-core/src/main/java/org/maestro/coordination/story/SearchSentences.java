@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.maestro.coordination.api.SearchReport;
+import org.maestro.coordination.api.Sentences;
 
 /** Says in plain words what was looked at in vain, and what could not be looked at and why. */
 public final class SearchSentences {

@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.facts.Confirmation;
 import org.maestro.knowledge.Belief;
 import org.maestro.ontology.vocabulary.Vocabulary;

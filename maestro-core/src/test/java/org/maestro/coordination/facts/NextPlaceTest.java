@@ -14,6 +14,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.PretendHouse;
 import org.maestro.coordination.api.Argument;
+import org.maestro.coordination.api.CallArguments;
 import org.maestro.knowledge.Source;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.planning.Step;

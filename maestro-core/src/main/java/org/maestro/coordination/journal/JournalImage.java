@@ -1,4 +1,4 @@
-package org.maestro.coordination.recovery;
+package org.maestro.coordination.journal;
 
 import java.time.Duration;
 import java.util.ArrayList;

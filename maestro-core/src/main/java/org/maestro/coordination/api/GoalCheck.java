@@ -1,7 +1,6 @@
-package org.maestro.coordination.facts;
+package org.maestro.coordination.api;
 
 import java.util.Set;
-import org.maestro.coordination.api.InvalidGoalException;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.StatementCheck;
 import org.maestro.sl.Formula;

@@ -1,4 +1,4 @@
-package org.maestro.coordination.facts;
+package org.maestro.coordination.api;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

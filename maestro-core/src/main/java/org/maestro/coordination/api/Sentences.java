@@ -1,4 +1,4 @@
-package org.maestro.coordination.story;
+package org.maestro.coordination.api;
 
 import java.util.List;
 import java.util.Locale;
@@ -117,7 +117,7 @@ public final class Sentences {
         + fluent.arguments().stream().map(Sentences::term).collect(Collectors.joining(", "));
   }
 
-  String unit(Expression.Fluent fluent) {
+  public String unit(Expression.Fluent fluent) {
     return vocabulary
         .predicate(fluent.name())
         .map(PredicateDeclaration::unitAfterNumber)
@@ -138,7 +138,7 @@ public final class Sentences {
     return (words.startsWith(member + " ") ? "" : member + " says: ") + withoutFullStop(words);
   }
 
-  static String value(Expression expression) {
+  public static String value(Expression expression) {
     return expression instanceof Expression.OfTerm ofTerm
         ? term(ofTerm.term())
         : SlPrinter.print(expression);

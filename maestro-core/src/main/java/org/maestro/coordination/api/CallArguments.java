@@ -1,11 +1,10 @@
-package org.maestro.coordination.facts;
+package org.maestro.coordination.api;
 
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import org.maestro.coordination.api.Argument;
 import org.maestro.knowledge.Snapshot;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;

@@ -1,4 +1,4 @@
-package org.maestro.coordination.recovery;
+package org.maestro.coordination.journal;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -11,7 +11,7 @@ import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Recovery;
-import org.maestro.coordination.recovery.JournalImage.Dated;
+import org.maestro.coordination.journal.JournalImage.Dated;
 import org.maestro.planning.StepKey;
 
 /** What a journal's entries about one goal amount to. Not safe for use by several threads. */
