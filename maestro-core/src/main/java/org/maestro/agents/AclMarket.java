@@ -3,7 +3,6 @@ package org.maestro.agents;
 import jade.core.AID;
 import jade.lang.acl.ACLMessage;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -70,7 +69,7 @@ final class AclMarket implements Market {
       Consumer<List<Quote>> answer) {
     Optional<AID> receiver = agentOf.apply(member);
     if (receiver.isEmpty()) {
-      answer.accept(unanswered(sets.size(), "has no agent"));
+      answer.accept(QuoteReader.unanswered(sets.size(), "has no agent"));
       return;
     }
     List<Content.Argument> arguments =
@@ -92,10 +91,6 @@ final class AclMarket implements Market {
                 answer.accept(quotes);
               }
             });
-  }
-
-  static List<Quote> unanswered(int sets, String reason) {
-    return Collections.nCopies(sets, new Quote.Unanswered(reason));
   }
 
   /** The round with nobody to ask. */

@@ -12,15 +12,15 @@ final class Admission {
 
   /** One sentence that says what is wrong and what to do; empty when nothing is. */
   static Optional<String> objection(ACLMessage message) {
-    if (differs(message.getLanguage(), MaestroAgent.LANGUAGE)) {
+    if (differs(message.getLanguage(), Words.LANGUAGE)) {
       return Optional.of(
           "The content language %s is not known here; write MAESTRO-SL and name it in the language slot."
               .formatted(Replies.shortened(message.getLanguage())));
     }
-    if (differs(message.getOntology(), MaestroAgent.ONTOLOGY)) {
+    if (differs(message.getOntology(), Words.ONTOLOGY)) {
       return Optional.of(
           "The ontology %s is not known here; it is %s."
-              .formatted(Replies.shortened(message.getOntology()), MaestroAgent.ONTOLOGY));
+              .formatted(Replies.shortened(message.getOntology()), Words.ONTOLOGY));
     }
     if (differs(message.getEncoding(), "UTF-8") && differs(message.getEncoding(), "US-ASCII")) {
       return Optional.of(

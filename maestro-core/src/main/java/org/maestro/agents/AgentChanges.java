@@ -17,11 +17,13 @@ final class AgentChanges {
   private static final Duration ANSWER_WITHIN = Duration.ofSeconds(10);
   private static final Duration MOVES_WITHIN = Duration.ofSeconds(100);
 
-  private final SupervisorAgent supervisor;
+  private final MaestroAgent supervisor;
+  private final RequestEnds ends;
   private final Containers containers;
 
-  AgentChanges(SupervisorAgent supervisor, Containers containers) {
+  AgentChanges(MaestroAgent supervisor, Containers containers) {
     this.supervisor = supervisor;
+    this.ends = new RequestEnds(supervisor);
     this.containers = containers;
   }
 
@@ -39,7 +41,7 @@ final class AgentChanges {
         container,
         answer -> {
           if (answer.getPerformative() == ACLMessage.INFORM) {
-            supervisor.done(message, "The agent " + agent + " lives in " + container + " now.");
+            ends.done(message, "The agent " + agent + " lives in " + container + " now.");
           } else {
             supervisor.refuse(
                 message,
@@ -78,7 +80,7 @@ final class AgentChanges {
     try {
       AgentStart wanted =
           containers.reconfigured(
-              agent, words.string("description").orElse(""), SupervisorAgent.source(words));
+              agent, words.string("description").orElse(""), RequestEnds.source(words));
       List<Content.Argument> arguments = new ArrayList<>();
       arguments.add(Words.named("action", Words.name("configure")));
       arguments.addAll(StartWords.charges(wanted.charges()));
@@ -89,7 +91,7 @@ final class AgentChanges {
           answer -> {
             if (answer.getPerformative() == ACLMessage.INFORM) {
               containers.configured(wanted);
-              supervisor.done(message, "The agent " + agent + " is configured anew.");
+              ends.done(message, "The agent " + agent + " is configured anew.");
             } else if (answer.getPerformative() != ACLMessage.AGREE) {
               supervisor.refuse(
                   message,
@@ -98,7 +100,7 @@ final class AgentChanges {
             }
           });
     } catch (RuntimeException e) {
-      supervisor.no(message, e);
+      ends.failed(message, e);
     }
   }
 }

@@ -1,5 +1,6 @@
 package org.maestro.agents;
 
+import java.time.Duration;
 import java.util.Optional;
 import org.maestro.agents.stepping.SteppedMail;
 import org.maestro.rats.time.Clock;
@@ -20,5 +21,15 @@ public record AgentTime(Clock clock, Optional<SteppedMail> mail, Patience patien
         clock,
         clock.isStepped() ? Optional.of(new SteppedMail(clock)) : Optional.empty(),
         patience);
+  }
+
+  /** So much wall time, as simulated time; on a stepped clock they are the same. */
+  Duration simulated(Duration wallTime) {
+    return Duration.ofMillis(Math.round(wallTime.toMillis() * clock.speed()));
+  }
+
+  /** The opposite of {@link #simulated(Duration)}. */
+  Duration wallTime(Duration simulated) {
+    return Duration.ofMillis(Math.round(simulated.toMillis() / clock.speed()));
   }
 }

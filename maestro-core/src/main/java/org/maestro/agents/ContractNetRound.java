@@ -340,8 +340,8 @@ final class ContractNetRound extends ContractNetInitiator {
 
     private ACLMessage decision(String member, ACLMessage answer, List<Step> part) {
       ACLMessage decision = answer.createReply();
-      decision.setLanguage(MaestroAgent.LANGUAGE);
-      decision.setOntology(MaestroAgent.ONTOLOGY);
+      decision.setLanguage(Words.LANGUAGE);
+      decision.setOntology(Words.ONTOLOGY);
       if (part.isEmpty()) {
         decision.setPerformative(ACLMessage.REJECT_PROPOSAL);
         decision.setContent(

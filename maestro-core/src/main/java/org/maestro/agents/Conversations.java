@@ -1,6 +1,7 @@
 package org.maestro.agents;
 
 import jade.core.AID;
+import jade.core.Agent;
 import jade.lang.acl.ACLMessage;
 import jade.lang.acl.MessageTemplate;
 import java.time.Duration;
@@ -51,13 +52,15 @@ final class Conversations {
         }
       };
   private final transient Set<String> adopted = new HashSet<>();
-  private final transient MaestroAgent agent;
-  private final transient Clock clock;
+  private final transient Agent agent;
+  private final transient OwnThread thread;
+  private final transient AgentTime time;
   private int number;
 
-  Conversations(MaestroAgent agent, Clock clock) {
+  Conversations(Agent agent, OwnThread thread, AgentTime time) {
     this.agent = agent;
-    this.clock = clock;
+    this.thread = thread;
+    this.time = time;
   }
 
   /**
@@ -117,7 +120,7 @@ final class Conversations {
         failure.setConversationId(entry.getKey());
         failure.setSender(platform);
         failure.setContent("((MTS-error " + localName + " \"There is no such agent.\"))");
-        agent.work(() -> conversation.listener.accept(failure));
+        thread.work(() -> conversation.listener.accept(failure));
       }
     }
   }
@@ -129,7 +132,7 @@ final class Conversations {
 
   void leave(String id) {
     adopted.remove(id);
-    agent.wake();
+    thread.wake();
   }
 
   private static AID partner(ACLMessage request) {
@@ -147,10 +150,11 @@ final class Conversations {
   private void endAfter(String id, Open conversation, Duration timeout) {
     Clock.Timer[] timer = new Clock.Timer[1];
     timer[0] =
-        clock.schedule(
-            timeout,
-            agent.getLocalName(),
-            () -> agent.tell(() -> timedOut(id, conversation, timer[0], timeout)));
+        time.clock()
+            .schedule(
+                timeout,
+                agent.getLocalName(),
+                () -> thread.tell(() -> timedOut(id, conversation, timer[0], timeout)));
     conversation.timer = timer[0];
   }
 
@@ -197,13 +201,13 @@ final class Conversations {
     String id = message.getConversationId();
     Open conversation = open.get(id);
     if (conversation == null) {
-      agent.work(() -> ended.get(id).late.accept(message));
+      thread.work(() -> ended.get(id).late.accept(message));
       return true;
     }
     if (!conversation.lasting && isFinal(message)) {
       close(id);
     }
-    agent.work(() -> conversation.listener.accept(message));
+    thread.work(() -> conversation.listener.accept(message));
     return true;
   }
 
@@ -212,7 +216,7 @@ final class Conversations {
       close(id);
       ACLMessage failure = new ACLMessage(ACLMessage.FAILURE);
       failure.setConversationId(id);
-      String problem = "no answer within " + Replies.seconds(agent.wallTime(timeout));
+      String problem = "no answer within " + Replies.seconds(time.wallTime(timeout));
       failure.setContent(
           Words.print(Words.content("inform", Words.named("problem", Words.text(problem)))));
       conversation.listener.accept(failure);

@@ -37,9 +37,8 @@ public final class CoordinatorAgent extends MaestroAgent {
       Set.of("initCNP", "await", "cancel", "explain", "subscribe", "query-ref");
 
   /** The paper's name of this agent. */
-  public static final String NAME = "CCA";
-
   private final transient KnowledgeBase knowledge;
+
   private final transient Deliberation deliberation;
   private final transient Coordinator coordinator;
   private final transient Recovery recovery;

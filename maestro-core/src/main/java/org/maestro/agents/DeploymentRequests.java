@@ -29,7 +29,7 @@ final class DeploymentRequests {
       return;
     }
     agent.ask(
-        agent.message(ACLMessage.REQUEST, agent.getAID(SupervisorAgent.NAME), content),
+        agent.message(ACLMessage.REQUEST, agent.getAID(AgentNames.SUPERVISOR), content),
         LONGEST,
         answer -> answer(message, answer));
   }

@@ -48,7 +48,7 @@ public final class DeskAgent extends MaestroAgent {
   public void requestGoal(Formula goal, Consumer<ACLMessage> replies) {
     request(
         ACLMessage.REQUEST,
-        CoordinatorAgent.NAME,
+        AgentNames.COORDINATOR,
         NO_END,
         replies,
         Words.content("initCNP", Words.named("goal", Words.formula(goal))));
@@ -99,7 +99,7 @@ public final class DeskAgent extends MaestroAgent {
   /** What the platform says in its own words, in ours. */
   private static ACLMessage absent(String agent) {
     return failure(
-        agent.equals(CoordinatorAgent.NAME)
+        agent.equals(AgentNames.COORDINATOR)
             ? "There is no central coordination agent (CCA) now: it was ended;"
                 + " what runs goes on, and ./maestro revive starts it again."
             : "There is no agent named "
@@ -109,7 +109,7 @@ public final class DeskAgent extends MaestroAgent {
 
   private static ACLMessage failure(String reason) {
     ACLMessage failure = new ACLMessage(ACLMessage.FAILURE);
-    failure.setLanguage(LANGUAGE);
+    failure.setLanguage(Words.LANGUAGE);
     failure.setContent(
         Words.print(Words.content("inform", Words.named("reason", Words.text(reason)))));
     return failure;
@@ -117,12 +117,12 @@ public final class DeskAgent extends MaestroAgent {
 
   /** Listens to a goal's story, from its beginning. */
   public void follow(String goalId, Consumer<ACLMessage> lines) {
-    tell(() -> follow(aid(CoordinatorAgent.NAME), goalId, lines));
+    tell(() -> follow(aid(AgentNames.COORDINATOR), goalId, lines));
   }
 
   /** The same of a goal of another platform. */
   public void follow(OtherPlatform platform, String goalId, Consumer<ACLMessage> lines) {
-    tell(() -> follow(platform.agent(CoordinatorAgent.NAME), goalId, lines));
+    tell(() -> follow(platform.agent(AgentNames.COORDINATOR), goalId, lines));
   }
 
   private void follow(AID centre, String goalId, Consumer<ACLMessage> lines) {

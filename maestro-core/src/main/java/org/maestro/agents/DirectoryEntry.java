@@ -14,6 +14,7 @@ import org.maestro.ontology.home.Device;
  */
 final class DirectoryEntry implements Serializable {
   private static final long serialVersionUID = 1L;
+  private static final Duration ANSWER_WITHIN = Duration.ofSeconds(30);
   private static final Duration TRY_AGAIN = Duration.ofMillis(500);
   private static final int MOST_ATTEMPTS = 10;
   private static final int PATIENT_ATTEMPTS = 6;
@@ -25,11 +26,11 @@ final class DirectoryEntry implements Serializable {
    *
    * @param offering what the members are that can be used, by id
    */
-  void renew(GenericAgent agent, Supplier<Map<String, Device>> offering) {
+  void renew(MaestroAgent agent, Supplier<Map<String, Device>> offering) {
     renew(agent, offering, 1);
   }
 
-  private void renew(GenericAgent agent, Supplier<Map<String, Device>> offering, int attempt) {
+  private void renew(MaestroAgent agent, Supplier<Map<String, Device>> offering, int attempt) {
     Map<String, Device> now = offering.get();
     boolean before = registered;
     Optional<ACLMessage> request = YellowPages.request(agent, now, before);
@@ -41,7 +42,7 @@ final class DirectoryEntry implements Serializable {
           message ->
               agent.ask(
                   message,
-                  GenericAgent.ANSWER_WITHIN,
+                  ANSWER_WITHIN,
                   receipt -> registeredOrNot(agent, offering, receipt, before, attempt)));
     }
   }
@@ -51,7 +52,7 @@ final class DirectoryEntry implements Serializable {
    * or it has been removed meanwhile. If it does not go it is taken over.
    */
   private void registeredOrNot(
-      GenericAgent agent,
+      MaestroAgent agent,
       Supplier<Map<String, Device>> offering,
       ACLMessage receipt,
       boolean before,

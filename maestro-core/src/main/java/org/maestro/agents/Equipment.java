@@ -1,5 +1,6 @@
 package org.maestro.agents;
 
+import jade.core.Agent;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.BooleanSupplier;
@@ -18,15 +19,16 @@ final class Equipment {
   final Reception reception;
 
   /**
+   * @param thread the agent's own
    * @param mail takes one message; returns whether there was one
    */
-  Equipment(MaestroAgent agent, AgentTime time, BooleanSupplier mail) {
+  Equipment(Agent agent, OwnThread thread, AgentTime time, BooleanSupplier mail) {
     this.time = time;
     this.tickets = new WorkTickets(time.clock(), agent.getClass().getSimpleName());
     this.idleDetector = new IdleDetector(tickets, started::countDown);
-    this.conversations = new Conversations(agent, time.clock());
+    this.conversations = new Conversations(agent, thread, time);
     this.protest = new Protest(agent);
-    this.inbox = new Inbox(agent, time.clock(), tickets, idleDetector);
+    this.inbox = new Inbox(agent, thread, time.clock(), tickets, idleDetector);
     this.reception =
         new Reception(
             agent, List.of(inbox::step, conversations::step, mail), inbox::hasWork, this::settled);

@@ -37,7 +37,6 @@ import org.slf4j.LoggerFactory;
 public final class GenericAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
   private static final Logger LOG = LoggerFactory.getLogger(GenericAgent.class);
-  static final Duration ANSWER_WITHIN = Duration.ofSeconds(30);
 
   private final LinkedHashSet<AID> listeners = new LinkedHashSet<>();
   private final FormerCalls formerCalls = new FormerCalls();
@@ -84,7 +83,8 @@ public final class GenericAgent extends MaestroAgent {
       return given.time();
     } catch (ServiceException e) {
       throw new IllegalStateException(
-          "This container is none of MAESTRO's: choose another, or join one with ./maestro container.",
+          "This container is none of MAESTRO's: choose another, or join one with ./maestro"
+              + " container.",
           e);
     }
   }
@@ -104,7 +104,7 @@ public final class GenericAgent extends MaestroAgent {
     Surroundings surroundings = here.orElseThrow();
     Map<String, Voice> all = new LinkedHashMap<>();
     for (Charge charge : start.charges()) {
-      all.put(charge.member(), new Voice(this, charge, surroundings, formerCalls));
+      all.put(charge.member(), new Voice(this, new Told(), charge, surroundings, formerCalls));
     }
     voices = all;
     door = new Doorkeeper(this, all);
@@ -149,17 +149,17 @@ public final class GenericAgent extends MaestroAgent {
   private void startedByHand(AgentStart start) {
     Content words = StartWords.content(start);
     configuration = Words.print(words);
-    send(message(ACLMessage.INFORM, getAID(SupervisorAgent.NAME), words));
+    send(message(ACLMessage.INFORM, getAID(AgentNames.SUPERVISOR), words));
   }
 
-  void announce(Content news) {
-    send(message(ACLMessage.INFORM, getAID(CoordinatorAgent.NAME), news));
+  private void announce(Content news) {
+    send(message(ACLMessage.INFORM, getAID(AgentNames.COORDINATOR), news));
     listeners.forEach(listener -> send(message(ACLMessage.INFORM, listener, news)));
   }
 
   /** Who subscribes hears at once, and then each time, whether the members can be used. */
   private void subscribe(ACLMessage message) {
-    if (message.getSender().getLocalName().equals(CoordinatorAgent.NAME)) {
+    if (message.getSender().getLocalName().equals(AgentNames.COORDINATOR)) {
       voices.values().forEach(voice -> voice.goals().ifPresent(OwnGoals::centreReturned));
     } else {
       listeners.add(message.getSender());
@@ -175,7 +175,7 @@ public final class GenericAgent extends MaestroAgent {
   }
 
   /** Makes the agent's entry in the yellow pages what it has to be now. */
-  void registerServices() {
+  private void registerServices() {
     entry.renew(this, this::offering);
   }
 
@@ -236,7 +236,7 @@ public final class GenericAgent extends MaestroAgent {
             voices.values().stream()
                 .flatMap(voice -> voice.goals().stream())
                 .findFirst()
-                .ifPresent(own -> GoalWords.list(this, message, own));
+                .ifPresent(own -> new OwnGoalRequests(this, own).list(message));
         default ->
             refuse(
                 message,
@@ -253,7 +253,7 @@ public final class GenericAgent extends MaestroAgent {
     Optional<String> action = words.string("action");
     if (action.isEmpty()) {
       door.allowed(message, words, voice -> voice.performances().perform(message, words));
-    } else if (!message.getSender().equals(getAID(SupervisorAgent.NAME))) {
+    } else if (!message.getSender().equals(getAID(AgentNames.SUPERVISOR))) {
       refuse(
           message,
           ACLMessage.REFUSE,
@@ -319,7 +319,7 @@ public final class GenericAgent extends MaestroAgent {
     Optional<OwnGoals> own =
         voices.values().stream().flatMap(voice -> voice.goals().stream()).findFirst();
     if (own.isPresent() && words.string("goal").isPresent()) {
-      GoalWords.cancel(this, message, words, own.get());
+      new OwnGoalRequests(this, own.get()).cancel(message, words);
     } else {
       door.when(
           message,
@@ -361,5 +361,17 @@ public final class GenericAgent extends MaestroAgent {
   protected void takeDown() {
     voices.values().forEach(Voice::end);
     super.takeDown();
+  }
+
+  private final class Told implements Voice.Announcements {
+    @Override
+    public void announce(Content news) {
+      GenericAgent.this.announce(news);
+    }
+
+    @Override
+    public void offeringChanged() {
+      registerServices();
+    }
   }
 }

@@ -1,6 +1,5 @@
 package org.maestro.agents;
 
-import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -97,29 +96,5 @@ final class GoalWords {
         Words.named("kind", Words.name(edge.resource().kind().name().toLowerCase(Locale.ROOT))),
         Words.named("for", Words.text(edge.resource().inWords())),
         Words.named("holder", Words.name(edge.holder())));
-  }
-
-  /** Answers an agent's {@code cancel} of a goal of its own. */
-  static void cancel(MaestroAgent agent, ACLMessage message, Words words, OwnGoals goals) {
-    String id = words.string("goal").orElse("");
-    if (goals.cancel(id, Replies.sender(message))) {
-      agent.reply(
-          message,
-          ACLMessage.INFORM,
-          Words.content("inform", Words.named("cancelled", Words.name(id))));
-    } else {
-      agent.refuse(
-          message,
-          ACLMessage.REFUSE,
-          agent.getLocalName() + " has no goal " + Replies.shortened(id) + " that goes on.");
-    }
-  }
-
-  /** Answers a question for an agent's own goals. */
-  static void list(MaestroAgent agent, ACLMessage message, OwnGoals goals) {
-    agent.reply(
-        message,
-        ACLMessage.INFORM,
-        goals.statuses().stream().map(GoalWords::status).toArray(Content[]::new));
   }
 }

@@ -150,8 +150,8 @@ public final class GroupAgent extends MaestroAgent {
       Words words = Words.of(content);
       switch (content.operator()) {
         case "inform" -> memberNews(message, words);
-        case "cancel" -> GoalWords.cancel(this, message, words, goals);
-        case "query-ref" -> GoalWords.list(this, message, goals);
+        case "cancel" -> new OwnGoalRequests(this, goals).cancel(message, words);
+        case "query-ref" -> new OwnGoalRequests(this, goals).list(message);
         case "subscribe" -> goals.centreReturned();
         default ->
             refuse(
@@ -171,7 +171,7 @@ public final class GroupAgent extends MaestroAgent {
     String sender = message.getSender().getLocalName();
     boolean isLost = words.string("phase").filter("lost"::equals).isPresent();
     if (!called.contains(member)
-        || !member.equals(sender) && !(isLost && sender.equals(SupervisorAgent.NAME))) {
+        || !member.equals(sender) && !(isLost && sender.equals(AgentNames.SUPERVISOR))) {
       return;
     }
     if (ContractWords.areIn(words)) {

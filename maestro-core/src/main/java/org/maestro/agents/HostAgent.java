@@ -15,7 +15,6 @@ public final class HostAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
 
   private static final Duration ANSWER_WITHIN = Duration.ofSeconds(20);
-  private static final String PREFIX = "host-";
 
   /** What the host can do; may take long, and is called by a thread of its own. */
   public interface Host {
@@ -38,11 +37,6 @@ public final class HostAgent extends MaestroAgent {
     this.host = host;
   }
 
-  /** What the agent of a host is called. */
-  public static String name(String host) {
-    return PREFIX + host;
-  }
-
   /**
    * Offers the host to the supervisor. Any thread may call.
    *
@@ -55,7 +49,7 @@ public final class HostAgent extends MaestroAgent {
             ask(
                 message(
                     ACLMessage.REQUEST,
-                    getAID(SupervisorAgent.NAME),
+                    getAID(AgentNames.SUPERVISOR),
                     Words.content(
                         "perform",
                         Words.named("action", Words.name("offer")),
@@ -77,7 +71,7 @@ public final class HostAgent extends MaestroAgent {
     String controller = words.string("controller").orElse("");
     boolean isAsked =
         contents.get(0).operator().equals("perform")
-            && message.getSender().getLocalName().equals(SupervisorAgent.NAME);
+            && message.getSender().getLocalName().equals(AgentNames.SUPERVISOR);
     if (isAsked && action.equals("host") && contents.size() > 1) {
       AgentStart start = StartWords.read(Words.of(contents.get(1)));
       beside(message, () -> host.begin(start, controller));

@@ -1,5 +1,6 @@
 package org.maestro.agents;
 
+import jade.core.Agent;
 import java.time.Duration;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -12,14 +13,17 @@ final class Inbox {
   private record Work(Runnable action, Clock.Ticket ticket) {}
 
   private final transient Queue<Work> queue = new ConcurrentLinkedQueue<>();
-  private final transient MaestroAgent agent;
+  private final transient Agent agent;
+  private final transient OwnThread thread;
   private final transient Clock clock;
   private final transient WorkTickets tickets;
   private final transient IdleDetector idleDetector;
   private volatile boolean ended;
 
-  Inbox(MaestroAgent agent, Clock clock, WorkTickets tickets, IdleDetector idleDetector) {
+  Inbox(
+      Agent agent, OwnThread thread, Clock clock, WorkTickets tickets, IdleDetector idleDetector) {
     this.agent = agent;
+    this.thread = thread;
     this.clock = clock;
     this.tickets = tickets;
     this.idleDetector = idleDetector;
@@ -42,7 +46,7 @@ final class Inbox {
     if (ended) {
       end();
     } else {
-      agent.wake();
+      thread.wake();
     }
   }
 
@@ -58,7 +62,7 @@ final class Inbox {
     }
     tickets.taken(work.ticket());
     idleDetector.restart();
-    agent.work(work.action());
+    thread.work(work.action());
     return true;
   }
 

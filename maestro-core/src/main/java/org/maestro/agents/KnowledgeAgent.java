@@ -54,8 +54,6 @@ import org.maestro.sl.Term;
 public final class KnowledgeAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
 
-  public static final String NAME = "knowledge";
-
   private static final int MILLIS_PER_SECOND = 1_000;
 
   private final transient KnowledgeBase knowledge;

@@ -93,7 +93,7 @@ final class KnowledgeCache {
             .subscribe(
                 agent.message(
                     ACLMessage.SUBSCRIBE,
-                    agent.getAID(KnowledgeAgent.NAME),
+                    agent.getAID(AgentNames.KNOWLEDGE),
                     Words.content("subscribe", Words.formula(question))),
                 reply -> heard(question, entry, reply));
     if (entries.size() > most) {
@@ -107,7 +107,7 @@ final class KnowledgeCache {
     end(oldest);
     ACLMessage cancel =
         agent.message(
-            ACLMessage.CANCEL, agent.getAID(KnowledgeAgent.NAME), Words.content("cancel"));
+            ACLMessage.CANCEL, agent.getAID(AgentNames.KNOWLEDGE), Words.content("cancel"));
     cancel.setConversationId(oldest.conversation);
     agent.send(cancel);
     tell(oldest, new Known(List.of(), Duration.ZERO, "Too many questions were asked since."));

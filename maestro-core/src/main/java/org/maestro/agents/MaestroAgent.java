@@ -36,12 +36,6 @@ public abstract class MaestroAgent extends Agent {
   private static final long serialVersionUID = 1L;
   private static final Logger LOG = LoggerFactory.getLogger(MaestroAgent.class);
 
-  /** The content language of all messages. */
-  public static final String LANGUAGE = "MAESTRO-SL";
-
-  /** The ontology slot of all messages, as in the paper's example. */
-  public static final String ONTOLOGY = "WorldModel";
-
   private transient volatile Equipment equipment;
   private transient volatile TicketedQueue queue;
   private transient volatile boolean forsaken;
@@ -58,18 +52,13 @@ public abstract class MaestroAgent extends Agent {
 
   private void equip(AgentTime time) {
     pulse = Optional.empty();
-    equipment = new Equipment(this, time, new Mail()::step);
+    equipment = new Equipment(this, new Own(), time, new Mail()::step);
   }
 
   /** The time of the container it is in, for one that JADE has made or brought there. */
   protected AgentTime timeHere() {
     throw new IllegalStateException(
         getClass().getSimpleName() + " is not made by its class name, and does not move.");
-  }
-
-  /** Has the agent look for work. Any thread may call. */
-  final void wake() {
-    equipment.reception.restart();
   }
 
   /** The first thing that JADE has an agent do in a container. */
@@ -117,12 +106,7 @@ public abstract class MaestroAgent extends Agent {
 
   /** So much wall time, as simulated time; on a stepped clock they are the same. */
   final Duration patience(Duration wallTime) {
-    return Duration.ofMillis(Math.round(wallTime.toMillis() * clock().speed()));
-  }
-
-  /** The opposite of {@link #patience(Duration)}. */
-  final Duration wallTime(Duration simulated) {
-    return Duration.ofMillis(Math.round(simulated.toMillis() / clock().speed()));
+    return equipment.time.simulated(wallTime);
   }
 
   /** What to write into the reply-by slot: the time of other agents is wall time, if any is. */
@@ -260,8 +244,8 @@ public abstract class MaestroAgent extends Agent {
   protected final ACLMessage message(int performative, AID receiver, Content... contents) {
     ACLMessage message = new ACLMessage(performative);
     message.addReceiver(receiver);
-    message.setLanguage(LANGUAGE);
-    message.setOntology(ONTOLOGY);
+    message.setLanguage(Words.LANGUAGE);
+    message.setOntology(Words.ONTOLOGY);
     message.setProtocol(FIPANames.InteractionProtocol.FIPA_REQUEST);
     message.setContent(Words.print(contents));
     return message;
@@ -270,7 +254,7 @@ public abstract class MaestroAgent extends Agent {
   protected final void reply(ACLMessage to, int performative, Content... contents) {
     ACLMessage reply = to.createReply();
     reply.setPerformative(performative);
-    reply.setLanguage(LANGUAGE);
+    reply.setLanguage(Words.LANGUAGE);
     reply.setContent(Words.print(contents));
     send(reply);
   }
@@ -312,6 +296,23 @@ public abstract class MaestroAgent extends Agent {
     return Optional.empty();
   }
 
+  private final class Own implements OwnThread {
+    @Override
+    public void tell(Runnable action) {
+      MaestroAgent.this.tell(action);
+    }
+
+    @Override
+    public void work(Runnable action) {
+      MaestroAgent.this.work(action);
+    }
+
+    @Override
+    public void wake() {
+      equipment.reception.restart();
+    }
+  }
+
   /** Messages that are neither replies to our requests nor part of a contract net under way. */
   private final class Mail {
     private final MessageTemplate template =
@@ -348,7 +349,7 @@ public abstract class MaestroAgent extends Agent {
           isFromOtherPlatform(message) && !hearsOtherPlatforms()
               ? Optional.of(
                   "%s talks to agents of its own platform only; ask %s."
-                      .formatted(getLocalName(), CoordinatorAgent.NAME))
+                      .formatted(getLocalName(), AgentNames.COORDINATOR))
               : Admission.objection(message);
       if (objection.isPresent()) {
         equipment.protest.against(message, objection.get());

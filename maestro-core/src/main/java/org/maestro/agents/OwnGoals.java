@@ -180,7 +180,7 @@ final class OwnGoals {
     for (GoalStatus status : statuses()) {
       agent.send(
           agent.message(
-              ACLMessage.INFORM, agent.getAID(CoordinatorAgent.NAME), GoalWords.status(status)));
+              ACLMessage.INFORM, agent.getAID(AgentNames.COORDINATOR), GoalWords.status(status)));
     }
   }
 

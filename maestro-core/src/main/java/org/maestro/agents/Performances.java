@@ -287,7 +287,7 @@ final class Performances {
     agent.send(
         agent.message(
             ACLMessage.INFORM,
-            agent.getAID(CoordinatorAgent.NAME),
+            agent.getAID(AgentNames.COORDINATOR),
             Words.content(
                 "inform",
                 Words.named("member", Words.name(member)),
@@ -340,7 +340,7 @@ final class Performances {
       agent.send(
           agent.message(
               ACLMessage.INFORM,
-              agent.getAID(KnowledgeAgent.NAME),
+              agent.getAID(AgentNames.KNOWLEDGE),
               Words.content(
                   "inform",
                   Words.named("member", Words.name(member)),

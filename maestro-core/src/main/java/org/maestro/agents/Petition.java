@@ -49,7 +49,7 @@ final class Petition {
 
   private void ask(Content request) {
     agent.ask(
-        agent.message(ACLMessage.REQUEST, agent.getAID(CoordinatorAgent.NAME), request),
+        agent.message(ACLMessage.REQUEST, agent.getAID(AgentNames.COORDINATOR), request),
         NO_END,
         this::answered);
   }
@@ -96,7 +96,7 @@ final class Petition {
             agent.send(
                 agent.message(
                     ACLMessage.REQUEST,
-                    agent.getAID(CoordinatorAgent.NAME),
+                    agent.getAID(AgentNames.COORDINATOR),
                     Words.content("cancel", Words.named("goal", Words.name(id))))));
   }
 }

@@ -73,7 +73,7 @@ final class Pointers {
                 Words.named("feature", Words.name(feature.name())),
                 Orders.parameters("parameters", arguments)));
     agent.ask(
-        agent.message(ACLMessage.QUERY_REF, agent.getAID(KnowledgeAgent.NAME), question),
+        agent.message(ACLMessage.QUERY_REF, agent.getAID(AgentNames.KNOWLEDGE), question),
         ANSWER_WITHIN,
         reply -> read(reply, arguments, completed, refused));
   }

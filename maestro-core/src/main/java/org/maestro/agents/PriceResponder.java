@@ -84,8 +84,8 @@ final class PriceResponder {
 
   private ACLMessage answer(ACLMessage cfp) {
     ACLMessage answer = cfp.createReply();
-    answer.setLanguage(MaestroAgent.LANGUAGE);
-    answer.setOntology(MaestroAgent.ONTOLOGY);
+    answer.setLanguage(Words.LANGUAGE);
+    answer.setOntology(Words.ONTOLOGY);
     Optional<String> objection = Admission.objection(cfp);
     if (objection.isPresent()) {
       answer.setPerformative(ACLMessage.NOT_UNDERSTOOD);
@@ -200,8 +200,8 @@ final class PriceResponder {
     protected ACLMessage handleAcceptProposal(
         ACLMessage cfp, ACLMessage propose, ACLMessage accept) {
       ACLMessage word = accept.createReply();
-      word.setLanguage(MaestroAgent.LANGUAGE);
-      word.setOntology(MaestroAgent.ONTOLOGY);
+      word.setLanguage(Words.LANGUAGE);
+      word.setOntology(Words.ONTOLOGY);
       Optional<String> obstacle = obstacle(cfp, accept);
       word.setPerformative(obstacle.isPresent() ? ACLMessage.FAILURE : ACLMessage.INFORM);
       word.setContent(

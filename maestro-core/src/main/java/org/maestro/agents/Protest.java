@@ -1,5 +1,6 @@
 package org.maestro.agents;
 
+import jade.core.Agent;
 import jade.lang.acl.ACLMessage;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -17,7 +18,7 @@ final class Protest {
   private static final Logger LOG = LoggerFactory.getLogger(Protest.class);
   private static final int REMEMBERED = 256;
 
-  private final MaestroAgent agent;
+  private final Agent agent;
   private final Set<String> answered =
       Collections.newSetFromMap(
           new LinkedHashMap<>() {
@@ -30,7 +31,7 @@ final class Protest {
           });
   private int number;
 
-  Protest(MaestroAgent agent) {
+  Protest(Agent agent) {
     this.agent = agent;
   }
 
@@ -47,8 +48,8 @@ final class Protest {
     if (mayBeAnswered(message)) {
       ACLMessage reply = message.createReply();
       reply.setPerformative(ACLMessage.NOT_UNDERSTOOD);
-      reply.setLanguage(MaestroAgent.LANGUAGE);
-      reply.setOntology(MaestroAgent.ONTOLOGY);
+      reply.setLanguage(Words.LANGUAGE);
+      reply.setOntology(Words.ONTOLOGY);
       reply.setEncoding(null);
       reply.setReplyWith(mark() + ++number);
       reply.setContent(

@@ -114,6 +114,11 @@ final class QuoteReader {
 
   private List<Quote> unanswered(String what) {
     faults.add(member + " " + what);
-    return AclMarket.unanswered(asked, what);
+    return unanswered(asked, what);
+  }
+
+  /** As many answers as were asked for, of one who did not give any. */
+  static List<Quote> unanswered(int sets, String reason) {
+    return Collections.nCopies(sets, new Quote.Unanswered(reason));
   }
 }

@@ -1,5 +1,6 @@
 package org.maestro.agents;
 
+import jade.core.Agent;
 import jade.core.behaviours.CyclicBehaviour;
 import java.util.List;
 import java.util.function.BooleanSupplier;
@@ -25,8 +26,7 @@ final class Reception extends CyclicBehaviour {
    * @param hasWork whether work came that no message told of
    * @param idle done when nothing is left
    */
-  Reception(
-      MaestroAgent agent, List<BooleanSupplier> sources, BooleanSupplier hasWork, Runnable idle) {
+  Reception(Agent agent, List<BooleanSupplier> sources, BooleanSupplier hasWork, Runnable idle) {
     super(agent);
     this.sources = List.copyOf(sources);
     this.hasWork = hasWork;

@@ -77,7 +77,7 @@ record Rights(boolean known, Optional<List<Permission>> permissions) {
     if (permissions.isEmpty()) {
       return Optional.empty();
     }
-    boolean isCentre = sender.agent().equals(CoordinatorAgent.NAME);
+    boolean isCentre = sender.agent().equals(AgentNames.COORDINATOR);
     Optional<String> client = words.string("for");
     if (isCentre && client.isEmpty()) {
       return Optional.empty();

@@ -32,13 +32,12 @@ public final class SupervisorAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
   private static final Logger LOG = LoggerFactory.getLogger(SupervisorAgent.class);
 
-  public static final String NAME = "supervisor";
-
   private final transient RatsLink link;
   private final transient Containers containers;
   private final transient AgentChanges changes;
   private final transient TablesTold tables;
   private final transient SupervisorOrders orders = new SupervisorOrders(this);
+  private final transient RequestEnds ends = new RequestEnds(this);
 
   public SupervisorAgent(AgentTime time, RatsLink link, Containers containers) {
     super(time);
@@ -99,7 +98,7 @@ public final class SupervisorAgent extends MaestroAgent {
           beside(
               message,
               () -> containers.remove(words.string("agent").orElse("")),
-              gone -> done(message, "The agent " + gone.agent() + " is removed."));
+              gone -> ends.done(message, "The agent " + gone.agent() + " is removed."));
       case "stop" -> {
         link.safe();
         reply(
@@ -128,26 +127,12 @@ public final class SupervisorAgent extends MaestroAgent {
                 T result = work.get();
                 tell(() -> then.accept(result));
               } catch (RuntimeException e) {
-                tell(() -> no(message, e));
+                tell(() -> ends.failed(message, e));
               }
             },
             "deployment");
     thread.setDaemon(true);
     thread.start();
-  }
-
-  void no(ACLMessage message, RuntimeException why) {
-    if (!(why instanceof DeploymentException)) {
-      LOG.warn("What {} asked for cannot be done", Replies.sender(message), why);
-    }
-    refuse(message, ACLMessage.REFUSE, String.valueOf(why.getMessage()));
-  }
-
-  void done(ACLMessage message, String sentence) {
-    reply(
-        message,
-        ACLMessage.INFORM,
-        Words.content("inform", Words.named("text", Words.text(sentence))));
   }
 
   private void offer(ACLMessage message, Words words) {
@@ -156,7 +141,7 @@ public final class SupervisorAgent extends MaestroAgent {
         words.find("provides").map(Words::terms).orElse(List.of()).stream()
             .map(Words::plain)
             .toList();
-    if (!message.getSender().getLocalName().equals(HostAgent.name(host))) {
+    if (!message.getSender().getLocalName().equals(AgentNames.ofHost(host))) {
       refuse(message, ACLMessage.REFUSE, "A host is offered by its own agent only.");
       return;
     }
@@ -169,7 +154,8 @@ public final class SupervisorAgent extends MaestroAgent {
                   refuse(
                       message,
                       ACLMessage.REFUSE,
-                      "The bus of this platform lives in its own process; agents elsewhere could not reach it."));
+                      "The bus of this platform lives in its own process; agents elsewhere could"
+                          + " not reach it."));
     } catch (IllegalArgumentException e) {
       refuse(message, ACLMessage.REFUSE, e.getMessage());
     }
@@ -222,13 +208,14 @@ public final class SupervisorAgent extends MaestroAgent {
       refuse(
           message,
           ACLMessage.REFUSE,
-          "Whom to add is not said; write (perform (:action add) (:description \"<#lamp-9> a ...\")).");
+          "Whom to add is not said; write (perform (:action add) (:description \"<#lamp-9> a"
+              + " ...\")).");
       return;
     }
     Addition addition =
         new Addition(
             description.get(),
-            source(words),
+            RequestEnds.source(words),
             words.string("as"),
             words.string("container"),
             all(words, "needs"));
@@ -240,10 +227,6 @@ public final class SupervisorAgent extends MaestroAgent {
                 message,
                 ACLMessage.INFORM,
                 started.stream().map(SupervisorAgent::added).toArray(Content[]::new)));
-  }
-
-  static String source(Words words) {
-    return words.string("file").orElse("the description");
   }
 
   private static Content added(AgentStart start) {

@@ -33,7 +33,7 @@ public final class SupervisorOrders {
             supervisor.ask(
                 supervisor.message(
                     ACLMessage.REQUEST,
-                    supervisor.getAID(HostAgent.name(host)),
+                    supervisor.getAID(AgentNames.ofHost(host)),
                     Words.content(
                         "perform",
                         Words.named("action", Words.name("host")),
@@ -61,7 +61,7 @@ public final class SupervisorOrders {
             supervisor.ask(
                 supervisor.message(
                     ACLMessage.REQUEST,
-                    supervisor.getAID(HostAgent.name(host)),
+                    supervisor.getAID(AgentNames.ofHost(host)),
                     Words.content(
                         "perform",
                         Words.named("action", Words.name("let-go")),

@@ -1,6 +1,7 @@
 package org.maestro.agents;
 
 import jade.lang.acl.ACLMessage;
+import java.time.Duration;
 import java.util.Optional;
 import org.maestro.deployment.Charge;
 import org.maestro.knowledge.MemberWord;
@@ -21,7 +22,18 @@ import org.slf4j.LoggerFactory;
 final class Voice implements MemberNews.Listener {
   private static final Logger LOG = LoggerFactory.getLogger(Voice.class);
 
-  private final GenericAgent agent;
+  /** Whom the agent tells that a member can be used, or can be used no longer. */
+  interface Announcements {
+    void announce(Content news);
+
+    /** What the agent's members offer is not what it was. */
+    void offeringChanged();
+  }
+
+  private static final Duration ANSWER_WITHIN = Duration.ofSeconds(30);
+
+  private final MaestroAgent agent;
+  private final Announcements announcements;
   private final String member;
   private final Surroundings here;
   private final MemberView view;
@@ -35,8 +47,14 @@ final class Voice implements MemberNews.Listener {
   private boolean hasSpoken;
   private Runnable unwatch = () -> {};
 
-  Voice(GenericAgent agent, Charge charge, Surroundings here, FormerCalls formerCalls) {
+  Voice(
+      MaestroAgent agent,
+      Announcements announcements,
+      Charge charge,
+      Surroundings here,
+      FormerCalls formerCalls) {
     this.agent = agent;
+    this.announcements = announcements;
     this.member = charge.member();
     this.configured = charge.description();
     this.here = here;
@@ -124,7 +142,7 @@ final class Voice implements MemberNews.Listener {
 
   @Override
   public void described(String description) {
-    agent.registerServices();
+    announcements.offeringChanged();
     introduce(description);
   }
 
@@ -137,8 +155,8 @@ final class Voice implements MemberNews.Listener {
   public void lost(String reason) {
     announced = false;
     goals.ifPresent(own -> own.memberLost(member, reason));
-    agent.announce(presence("lost", reason));
-    agent.registerServices();
+    announcements.announce(presence("lost", reason));
+    announcements.offeringChanged();
   }
 
   /** Told on the link's thread. */
@@ -159,17 +177,17 @@ final class Voice implements MemberNews.Listener {
     agent.ask(
         agent.message(
             ACLMessage.REQUEST,
-            agent.getAID(KnowledgeAgent.NAME),
+            agent.getAID(AgentNames.KNOWLEDGE),
             Words.content(
                 "inform",
                 Words.named("member", Words.name(member)),
                 Words.named("description", Words.text(configured.orElse(description))))),
-        GenericAgent.ANSWER_WITHIN,
+        ANSWER_WITHIN,
         reply -> {
           if (reply.getPerformative() == ACLMessage.INFORM && view.isReady()) {
             rights = Rights.read(Words.of(Words.parse(reply.getContent()).get(0)));
             announced = true;
-            agent.announce(presence("ready", "described"));
+            announcements.announce(presence("ready", "described"));
             pursue();
           } else if (Conversations.isOverdue(reply)) {
             if (view.isReady() && news.isCurrent(description)) {
@@ -213,7 +231,7 @@ final class Voice implements MemberNews.Listener {
       agent.send(
           agent.message(
               ACLMessage.INFORM,
-              agent.getAID(KnowledgeAgent.NAME),
+              agent.getAID(AgentNames.KNOWLEDGE),
               Words.content(
                   "inform",
                   Words.named("source", Words.name(member)),

@@ -14,6 +14,12 @@ import org.maestro.sl.Term;
 
 /** Builds and takes apart the content of messages: operators with named arguments. */
 public final class Words {
+  /** The content language of all messages. */
+  public static final String LANGUAGE = "MAESTRO-SL";
+
+  /** The ontology slot of all messages, as in the paper's example. */
+  public static final String ONTOLOGY = "WorldModel";
+
   private final List<Argument> arguments;
 
   private Words(List<Argument> arguments) {

@@ -49,8 +49,8 @@ final class YellowPages {
   private static DFAgentDescription entry(Agent agent, Map<String, Device> offering) {
     DFAgentDescription entry = new DFAgentDescription();
     entry.setName(agent.getAID());
-    entry.addLanguages(MaestroAgent.LANGUAGE);
-    entry.addOntologies(MaestroAgent.ONTOLOGY);
+    entry.addLanguages(Words.LANGUAGE);
+    entry.addOntologies(Words.ONTOLOGY);
     entry.addProtocols(FIPANames.InteractionProtocol.FIPA_REQUEST);
     offering.forEach(
         (member, device) ->
@@ -62,8 +62,8 @@ final class YellowPages {
     ServiceDescription service = new ServiceDescription();
     service.setType(feature.name());
     service.setName(member + "/" + feature.name());
-    service.addLanguages(MaestroAgent.LANGUAGE);
-    service.addOntologies(MaestroAgent.ONTOLOGY);
+    service.addLanguages(Words.LANGUAGE);
+    service.addOntologies(Words.ONTOLOGY);
     service.addProtocols(FIPANames.InteractionProtocol.FIPA_REQUEST);
     service.addProperties(new Property("member", member));
     service.addProperties(new Property("request", request(agent, member, feature)));

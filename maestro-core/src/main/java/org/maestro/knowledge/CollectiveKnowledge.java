@@ -61,7 +61,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
         home,
         clock,
         HomeMeasures::new,
-        GraphStorage.open(Store.IN_MEMORY),
+        GraphStorageFactory.open(Store.IN_MEMORY),
         KnowledgeSettings.inMemory());
   }
 
@@ -105,7 +105,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   public static CollectiveKnowledge open(Home home, Clock clock, KnowledgeSettings settings) {
     CollectiveKnowledge knowledge =
         new CollectiveKnowledge(
-            home, clock, HomeMeasures::new, GraphStorage.open(settings.store()), settings);
+            home, clock, HomeMeasures::new, GraphStorageFactory.open(settings.store()), settings);
     knowledge.restore();
     return knowledge;
   }

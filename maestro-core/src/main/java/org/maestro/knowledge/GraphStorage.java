@@ -1,6 +1,5 @@
 package org.maestro.knowledge;
 
-import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import org.apache.jena.graph.Node;
@@ -12,24 +11,6 @@ import org.apache.jena.sparql.core.Quad;
  * one transaction.
  */
 interface GraphStorage extends AutoCloseable {
-  /** How long who reads waits for a slow storage. */
-  Duration PATIENCE = Duration.ofSeconds(20);
-
-  /**
-   * What is slow is written beside those who write.
-   *
-   * @throws KnowledgeException when it cannot be used
-   */
-  static GraphStorage open(Store store) {
-    if (store instanceof Store.OnDisk disk) {
-      return new WriteBehind(DatasetStorage.onDisk(disk.directory()), PATIENCE).begin();
-    } else if (store instanceof Store.Endpoint endpoint) {
-      return new WriteBehind(EndpointStorage.open(endpoint.queries(), endpoint.updates()), PATIENCE)
-          .begin();
-    }
-    return DatasetStorage.inMemory();
-  }
-
   /** Makes the edits, in order. */
   void apply(List<Edit> edits);
 

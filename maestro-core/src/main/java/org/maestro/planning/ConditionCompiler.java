@@ -97,7 +97,7 @@ final class ConditionCompiler {
       } else if (definition == null) {
         return positive && atom.arguments().size() > 1
             ? Constant.FALSE
-            : new Condition.Fixed(ObstacleText.ofFixedAtom(atom, positive));
+            : new Condition.Fixed(FixedObstacle.ofAtom(atom, positive));
       }
     }
     if (definition != null) {
@@ -256,7 +256,7 @@ final class ConditionCompiler {
       double right) {
     Formula ground = new Substitution(bindings).apply((Formula) comparison);
     return new Condition.Fixed(
-        ObstacleText.ofFixedNumbers((Formula.Comparison) ground, positive, left, right));
+        FixedObstacle.ofNumbers((Formula.Comparison) ground, positive, left, right));
   }
 
   private static boolean isOtherTerm(Expression expression, Map<String, Term> bindings) {

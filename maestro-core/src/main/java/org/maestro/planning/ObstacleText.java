@@ -32,7 +32,7 @@ final class ObstacleText {
     } else if (leaf instanceof Condition.NumberKnown number) {
       Formula unknown = new Formula.UnknownNumber(number.variable().fluent());
       Formula condition = number.known() ? new Formula.Not(unknown) : unknown;
-      return stated(
+      return FixedObstacle.stated(
           number.known() ? Kind.UNKNOWN : Kind.FACT,
           SlPrinter.print(condition),
           "true",
@@ -45,19 +45,21 @@ final class ObstacleText {
     Variable variable = literal.variable();
     Formula.Atom atom = variable.atom(literal.value());
     if (literal.question() == Question.IS_NOT) {
-      return stated(Kind.FACT, SlPrinter.print(new Formula.Not(atom)), "false", "true");
+      return FixedObstacle.stated(
+          Kind.FACT, SlPrinter.print(new Formula.Not(atom)), "false", "true");
     }
     String condition = SlPrinter.print(atom);
     if (code >= 0) {
-      return stated(Kind.FACT, condition, "true", SlPrinter.print(variable.atom(code)));
+      return FixedObstacle.stated(
+          Kind.FACT, condition, "true", SlPrinter.print(variable.atom(code)));
     } else if (!variable.observable()) {
-      return stated(Kind.FACT, condition, "true", "false");
+      return FixedObstacle.stated(Kind.FACT, condition, "true", "false");
     } else if (variable.isUnknown(code, literal.value())) {
-      return stated(Kind.UNKNOWN, condition, "true", "unknown");
+      return FixedObstacle.stated(Kind.UNKNOWN, condition, "true", "unknown");
     } else if (!variable.functional()) {
-      return stated(Kind.FACT, condition, "true", "false");
+      return FixedObstacle.stated(Kind.FACT, condition, "true", "false");
     }
-    return stated(
+    return FixedObstacle.stated(
         Kind.EXCLUDED,
         condition,
         "true",
@@ -75,7 +77,7 @@ final class ObstacleText {
     String condition = SlPrinter.print(compare.positive() ? formula : new Formula.Not(formula));
     Threshold threshold = Threshold.of(compare);
     if (threshold == null) {
-      return stated(Kind.FACT, condition, "true", "false");
+      return FixedObstacle.stated(Kind.FACT, condition, "true", "false");
     }
     String needed =
         (threshold.upward() ? ">" : "<")
@@ -83,7 +85,7 @@ final class ObstacleText {
             + SlPrinter.print(threshold.bound());
     double now = threshold.variable().initial();
     if (Quantity.isUnknown(now)) {
-      return stated(Kind.UNKNOWN, condition, needed, "unknown");
+      return FixedObstacle.stated(Kind.UNKNOWN, condition, needed, "unknown");
     }
     return new Obstacle(
         Kind.NUMBER,
@@ -110,50 +112,11 @@ final class ObstacleText {
     return missing > 0 ? OptionalDouble.of(missing) : OptionalDouble.empty();
   }
 
-  /** A comparison of numbers that nobody ever changes. */
-  static Obstacle ofFixedNumbers(
-      Formula.Comparison ground, boolean positive, double left, double right) {
-    String relation = (positive ? "" : "not ") + ground.relation().symbol() + " ";
-    boolean known = !Quantity.isUnknown(left) && !Quantity.isUnknown(right);
-    return new Obstacle(
-        known ? Kind.NUMBER : Kind.UNKNOWN,
-        SlPrinter.print(positive ? ground : new Formula.Not(ground)),
-        relation + (Quantity.isUnknown(right) ? "an unknown number" : SlPrinter.print(right)),
-        Quantity.isUnknown(left) ? "unknown" : SlPrinter.print(left),
-        Extent.KNOWN,
-        known
-            ? OptionalDouble.of(Quantity.rounded(Math.abs(right - left)))
-            : OptionalDouble.empty(),
-        Optional.empty(),
-        Optional.empty(),
-        List.of());
-  }
-
-  /** An atom that nobody ever changes. */
-  static Obstacle ofFixedAtom(Formula.Atom atom, boolean positive) {
-    return positive
-        ? stated(Kind.FACT, SlPrinter.print(atom), "true", "false")
-        : stated(Kind.FACT, SlPrinter.print(new Formula.Not(atom)), "false", "true");
-  }
-
   /** The goal itself; others than those who can be counted on now might bring it about. */
   static Obstacle ofGoal(PlanningTask task) {
     boolean others = !task.unavailable().isEmpty() || !task.barred().isEmpty();
-    return stated(Kind.GOAL, SlPrinter.print(task.goal()), "true", "false")
+    return FixedObstacle.stated(Kind.GOAL, SlPrinter.print(task.goal()), "true", "false")
         .with(others ? Extent.LIMIT_NOW : Extent.LIMIT);
-  }
-
-  private static Obstacle stated(Kind kind, String condition, String needed, String possible) {
-    return new Obstacle(
-        kind,
-        condition,
-        needed,
-        possible,
-        Extent.KNOWN,
-        OptionalDouble.empty(),
-        Optional.empty(),
-        Optional.empty(),
-        List.of());
   }
 
   private static Expression expression(NumberExpression number) {

@@ -11,6 +11,7 @@ import org.maestro.agents.pulse.ProcessPulse;
 import org.maestro.agents.pulse.PulseService;
 import org.maestro.agents.stepping.SteppedMailService;
 import org.maestro.platform.guard.Guard;
+import org.maestro.platform.guard.GuardedProfile;
 import org.maestro.platform.guard.HomeMobilityService;
 import org.maestro.platform.guard.SerialFilter;
 import org.maestro.platform.letters.BoundedLetters;
@@ -47,7 +48,8 @@ final class ContainerProfile {
    * @param guard of a secured site; empty: whoever reaches the port may join
    */
   static void listen(Properties properties, Optional<Guard> guard, int port) {
-    properties.setProperty(PEERS, guard.isPresent() ? Guard.peer() : CuttablePeer.class.getName());
+    properties.setProperty(
+        PEERS, guard.isPresent() ? GuardedProfile.peer() : CuttablePeer.class.getName());
     properties.setProperty(Profile.LOCAL_PORT, String.valueOf(port));
   }
 

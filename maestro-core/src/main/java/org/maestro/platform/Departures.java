@@ -2,9 +2,8 @@ package org.maestro.platform;
 
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
-import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.DeskAgent;
-import org.maestro.agents.HostAgent;
 import org.maestro.agents.pulse.Pulse;
 import org.maestro.deployment.AgentStart;
 import org.slf4j.Logger;
@@ -75,15 +74,15 @@ final class Departures implements PlatformEvents.Listener {
     if (deployer.handing().isAsker(agent)) {
       beside(() -> deployer.givenUp(agent).forEach(this::givenBack));
     }
-    if (agent.equals(CoordinatorAgent.NAME)) {
+    if (agent.equals(AgentNames.COORDINATOR)) {
       principals.centralEnded();
       return;
     }
     if (deployer.wasHandedOver(agent)) {
       return;
     }
-    if (agent.startsWith(HostAgent.name(""))) {
-      rescue.gone(agent.substring(HostAgent.name("").length()));
+    if (agent.startsWith(AgentNames.ofHost(""))) {
+      rescue.gone(agent.substring(AgentNames.ofHost("").length()));
       return;
     }
     Optional<AgentStart> lost = deployer.ended(agent);

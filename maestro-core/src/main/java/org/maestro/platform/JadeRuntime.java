@@ -14,6 +14,7 @@ import java.util.function.Supplier;
 import org.maestro.agents.Host;
 import org.maestro.agents.MaestroAgent;
 import org.maestro.platform.guard.Guard;
+import org.maestro.platform.guard.GuardedProfile;
 import org.maestro.platform.wires.WiredProfile;
 
 /** Starts JADE containers, and agents in them. */
@@ -74,7 +75,7 @@ final class JadeRuntime {
     properties.setProperty(Profile.MAIN_PORT, String.valueOf(port));
     properties.setProperty(Profile.MAIN_HOST, premises.host());
     properties.setProperty(MOST_FOUND, String.valueOf(Integer.MAX_VALUE));
-    guard.ifPresent(own -> own.guard(properties));
+    guard.ifPresent(own -> GuardedProfile.guard(properties, own));
     ContainerProfile.listen(properties, guard, port);
     AgentContainer container =
         begun(
@@ -131,7 +132,7 @@ final class JadeRuntime {
     properties.setProperty(Profile.MAIN_HOST, host);
     properties.setProperty(Profile.MAIN_PORT, String.valueOf(mainPort));
     properties.setProperty(Profile.CONTAINER_NAME, containerName);
-    entry.guard().ifPresent(own -> own.guard(properties));
+    entry.guard().ifPresent(own -> GuardedProfile.guard(properties, own));
     if (entry.first()) {
       ContainerProfile.listen(properties, entry.guard(), Sockets.free(entry.from()));
     }

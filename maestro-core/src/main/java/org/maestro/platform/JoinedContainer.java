@@ -18,6 +18,7 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.AgentTime;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.GenericAgent;
@@ -25,7 +26,6 @@ import org.maestro.agents.Handover;
 import org.maestro.agents.Host;
 import org.maestro.agents.HostAgent;
 import org.maestro.agents.StartWords;
-import org.maestro.agents.SupervisorAgent;
 import org.maestro.agents.Surroundings;
 import org.maestro.agents.Words;
 import org.maestro.deployment.AgentStart;
@@ -220,7 +220,7 @@ public final class JoinedContainer implements AutoCloseable {
     ACLMessage reply =
         ask(
             ACLMessage.REQUEST,
-            SupervisorAgent.NAME,
+            AgentNames.SUPERVISOR,
             Words.content(
                 "perform",
                 Words.named("action", Words.name(action)),
@@ -274,7 +274,7 @@ public final class JoinedContainer implements AutoCloseable {
                 bus.join().letGo(controller);
               }
             });
-    JadeRuntime.start(home, HostAgent.name(name), host);
+    JadeRuntime.start(home, AgentNames.ofHost(name), host);
     CompletableFuture<ACLMessage> answered = new CompletableFuture<>();
     host.offer(name, provides, answered::complete);
     bus.complete(links.apply(handover(answered)));

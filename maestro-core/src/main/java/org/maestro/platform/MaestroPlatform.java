@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.AgentTime;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
@@ -242,9 +243,9 @@ public final class MaestroPlatform implements AutoCloseable {
   private void boot() {
     PlatformEvents.watch(host, directory, time.clock()::instant, departures);
     memory.stories().ifPresent(stories::addListener);
-    accept(KnowledgeAgent.NAME, new KnowledgeAgent(time, knowledge, describedBy));
-    accept(CoordinatorAgent.NAME, central.now());
-    accept(SupervisorAgent.NAME, supervisor);
+    accept(AgentNames.KNOWLEDGE, new KnowledgeAgent(time, knowledge, describedBy));
+    accept(AgentNames.COORDINATOR, central.now());
+    accept(AgentNames.SUPERVISOR, supervisor);
     accept("desk", desk);
     arrivals.ofHome();
     for (var group : knowledge.home().groups().values()) {
@@ -275,7 +276,7 @@ public final class MaestroPlatform implements AutoCloseable {
     return !closing
         && central.revive(
             revived -> {
-              accept(CoordinatorAgent.NAME, revived);
+              accept(AgentNames.COORDINATOR, revived);
               revived.ask(deployer.deployment().agents().stream().map(AgentStart::agent).toList());
             });
   }

@@ -72,7 +72,7 @@ final class Actor extends MaestroAgent {
     send(
         message(
             ACLMessage.INFORM,
-            getAID(CoordinatorAgent.NAME),
+            getAID(AgentNames.COORDINATOR),
             Words.content(
                 "inform",
                 Words.named("member", Words.name(getLocalName())),
@@ -143,6 +143,6 @@ final class Actor extends MaestroAgent {
   }
 
   AID cca() {
-    return getAID(CoordinatorAgent.NAME);
+    return getAID(AgentNames.COORDINATOR);
   }
 }

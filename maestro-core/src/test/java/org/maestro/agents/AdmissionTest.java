@@ -235,7 +235,7 @@ class AdmissionTest {
     void say(ACLMessage message) {
       ACLMessage said = (ACLMessage) message.clone();
       if (!said.getAllReceiver().hasNext()) {
-        said.addReceiver(getAID(CoordinatorAgent.NAME));
+        said.addReceiver(getAID(AgentNames.COORDINATOR));
       }
       tell(() -> send(said));
     }

@@ -66,7 +66,7 @@ class ConversationsTest {
     List<ACLMessage> heard = new ArrayList<>();
     society.desk.request(
         ACLMessage.QUERY_REF,
-        CoordinatorAgent.NAME,
+        AgentNames.COORDINATOR,
         LONG,
         reply -> {
           heard.add(reply);

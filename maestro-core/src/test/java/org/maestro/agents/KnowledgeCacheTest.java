@@ -41,7 +41,7 @@ class KnowledgeCacheTest {
     AgentTime time = AgentTime.of(clock);
     BareJade.start(
         jade.main(),
-        KnowledgeAgent.NAME,
+        AgentNames.KNOWLEDGE,
         new KnowledgeAgent(time, knowledge, (text, member) -> home.devices().get(member)));
     reader = new Reader(time);
     BareJade.start(jade.join("elsewhere"), "reader", reader);

@@ -57,7 +57,7 @@ final class Society implements AutoCloseable {
     cca =
         new CoordinatorAgent(
             time, knowledge, new OptimalPlanner(), story::add, Duration.ofMillis(20), Past.none());
-    start(container, CoordinatorAgent.NAME, cca);
+    start(container, AgentNames.COORDINATOR, cca);
     start(container, "desk", desk);
     behavioursOfCca = cca.behaviourCount();
   }

@@ -49,7 +49,11 @@ final class Household {
   Household(KnowledgeSettings settings) {
     knowledge =
         new CollectiveKnowledge(
-            home(), clock, home -> new Plane(), GraphStorage.open(settings.store()), settings);
+            home(),
+            clock,
+            home -> new Plane(),
+            GraphStorageFactory.open(settings.store()),
+            settings);
     knowledge.restore();
   }
 

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.AgentTime;
 import org.maestro.agents.KnowledgeAgent;
 import org.maestro.agents.MaestroAgent;
@@ -42,7 +43,7 @@ class KnowledgeAgentTest {
     AgentTime time = AgentTime.of(clock);
     JadeRuntime.start(
         main,
-        KnowledgeAgent.NAME,
+        AgentNames.KNOWLEDGE,
         new KnowledgeAgent(time, knowledge, (text, member) -> home.devices().get(member)));
     guest = new Guest(time);
     JadeRuntime.start(main, "guest", guest);
@@ -204,7 +205,7 @@ class KnowledgeAgentTest {
       tell(
           () -> {
             ACLMessage question =
-                message(performative, new AID(KnowledgeAgent.NAME, AID.ISLOCALNAME));
+                message(performative, new AID(AgentNames.KNOWLEDGE, AID.ISLOCALNAME));
             question.setConversationId(conversation);
             question.setContent(content);
             send(question);

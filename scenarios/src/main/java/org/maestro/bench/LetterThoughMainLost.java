@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ThreadLocalRandom;
-import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.Words;
 import org.maestro.bench.LossesBench.Figure;
 import org.maestro.platform.JoinedContainer;
@@ -127,7 +127,7 @@ final class LetterThoughMainLost {
     try (JoinedContainer desk =
         JoinedContainer.join(
             Optional.of(PostOffice.SITE), "127.0.0.1", port, "desk-" + System.nanoTime(), clock)) {
-      return desk.ask(ACLMessage.QUERY_REF, CoordinatorAgent.NAME, Words.content("query-ref"))
+      return desk.ask(ACLMessage.QUERY_REF, AgentNames.COORDINATOR, Words.content("query-ref"))
               .getPerformative()
           == ACLMessage.INFORM;
     } catch (PlatformStartException e) {

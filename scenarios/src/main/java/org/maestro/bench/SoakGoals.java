@@ -8,7 +8,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
-import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.Words;
 import org.maestro.assembly.SiteException;
@@ -147,7 +147,7 @@ final class SoakGoals {
           .desk()
           .request(
               ACLMessage.REQUEST,
-              CoordinatorAgent.NAME,
+              AgentNames.COORDINATOR,
               Duration.ofSeconds(PATIENCE_SECONDS),
               answer -> {},
               Words.content("cancel", Words.named("goal", Words.name(id))));

@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.Words;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.sl.Content;
@@ -54,7 +54,7 @@ final class AgentCommand implements Runnable {
       try (JoinedContainer container = platform.join()) {
         Reply.lines(
                 container.ask(
-                    ACLMessage.REQUEST, CoordinatorAgent.NAME, new Content("perform", all)))
+                    ACLMessage.REQUEST, AgentNames.COORDINATOR, new Content("perform", all)))
             .forEach(line -> spec.commandLine().getOut().println(line.string("text").orElse("")));
       }
       return ExitCode.DONE;

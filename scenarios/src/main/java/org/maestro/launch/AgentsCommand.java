@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.Words;
 import org.maestro.platform.JoinedContainer;
 import picocli.CommandLine.Command;
@@ -46,7 +46,7 @@ final class AgentsCommand implements Callable<Integer> {
       List<Words> lines =
           Reply.lines(
               container.ask(
-                  ACLMessage.QUERY_REF, SupervisorAgent.NAME, Words.content("query-ref")));
+                  ACLMessage.QUERY_REF, AgentNames.SUPERVISOR, Words.content("query-ref")));
       String own = container.name();
       List<List<String>> rows = new ArrayList<>();
       for (Words line : lines) {

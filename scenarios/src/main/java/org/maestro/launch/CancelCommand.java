@@ -2,7 +2,7 @@ package org.maestro.launch;
 
 import jade.lang.acl.ACLMessage;
 import java.util.concurrent.Callable;
-import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.Words;
 import org.maestro.platform.JoinedContainer;
 import picocli.CommandLine.Command;
@@ -26,7 +26,7 @@ final class CancelCommand implements Callable<Integer> {
       Reply.lines(
           container.ask(
               ACLMessage.REQUEST,
-              CoordinatorAgent.NAME,
+              AgentNames.COORDINATOR,
               Words.content("cancel", Words.named("goal", Words.name(goal)))));
       spec.commandLine().getOut().println(goal + " is cancelled.");
       return ExitCode.DONE;

@@ -16,7 +16,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
-import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.OtherPlatform;
 import org.maestro.agents.Words;
@@ -220,11 +220,11 @@ final class GoalCommand implements Callable<Integer> {
         platform ->
             container
                 .desk()
-                .request(performative, platform, CoordinatorAgent.NAME, timeout, replies, content),
+                .request(performative, platform, AgentNames.COORDINATOR, timeout, replies, content),
         () ->
             container
                 .desk()
-                .request(performative, CoordinatorAgent.NAME, timeout, replies, content));
+                .request(performative, AgentNames.COORDINATOR, timeout, replies, content));
   }
 
   /** Nobody tells when another platform dies; it is asked now and then. */

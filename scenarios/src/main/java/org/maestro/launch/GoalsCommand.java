@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
-import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.Words;
 import org.maestro.platform.JoinedContainer;
 import picocli.CommandLine.Command;
@@ -37,7 +37,7 @@ final class GoalsCommand implements Callable<Integer> {
       List<Words> lines =
           Reply.lines(
               container.ask(
-                  ACLMessage.QUERY_REF, CoordinatorAgent.NAME, Words.content("query-ref")));
+                  ACLMessage.QUERY_REF, AgentNames.COORDINATOR, Words.content("query-ref")));
       PrintWriter out = spec.commandLine().getOut();
       if (json) {
         out.println(document(lines));

@@ -2,7 +2,7 @@ package org.maestro.launch;
 
 import jade.lang.acl.ACLMessage;
 import java.util.concurrent.Callable;
-import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.Words;
 import org.maestro.platform.JoinedContainer;
 import picocli.CommandLine.Command;
@@ -24,7 +24,7 @@ final class ReviveCommand implements Callable<Integer> {
       Reply.lines(
           container.ask(
               ACLMessage.REQUEST,
-              SupervisorAgent.NAME,
+              AgentNames.SUPERVISOR,
               Words.content("perform", Words.named("action", Words.name("revive")))));
       spec.commandLine().getOut().println("The central coordination agent is there again.");
       return ExitCode.DONE;

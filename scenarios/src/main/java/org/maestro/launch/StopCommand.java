@@ -2,7 +2,7 @@ package org.maestro.launch;
 
 import jade.lang.acl.ACLMessage;
 import java.util.concurrent.Callable;
-import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.Words;
 import org.maestro.platform.JoinedContainer;
 import picocli.CommandLine.Command;
@@ -22,7 +22,7 @@ final class StopCommand implements Callable<Integer> {
       Reply.lines(
           container.ask(
               ACLMessage.REQUEST,
-              SupervisorAgent.NAME,
+              AgentNames.SUPERVISOR,
               Words.content("perform", Words.named("action", Words.name("stop")))));
       spec.commandLine().getOut().println("Every device was told to go into a safe state.");
       return ExitCode.DONE;

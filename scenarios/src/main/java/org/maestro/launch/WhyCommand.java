@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.Words;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.platform.JoinedContainer;
@@ -74,7 +74,7 @@ final class WhyCommand implements Callable<Integer> {
 
   private List<StoryEntry> asked() {
     try (JoinedContainer container = platform.join()) {
-      return Reply.lines(container.ask(ACLMessage.REQUEST, CoordinatorAgent.NAME, question()))
+      return Reply.lines(container.ask(ACLMessage.REQUEST, AgentNames.COORDINATOR, question()))
           .stream()
           .map(Reply::story)
           .toList();

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.Words;
 import org.maestro.bench.PostOffice;
 import org.maestro.platform.JoinedContainer;
@@ -61,7 +61,7 @@ class CoordinatorDeathTest {
             desk.desk()
                 .request(
                     ACLMessage.REQUEST,
-                    CoordinatorAgent.NAME,
+                    AgentNames.COORDINATOR,
                     LIMIT,
                     reply -> accepted(reply, ids),
                     Words.content(
@@ -84,7 +84,7 @@ class CoordinatorDeathTest {
           desk.desk()
               .request(
                   ACLMessage.REQUEST,
-                  CoordinatorAgent.NAME,
+                  AgentNames.COORDINATOR,
                   LIMIT,
                   reply -> {
                     if (reply.getPerformative() != ACLMessage.AGREE) {
@@ -175,7 +175,7 @@ class CoordinatorDeathTest {
 
   private static List<Words> table(JoinedContainer desk) {
     return Words.parse(
-            desk.ask(ACLMessage.QUERY_REF, CoordinatorAgent.NAME, Words.content("query-ref"))
+            desk.ask(ACLMessage.QUERY_REF, AgentNames.COORDINATOR, Words.content("query-ref"))
                 .getContent())
         .stream()
         .map(Words::of)
@@ -191,7 +191,7 @@ class CoordinatorDeathTest {
   private static String story(JoinedContainer desk, String goal) {
     return desk.ask(
             ACLMessage.REQUEST,
-            CoordinatorAgent.NAME,
+            AgentNames.COORDINATOR,
             Words.content("explain", Words.named("goal", Words.name(goal))))
         .getContent();
   }
@@ -201,7 +201,7 @@ class CoordinatorDeathTest {
     desk.desk()
         .request(
             ACLMessage.REQUEST,
-            CoordinatorAgent.NAME,
+            AgentNames.COORDINATOR,
             LIMIT,
             reply -> accepted(reply, ids),
             Words.content("initCNP", Words.named("goal", Words.text("(stamped letter-0-0)"))));

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.Words;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.platform.PlatformStartException;
@@ -82,7 +82,7 @@ class FrozenMainTest {
         JoinedContainer.join(
             Optional.of("maestro"), "127.0.0.1", port, "desk-" + System.nanoTime(), clock)) {
       ACLMessage answer =
-          desk.ask(ACLMessage.QUERY_REF, SupervisorAgent.NAME, Words.content("query-ref"));
+          desk.ask(ACLMessage.QUERY_REF, AgentNames.SUPERVISOR, Words.content("query-ref"));
       return Words.parse(answer.getContent()).stream()
           .map(Words::of)
           .filter(line -> line.string("phase").equals(Optional.of("ready")))

@@ -30,8 +30,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.maestro.agents.CoordinatorAgent;
-import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.Words;
 import org.maestro.bench.PostOffice;
 import org.maestro.platform.JoinedContainer;
@@ -170,7 +169,7 @@ class MainDeathTest {
     boolean isThere =
         isAnswered(
             port,
-            SupervisorAgent.NAME,
+            AgentNames.SUPERVISOR,
             answer ->
                 tables.addAll(Words.parse(answer.getContent()).stream().map(Words::of).toList()));
     return isThere
@@ -233,7 +232,7 @@ class MainDeathTest {
   private double secondsUntilItAnswers(JavaProcess second, int port) {
     long lost = System.nanoTime();
     until(() -> second.output().contains(" runs: "), second);
-    while (!isAnswered(port, CoordinatorAgent.NAME, answer -> {})) {
+    while (!isAnswered(port, AgentNames.COORDINATOR, answer -> {})) {
       assertThat(System.nanoTime() - lost).isLessThan(LIMIT.toNanos());
     }
     return (System.nanoTime() - lost) / 1e9;

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
-import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.Words;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
@@ -178,7 +178,7 @@ class SecuredPlatformTest {
   private static ACLMessage askForRose(JoinedContainer asking) {
     return asking.ask(
         ACLMessage.REQUEST,
-        CoordinatorAgent.NAME,
+        AgentNames.COORDINATOR,
         Words.content("initCNP", Words.named("goal", Words.text("(in rose zone-b)"))));
   }
 

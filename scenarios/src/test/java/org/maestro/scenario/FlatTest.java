@@ -6,7 +6,7 @@ import static org.maestro.junit.MaestroAssertions.assertThat;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
-import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.Words;
 import org.maestro.junit.MaestroTest;
 import org.maestro.junit.Stage;
@@ -58,7 +58,7 @@ class FlatTest {
         .desk()
         .request(
             ACLMessage.REQUEST,
-            SupervisorAgent.NAME,
+            AgentNames.SUPERVISOR,
             Duration.ofSeconds(30),
             reply -> {},
             Words.content("perform", Words.named("action", Words.name("stop"))));

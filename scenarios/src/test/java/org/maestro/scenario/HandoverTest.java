@@ -9,7 +9,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
-import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.AgentNames;
 import org.maestro.agents.Words;
 import org.maestro.deployment.ContainerStart;
 import org.maestro.junit.ClockKind;
@@ -56,7 +56,7 @@ class HandoverTest {
       if (joined) {
         joining.ask(
             ACLMessage.REQUEST,
-            SupervisorAgent.NAME,
+            AgentNames.SUPERVISOR,
             Words.content(
                 "perform",
                 Words.named("action", Words.name("joined")),

@@ -75,24 +75,10 @@ public final class Guard {
         profile.getParameter(USER, ""));
   }
 
-  /** Has a container of this process signed and checked; to be called once for each. */
-  public void guard(Properties profile) {
+  /** Writes down by which files and for whom a container of this process is guarded. */
+  void writeTo(Properties profile) {
     profile.setProperty(FILES, site.directory().toString());
     profile.setProperty(USER, user);
-    String others = profile.getProperty(Profile.SERVICES, "");
-    profile.setProperty(
-        Profile.SERVICES,
-        others.isEmpty()
-            ? SignedMailService.class.getName()
-            : others + ";" + SignedMailService.class.getName());
-  }
-
-  /**
-   * The class of what listens for other containers, and calls them, by TLS: for the first container
-   * of a platform in a process only, the others use what it has opened.
-   */
-  public static String peer() {
-    return GuardedPeer.class.getName();
   }
 
   /** As the site's files have it now; when they cannot be used, as they had it. */

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.agents.Caller;
-import org.maestro.agents.MaestroAgent;
+import org.maestro.agents.Words;
 import org.maestro.platform.BareJade;
 import org.maestro.rats.security.ContainerAccess;
 import org.maestro.rats.security.SecureSite;
@@ -131,7 +131,8 @@ class SignedMailTest {
     seal(forged, rose, 1);
     insider.say(forged);
     awaitRefusal(
-        "in the name of centre@signing was refused: it is signed by container-robots, where no agent of that name lives");
+        "in the name of centre@signing was refused: it is signed by container-robots, where no"
+            + " agent of that name lives");
     assertThat(rose.heard).isEmpty();
   }
 
@@ -187,7 +188,7 @@ class SignedMailTest {
   private static ACLMessage message(Speaker receiver, String content) {
     ACLMessage message = new ACLMessage(ACLMessage.INFORM);
     message.addReceiver(receiver.getAID());
-    message.setLanguage(MaestroAgent.LANGUAGE);
+    message.setLanguage(Words.LANGUAGE);
     message.setContent(content);
     return message;
   }
