@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.maestro.device.tasks.Numbers;
 import org.maestro.hal.Drivers;
 import org.maestro.hal.GripperArm;
 import org.maestro.ontology.home.Device;

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.maestro.device.tasks.FactTemplates;
+import org.maestro.device.tasks.Numbers;
 import org.maestro.hal.Area;
 import org.maestro.hal.Battery;
 import org.maestro.hal.DaylightSensor;

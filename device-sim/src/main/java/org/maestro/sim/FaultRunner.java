@@ -13,6 +13,10 @@ import org.maestro.ontology.home.Segment;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.InProcessBus;
 import org.maestro.sim.link.BadLink;
+import org.maestro.sim.scene.Deed;
+import org.maestro.sim.scene.ScriptedFault;
+import org.maestro.sim.scene.SimulationException;
+import org.maestro.sim.world.World;
 
 /** Lets faults happen: in their time, at random, or upon an event. */
 final class FaultRunner {

@@ -13,6 +13,7 @@ import org.maestro.device.DeviceMember;
 import org.maestro.rats.member.RatsMember;
 import org.maestro.rats.protocol.Complaints;
 import org.maestro.sim.link.BadLink;
+import org.maestro.sim.scene.WorldEvent;
 
 /**
  * The RATS members of simulated devices: one is on the bus while its device has power, over a link

@@ -4,10 +4,16 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.maestro.device.Route;
-import org.maestro.device.RoutePlanner;
+import org.maestro.device.navigation.Route;
+import org.maestro.device.navigation.RoutePlanner;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.Point2;
+import org.maestro.sim.drivers.SimulatedArm;
+import org.maestro.sim.parameters.ArmData;
+import org.maestro.sim.parameters.GripperData;
+import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.scene.SimulationException;
+import org.maestro.sim.world.World;
 
 /**
  * The least time in which a robot could bring a thing next to another: shortest ways at full speed,

@@ -23,6 +23,16 @@ import org.maestro.rats.member.CallPolicy;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.InProcessBus;
 import org.maestro.rats.transport.Transport;
+import org.maestro.sim.drivers.DriverFactory;
+import org.maestro.sim.drivers.SimulatedCamera;
+import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.scene.Course;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.ScriptedFault;
+import org.maestro.sim.scene.SimulationException;
+import org.maestro.sim.world.FloorMap;
+import org.maestro.sim.world.Walks;
+import org.maestro.sim.world.World;
 
 /**
  * A home whose devices are simulated: one world, and one RATS member for each device that has a
@@ -143,7 +153,8 @@ public final class SimulatedHome implements AutoCloseable {
    * Builds the world and starts the members; they are ready some messages later.
    *
    * @throws SimulationException when home or scene lack what the simulation needs
-   * @throws org.maestro.device.DeviceSetupException when a device offers what its driver cannot do
+   * @throws org.maestro.device.tasks.DeviceSetupException when a device offers what its driver
+   *     cannot do
    */
   public static SimulatedHome start(Setup setup) {
     SimulatedHome simulated = new SimulatedHome(setup);

@@ -23,6 +23,10 @@ import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.transport.Transport;
+import org.maestro.sim.scene.Deed;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SceneLoader;
+import org.maestro.sim.scene.ScriptedFault;
 
 /** Each kind of fault: at its time by a scene file, at random and upon an event by the API. */
 class EveryFaultTest {

@@ -15,6 +15,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.maestro.ontology.home.Home;
+import org.maestro.sim.scene.Deed;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SceneLoader;
 
 /** Each example of the guide is read, and lived through for five minutes. */
 class GuideToScenesTest {

@@ -22,6 +22,10 @@ import org.maestro.rats.protocol.Progress;
 import org.maestro.rats.protocol.Result;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.rats.transport.InProcessBus;
+import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SceneLoader;
+import org.maestro.sim.world.World;
 
 /** The shipped homes and scenes, simulated on a stepped clock behind a link. */
 public final class Homes implements AutoCloseable {

@@ -20,6 +20,9 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Result;
+import org.maestro.sim.parameters.GripperData;
+import org.maestro.sim.world.Looks;
+import org.maestro.sim.world.Wrap;
 import org.maestro.sl.Term;
 
 class JammingGripperTest {

@@ -23,6 +23,7 @@ import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Result;
+import org.maestro.sim.scene.WorldEvent;
 
 /** What the papers' laboratory consists of (M26, M28, M29, M81, M82, M87). */
 class LaboratoryTest {

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.maestro.hal.Position;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Result;
+import org.maestro.sim.world.Flaw;
 
 /** Bases and cameras that are broken and do not say so. */
 class LiarsTest {

@@ -11,6 +11,8 @@ import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Polygon;
 import org.maestro.ontology.home.Pose;
 import org.maestro.ontology.home.Segment;
+import org.maestro.sim.world.LampLight;
+import org.maestro.sim.world.World;
 
 class LightTest {
 

@@ -13,6 +13,11 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.RatsError;
+import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.scene.Paint;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SceneLoader;
+import org.maestro.sim.world.Likeness;
 
 /**
  * Colours in too much light (paper 5.2): a room with a window to the south, at noon at the equinox

@@ -11,6 +11,8 @@ import org.maestro.hal.Camera;
 import org.maestro.hal.Photo;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.Home;
+import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.scene.Scene;
 
 /** Pictures that ceiling cameras take of the arena: small ones, for speed. */
 class PhotoTest {

@@ -12,6 +12,7 @@ import org.maestro.ontology.home.Home;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Result;
+import org.maestro.sim.scene.Scene;
 
 /** Batteries are filled at stations: 120 Wh at 192 W, less the 20 W that the robot draws idle. */
 class RechargeTest {

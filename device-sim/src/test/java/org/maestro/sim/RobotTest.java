@@ -15,6 +15,10 @@ import org.maestro.ontology.home.Point2;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Result;
+import org.maestro.sim.parameters.ArmData;
+import org.maestro.sim.scene.WorldEvent;
+import org.maestro.sim.world.Body;
+import org.maestro.sim.world.PathPoint;
 
 class RobotTest {
 

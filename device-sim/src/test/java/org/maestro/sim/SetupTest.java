@@ -9,13 +9,15 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import org.maestro.device.DeviceSetupException;
+import org.maestro.device.tasks.DeviceSetupException;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.rats.transport.InProcessBus;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SimulationException;
 
 class SetupTest {
 

@@ -14,6 +14,12 @@ import org.maestro.hal.Photo;
 import org.maestro.hal.Position;
 import org.maestro.hal.Target;
 import org.maestro.ontology.home.Pose;
+import org.maestro.sim.drivers.Actuator;
+import org.maestro.sim.drivers.Eye;
+import org.maestro.sim.drivers.SimulatedCamera;
+import org.maestro.sim.parameters.CameraData;
+import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.world.Likeness;
 
 class SightTest {
 

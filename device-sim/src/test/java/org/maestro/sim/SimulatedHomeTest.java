@@ -17,6 +17,9 @@ import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.RatsError;
 import org.maestro.rats.protocol.Result;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.WorldEvent;
+import org.maestro.sim.world.PathPoint;
 
 class SimulatedHomeTest {
 

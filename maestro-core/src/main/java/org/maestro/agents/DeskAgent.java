@@ -5,6 +5,14 @@ import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.List;
 import java.util.function.Consumer;
+import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.Replies;
+import org.maestro.agents.content.Words;
+import org.maestro.agents.knowledge.KnowledgeCache;
+import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Conversations;
+import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.agents.runtime.OtherPlatform;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 

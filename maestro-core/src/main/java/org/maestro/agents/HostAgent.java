@@ -4,6 +4,13 @@ import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.List;
 import java.util.function.Consumer;
+import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.StartWords;
+import org.maestro.agents.content.Words;
+import org.maestro.agents.device.Host;
+import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Conversations;
+import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.deployment.AgentStart;
 import org.maestro.sl.Content;
 

@@ -38,8 +38,8 @@ import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.coordination.recovery.JournaledCrew;
 import org.maestro.coordination.story.Decision;
 import org.maestro.coordination.story.Decisions;
-import org.maestro.knowledge.KnowledgeBase;
-import org.maestro.planning.Step;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.planning.api.Step;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Formula;
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.maestro.knowledge.api.KnowledgeException;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.StatementCheck;
 import org.maestro.sl.Expression;

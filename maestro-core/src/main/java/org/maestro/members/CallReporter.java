@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import org.maestro.coordination.api.Crew;
-import org.maestro.knowledge.FeatureRun;
+import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.Observation;

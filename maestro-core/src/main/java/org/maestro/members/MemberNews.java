@@ -3,7 +3,7 @@ package org.maestro.members;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiFunction;
-import org.maestro.knowledge.MemberWord;
+import org.maestro.knowledge.api.MemberWord;
 import org.maestro.ontology.home.Device;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.MemberState;

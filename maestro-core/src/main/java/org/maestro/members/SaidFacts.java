@@ -2,7 +2,7 @@ package org.maestro.members;
 
 import java.util.List;
 import java.util.Optional;
-import org.maestro.knowledge.FeatureRun;
+import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.rats.protocol.Complaints;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Fact;

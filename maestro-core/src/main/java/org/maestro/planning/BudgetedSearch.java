@@ -5,7 +5,28 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import org.maestro.planning.PlanningResult.Explanation;
+import org.maestro.planning.api.Effort;
+import org.maestro.planning.api.Objective;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PlanningResult.Explanation;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.explanation.ObstacleText;
+import org.maestro.planning.grounding.Grounder;
+import org.maestro.planning.optimal.CostBounds;
+import org.maestro.planning.optimal.EarliestFinishSearch;
+import org.maestro.planning.optimal.KeptGround;
+import org.maestro.planning.optimal.LandmarkCut;
+import org.maestro.planning.optimal.LimitedSearch;
+import org.maestro.planning.optimal.OptimalSearch;
+import org.maestro.planning.optimal.Pruning;
+import org.maestro.planning.optimal.RelaxedProblem;
+import org.maestro.planning.problem.GroundProblem;
+import org.maestro.planning.problem.Operator;
+import org.maestro.planning.problem.PlanBuilder;
+import org.maestro.planning.problem.Sought;
+import org.maestro.planning.sensing.ExpectedCostSearch;
+import org.maestro.planning.sensing.Supposition;
 
 /**
  * Finds the plan of one task. Most goals are reached with few of all steps: a budget grows until

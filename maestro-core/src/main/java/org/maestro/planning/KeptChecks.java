@@ -5,6 +5,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.maestro.planning.api.Objective;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.PricedFeature;
+import org.maestro.planning.api.Step;
+import org.maestro.planning.api.StepKey;
+import org.maestro.planning.grounding.Grounder;
+import org.maestro.planning.grounding.Groundwork;
 import org.maestro.sl.Formula;
 
 /**

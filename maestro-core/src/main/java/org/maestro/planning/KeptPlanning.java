@@ -8,6 +8,20 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import org.maestro.planning.api.Effort;
+import org.maestro.planning.api.Objective;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.Step;
+import org.maestro.planning.grounding.Grounder;
+import org.maestro.planning.grounding.Groundwork;
+import org.maestro.planning.optimal.KeptGround;
+import org.maestro.planning.problem.GroundProblem;
+import org.maestro.planning.problem.Operator;
+import org.maestro.planning.problem.Sought;
+import org.maestro.planning.problem.State;
+import org.maestro.planning.problem.Successors;
 
 /**
  * What was made for one goal, kept for when it is planned for again: feature instances, and the

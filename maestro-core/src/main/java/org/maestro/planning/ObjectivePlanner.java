@@ -2,6 +2,12 @@ package org.maestro.planning;
 
 import java.util.List;
 import java.util.Optional;
+import org.maestro.planning.api.Objective;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.Planner;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.Step;
 
 /** The allocation strategy: whatever is to be planned is planned for one objective. */
 public final class ObjectivePlanner implements Planner {

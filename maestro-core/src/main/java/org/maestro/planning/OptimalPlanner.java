@@ -4,6 +4,15 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.Planner;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.Step;
+import org.maestro.planning.explanation.FailureExplanation;
+import org.maestro.planning.grounding.Grounder;
+import org.maestro.planning.problem.Execution;
+import org.maestro.planning.problem.Operator;
 
 /**
  * Finds cheapest plans, or those that are over first, and proves it: backward grounding, A* with
@@ -53,7 +62,7 @@ public final class OptimalPlanner implements Planner {
   }
 
   /** The plan that is cheapest when all is found where it is looked for first. */
-  PlanningResult optimistic(PlanningTask task) {
+  public PlanningResult optimistic(PlanningTask task) {
     return solved(task, false);
   }
 

@@ -7,6 +7,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.maestro.planning.api.Objective;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.Planner;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.Step;
+import org.maestro.planning.grounding.Groundwork;
 import org.maestro.sl.Formula;
 
 /**

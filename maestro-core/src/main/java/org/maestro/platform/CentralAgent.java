@@ -3,7 +3,8 @@ package org.maestro.platform;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.maestro.agents.CoordinatorAgent;
-import org.maestro.agents.Past;
+import org.maestro.agents.goals.Past;
+import org.maestro.platform.journal.Chronicle;
 import org.maestro.rats.time.Clock;
 
 /**

@@ -2,10 +2,14 @@ package org.maestro.platform;
 
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
-import org.maestro.agents.AgentNames;
 import org.maestro.agents.DeskAgent;
+import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.pulse.Pulse;
 import org.maestro.deployment.AgentStart;
+import org.maestro.platform.failover.HeirLinks;
+import org.maestro.platform.failover.Rescue;
+import org.maestro.platform.failover.Starter;
+import org.maestro.platform.jade.PlatformEvents;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -14,14 +14,19 @@ import java.util.concurrent.ConcurrentSkipListSet;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import org.maestro.agents.GenericAgent;
-import org.maestro.agents.Host;
-import org.maestro.agents.MaestroAgent;
-import org.maestro.agents.Surroundings;
-import org.maestro.agents.Welcome;
+import org.maestro.agents.device.Host;
+import org.maestro.agents.device.Surroundings;
+import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.agents.supervision.Welcome;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.ContainerStart;
 import org.maestro.deployment.Deployment;
 import org.maestro.deployment.DeploymentException;
+import org.maestro.platform.failover.Handing;
+import org.maestro.platform.failover.HeirLinks;
+import org.maestro.platform.jade.AgentsByName;
+import org.maestro.platform.jade.ContainerEnds;
+import org.maestro.platform.jade.JadeRuntime;
 
 /**
  * Starts and ends the agents of a platform where the deployment has them: in containers of this

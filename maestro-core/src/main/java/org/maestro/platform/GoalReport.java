@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import org.maestro.agents.Words;
+import org.maestro.agents.content.Words;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.sl.Term;
 

@@ -1,7 +1,7 @@
 package org.maestro.platform;
 
 import java.util.List;
-import org.maestro.agents.Words;
+import org.maestro.agents.content.Words;
 
 /**
  * How a held goal fares, as its requester is told.

@@ -3,8 +3,11 @@ package org.maestro.platform;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
-import org.maestro.agents.SupervisorOrders;
 import org.maestro.agents.pulse.Pulse;
+import org.maestro.agents.supervision.SupervisorOrders;
+import org.maestro.platform.failover.HeirLinks;
+import org.maestro.platform.failover.Rescue;
+import org.maestro.platform.failover.SignsOfLife;
 
 /** What the supervision has of the platform around it: those it tells, and who revives whom. */
 final class PlatformCentre implements Supervision.Centre {

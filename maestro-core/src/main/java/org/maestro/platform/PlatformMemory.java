@@ -6,11 +6,14 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import org.maestro.agents.Past;
+import org.maestro.agents.goals.Past;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.StoryEntry;
-import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.platform.jade.PlatformStartException;
+import org.maestro.platform.journal.JournalFile;
+import org.maestro.platform.journal.StoryFile;
 import org.maestro.rats.time.Clock;
 
 /** What a platform keeps on disk, and what it found there. */

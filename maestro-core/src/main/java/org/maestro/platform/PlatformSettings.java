@@ -3,9 +3,12 @@ package org.maestro.platform;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
-import org.maestro.agents.Patience;
 import org.maestro.agents.pulse.HeartbeatSettings;
+import org.maestro.agents.runtime.Patience;
 import org.maestro.platform.guard.Guard;
+import org.maestro.platform.jade.PlatformStartException;
+import org.maestro.platform.jade.Premises;
+import org.maestro.platform.jade.Sockets;
 
 /**
  * How a platform is to run.
@@ -125,7 +128,9 @@ public record PlatformSettings(
     int own = Sockets.claim(premises.host(), port, "--port");
     if (premises.letters().isPresent() && guard.isPresent()) {
       throw new PlatformStartException(
-          "A secured site hears nobody whose messages its own processes have not signed, so it has no --mtp; leave that away, or have the other platform's people join as guests (./maestro secure --guest).");
+          "A secured site hears nobody whose messages its own processes have not signed, so it has"
+              + " no --mtp; leave that away, or have the other platform's people join as guests"
+              + " (./maestro secure --guest).");
     }
     return new PlatformSettings(
         name,

@@ -8,11 +8,12 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.agents.CoordinatorAgent;
-import org.maestro.agents.SupervisorOrders;
+import org.maestro.agents.supervision.SupervisorOrders;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.Provision;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
+import org.maestro.platform.failover.Rescue;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -7,11 +7,11 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
-import org.maestro.agents.Addition;
-import org.maestro.agents.Containers;
-import org.maestro.agents.Handover;
-import org.maestro.agents.Welcome;
+import org.maestro.agents.content.Addition;
 import org.maestro.agents.pulse.Pulse;
+import org.maestro.agents.supervision.Containers;
+import org.maestro.agents.supervision.Handover;
+import org.maestro.agents.supervision.Welcome;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.Charge;
 import org.maestro.deployment.ContainerStart;
@@ -76,7 +76,8 @@ final class Supervision implements Containers {
             .orElseThrow(
                 () ->
                     new DeploymentException(
-                        "The bus of this platform lives within its process, where no other gets at it."));
+                        "The bus of this platform lives within its process, where no other gets at"
+                            + " it."));
     if (!centre.isPlaced()) {
       throw new DeploymentException(
           "The platform has not begun all of its own agents yet; join again in a moment.");

@@ -7,13 +7,19 @@ import jade.lang.acl.MessageTemplate;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.BidReader;
+import org.maestro.agents.content.Replies;
+import org.maestro.agents.content.Words;
+import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.MaestroAgent;
 
 /** A JADE agent in the place of a member's generic agent, which behaves as its part wants. */
-final class Actor extends MaestroAgent {
+public final class Actor extends MaestroAgent {
   private static final long serialVersionUID = 1L;
 
   /** What the actor does with each kind of message; by itself everything is done right. */
-  interface Part {
+  public interface Part {
     default double price() {
       return 1;
     }

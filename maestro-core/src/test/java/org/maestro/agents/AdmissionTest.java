@@ -21,6 +21,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.platform.BareJade;
 
 /**

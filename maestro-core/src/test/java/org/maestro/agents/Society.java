@@ -19,9 +19,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import org.awaitility.Awaitility;
+import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.goals.Mind;
+import org.maestro.agents.goals.Past;
+import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.knowledge.CollectiveKnowledge;
-import org.maestro.knowledge.Source;
+import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
@@ -34,7 +39,7 @@ import org.maestro.sl.SlParser;
  * A CCA and a desk among actors, on a stepped clock of their own: how long something takes is
  * simulated time, whatever the machine does.
  */
-final class Society implements AutoCloseable {
+public final class Society implements AutoCloseable {
   /** Simulated time that passes before what failed is tried once more and the goal given up. */
   static final Duration BEFORE_THE_LAST_TRY = Duration.ofSeconds(15);
 
@@ -43,16 +48,16 @@ final class Society implements AutoCloseable {
   private static final Home HOME = home();
 
   final SteppedClock clock = new SteppedClock();
-  final AgentTime time = AgentTime.of(clock);
+  public final AgentTime time = AgentTime.of(clock);
   final List<StoryEntry> story = Collections.synchronizedList(new ArrayList<>());
-  final CoordinatorAgent cca;
+  public final CoordinatorAgent cca;
   private final CollectiveKnowledge knowledge = new CollectiveKnowledge(HOME, clock);
-  final DeskAgent desk = new DeskAgent(time);
+  public final DeskAgent desk = new DeskAgent(time);
   private final AgentContainer container;
   private final Map<String, AgentController> controllers = new LinkedHashMap<>();
   private final int behavioursOfCca;
 
-  Society(BareJade jade) {
+  public Society(BareJade jade) {
     container = jade.main();
     cca =
         new CoordinatorAgent(
@@ -82,7 +87,7 @@ final class Society implements AutoCloseable {
     controllers.put(name, BareJade.start(where, name, agent));
   }
 
-  void start(String name, MaestroAgent agent) {
+  public void start(String name, MaestroAgent agent) {
     start(container, name, agent);
   }
 
@@ -97,11 +102,11 @@ final class Society implements AutoCloseable {
     knowledge.state(new Source(Source.Kind.OBSERVED, "usher"), List.of(fact));
   }
 
-  Actor add(String member, Actor.Part part) {
+  public Actor add(String member, Actor.Part part) {
     return add(container, member, part);
   }
 
-  Actor add(AgentContainer where, String member, Actor.Part part) {
+  public Actor add(AgentContainer where, String member, Actor.Part part) {
     Actor actor = new Actor(time, part);
     start(where, member, actor);
     clock.runUntil(() -> cca.presentMembers().contains(member), LONGEST);
@@ -135,7 +140,7 @@ final class Society implements AutoCloseable {
   }
 
   /** States a goal and runs until it has ended and nobody is busy with it any more. */
-  Outcome pursue(String goal) {
+  public Outcome pursue(String goal) {
     List<ACLMessage> replies = Collections.synchronizedList(new ArrayList<>());
     Duration begin = clock.now();
     desk.requestGoal(SlParser.formula(goal), replies::add);
@@ -145,14 +150,14 @@ final class Society implements AutoCloseable {
     return new Outcome(replies.get(replies.size() - 1), took);
   }
 
-  String told() {
+  public String told() {
     synchronized (story) {
       return String.join("\n", story.stream().map(e -> e.kind() + " " + e.text()).toList());
     }
   }
 
   /** Lets all that was begun come to its end; says what does not. */
-  String leftover() {
+  public String leftover() {
     // What is just being sent is in no queue yet, so that it may be quiet for a moment.
     for (int i = 0; i < MOST_LOOKS && !isQuiet(); i++) {
       clock.runUntil(this::isQuiet, LONGEST);
@@ -178,12 +183,12 @@ final class Society implements AutoCloseable {
   }
 
   /** Lets simulated time pass until it is so. */
-  void await(BooleanSupplier condition, Duration limit) {
+  public void await(BooleanSupplier condition, Duration limit) {
     assertThat(clock.runUntil(condition, limit)).as(told()).isTrue();
   }
 
   /** Lets simulated time pass. */
-  void pass(Duration duration) {
+  public void pass(Duration duration) {
     boolean[] passed = {false};
     clock.schedule(duration, "test", () -> passed[0] = true);
     clock.runUntil(() -> passed[0], duration.plusSeconds(1));

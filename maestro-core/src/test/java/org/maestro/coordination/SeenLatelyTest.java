@@ -10,7 +10,7 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.api.GoalOutcome;
-import org.maestro.knowledge.Source;
+import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.HomeLoader;
 
 /** What was observed some time ago is observed again before a goal is called reached. */

@@ -13,9 +13,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.api.Crew;
 import org.maestro.coordination.api.GoalOutcome;
-import org.maestro.knowledge.Source;
+import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Step;
 import org.maestro.sl.Term;
 
 /**

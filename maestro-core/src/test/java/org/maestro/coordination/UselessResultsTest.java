@@ -85,7 +85,8 @@ class UselessResultsTest {
   void doNotStandInTheWayOfWhatOthersTell() {
     house.ambientLux.put("zone-b", 100.0);
     house.knowledge.state(
-        new org.maestro.knowledge.Source(org.maestro.knowledge.Source.Kind.OBSERVED, "lux-b"),
+        new org.maestro.knowledge.api.Source(
+            org.maestro.knowledge.api.Source.Kind.OBSERVED, "lux-b"),
         List.of("(= (illuminance zone-b) 100)"));
     house.place.put("Cup", "zone-b");
     house.reporting =

@@ -15,11 +15,17 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.faults.FaultyDisk;
+import org.maestro.knowledge.api.Belief;
+import org.maestro.knowledge.api.KnowledgeException;
+import org.maestro.knowledge.api.KnowledgeSettings;
+import org.maestro.knowledge.api.Source;
+import org.maestro.knowledge.api.Store;
+import org.maestro.knowledge.history.HistoryFile;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /** Who said what, when and how surely: kept for the configured time, and over a restart. */
-class HistoryTest {
+public class HistoryTest {
 
   private static final Source CAM_A = new Source(Source.Kind.OBSERVED, "cam-a");
   private static final String OBSERVATIONS =

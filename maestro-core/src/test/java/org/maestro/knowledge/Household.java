@@ -10,6 +10,13 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
+import org.maestro.knowledge.api.Belief;
+import org.maestro.knowledge.api.KnowledgeSettings;
+import org.maestro.knowledge.api.Snapshot;
+import org.maestro.knowledge.api.Source;
+import org.maestro.knowledge.api.Store;
+import org.maestro.knowledge.belief.Measures;
+import org.maestro.knowledge.rdf.GraphStorageFactory;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
@@ -30,23 +37,23 @@ import org.maestro.sl.TypedVariable;
  * Two rooms of 3 m, side by side along x, with a person, a cup, a camera and a lamp for each, and a
  * robot.
  */
-final class Household {
+public final class Household {
 
-  static final Source CAMERA = new Source(Source.Kind.OBSERVED, "cam-b");
+  public static final Source CAMERA = new Source(Source.Kind.OBSERVED, "cam-b");
   static final Source ROBOT = new Source(Source.Kind.STATED, "rose");
 
-  final SteppedClock clock = new SteppedClock();
-  final CollectiveKnowledge knowledge;
+  public final SteppedClock clock = new SteppedClock();
+  public final CollectiveKnowledge knowledge;
 
-  Household() {
+  public Household() {
     this(KnowledgeSettings.inMemory());
   }
 
-  Household(Store store) {
+  public Household(Store store) {
     this(KnowledgeSettings.inMemory().with(store));
   }
 
-  Household(KnowledgeSettings settings) {
+  public Household(KnowledgeSettings settings) {
     knowledge =
         new CollectiveKnowledge(
             home(),
@@ -58,7 +65,7 @@ final class Household {
   }
 
   /** What is believed is what stands in the dataset, wherever that is. */
-  void close() {
+  public void close() {
     assertThat(
             knowledge.select(
                 "SELECT ?f WHERE { GRAPH <https://example.org/home#graph/world>"
@@ -131,7 +138,7 @@ final class Household {
             : Map.of(propertyAndValue[0], List.of(new Term.Name(propertyAndValue[1]))));
   }
 
-  static FeatureType feature(String effect, String learns) {
+  public static FeatureType feature(String effect, String learns) {
     return new FeatureType(
         "feature",
         "https://example.org/feature",
@@ -156,15 +163,15 @@ final class Household {
         Map.of());
   }
 
-  void state(Source source, String... facts) {
+  public void state(Source source, String... facts) {
     knowledge.state(source, List.of(facts));
   }
 
-  Truth truth(String formula) {
+  public Truth truth(String formula) {
     return new Question(knowledge.snapshot()).queryIf(SlParser.formula(formula));
   }
 
-  OptionalDouble number(String fluent) {
+  public OptionalDouble number(String fluent) {
     return knowledge.snapshot().number((Expression.Fluent) SlParser.expression(fluent));
   }
 
@@ -172,7 +179,7 @@ final class Household {
     return knowledge.snapshot().belief((Formula.Atom) SlParser.formula(atom));
   }
 
-  void pass(Duration time) {
+  public void pass(Duration time) {
     Duration until = clock.now().plus(time);
     clock.schedule(time, "test", () -> {});
     clock.runUntil(() -> clock.now().compareTo(until) >= 0, time.multipliedBy(2));

@@ -14,6 +14,9 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
+import org.maestro.knowledge.api.KnowledgeException;
+import org.maestro.knowledge.api.Source;
+import org.maestro.knowledge.api.Store;
 
 /** All that is asked of the collective knowledge, with its dataset behind a SPARQL endpoint. */
 class KnowledgeAtAnEndpointTest {

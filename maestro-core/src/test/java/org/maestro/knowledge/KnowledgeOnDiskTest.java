@@ -16,6 +16,11 @@ import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.maestro.knowledge.api.Belief;
+import org.maestro.knowledge.api.KnowledgeException;
+import org.maestro.knowledge.api.KnowledgeSettings;
+import org.maestro.knowledge.api.Store;
+import org.maestro.knowledge.rdf.DatasetStorage;
 
 /**
  * All that is asked of the collective knowledge, with its dataset on disk. As each test makes files

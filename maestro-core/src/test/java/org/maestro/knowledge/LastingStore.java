@@ -3,6 +3,8 @@ package org.maestro.knowledge;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.maestro.knowledge.api.Belief;
+import org.maestro.knowledge.api.Store;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 

@@ -9,6 +9,12 @@ import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.maestro.knowledge.api.Belief;
+import org.maestro.knowledge.api.FeatureRun;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Snapshot;
+import org.maestro.knowledge.api.Source;
+import org.maestro.knowledge.api.Store;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Term;
@@ -23,13 +29,15 @@ class LearningTest {
           (and (when (= ?found true) (and (position ?object ?pose) (canSee ?self ?object)))
                (when (= ?found false) (and (not (canSee ?self ?object))
                  (forall (?z - Zone) (when (and (covers ?self ?z) (>= (illuminance ?z) 72))
-                   (not (in ?object ?z)))))))""");
+                   (not (in ?object ?z)))))))\
+          """);
   private static final FeatureType LIGHT =
       Household.feature(
           """
           (and (assign (level ?self) ?level)
                (forall (?z - Zone) (when (= ?z zone-b)
-                 (increase (illuminance ?z) (* 30 (- ?level (level ?self)))))))""",
+                 (increase (illuminance ?z) (* 30 (- ?level (level ?self)))))))\
+          """,
           "");
   private static final FeatureType PICK =
       Household.feature(

@@ -3,6 +3,8 @@ package org.maestro.planning;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PlanningTask;
 
 /**
  * A larger hall: three zones, three cameras, six lamps with four levels that all shine into every
@@ -70,7 +72,8 @@ class ArenaPlanningTest {
     time(
         "all bright",
         dark,
-        "(and (>= (illuminance zone-1) 50) (>= (illuminance zone-2) 50) (>= (illuminance zone-3) 50))");
+        "(and (>= (illuminance zone-1) 50) (>= (illuminance zone-2) 50) (>= (illuminance zone-3)"
+            + " 50))");
   }
 
   private void time(String name, SmallWorld world, String goal) {

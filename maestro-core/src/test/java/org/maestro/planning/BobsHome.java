@@ -4,10 +4,10 @@ package org.maestro.planning;
  * Two rooms, two cameras, five lamps, two sensors and a robot, with round numbers: the home of the
  * design's worked example.
  */
-final class BobsHome {
+public final class BobsHome {
   private BobsHome() {}
 
-  static SmallWorld words() {
+  public static SmallWorld words() {
     return new SmallWorld()
         .declare(
             "in", "observable functional", null, "(usuallyIn ?x ?p)", "?x - Thing", "?p - Place")
@@ -64,7 +64,7 @@ final class BobsHome {
             "(and (in ?object ?zone) (when (Thing ?target) (nextTo ?object ?target)))");
   }
 
-  static SmallWorld dark() {
+  public static SmallWorld dark() {
     SmallWorld world =
         words()
             .individuals("Zone Place", "zone-a", "zone-b")
@@ -104,7 +104,8 @@ final class BobsHome {
         .offer(name, "measureIllumination", "1");
   }
 
-  static void lamp(SmallWorld world, String name, double level, String price, String... gains) {
+  public static void lamp(
+      SmallWorld world, String name, double level, String price, String... gains) {
     world
         .individuals("Thing Device", name)
         .facts("(= (level " + name + ") " + level + ")")

@@ -3,6 +3,13 @@ package org.maestro.planning;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import org.maestro.planning.problem.Change;
+import org.maestro.planning.problem.Condition;
+import org.maestro.planning.problem.GroundProblem;
+import org.maestro.planning.problem.NumberExpression;
+import org.maestro.planning.problem.NumberVariable;
+import org.maestro.planning.problem.Operator;
+import org.maestro.planning.problem.Variable;
 
 /** What a ground problem says, as lines of text that do not hang on when its variables were met. */
 final class DescribedProblem {

@@ -9,6 +9,17 @@ import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
+import org.maestro.planning.api.Objective;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.Planner;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.Step;
+import org.maestro.planning.problem.GroundProblem;
+import org.maestro.planning.problem.Operator;
+import org.maestro.planning.problem.PlanBuilder;
+import org.maestro.planning.problem.State;
+import org.maestro.planning.problem.Successors;
 
 /** Plans that are over first, beside those that are cheapest. */
 class EarliestFinishTest {

@@ -7,13 +7,20 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.maestro.ontology.vocabulary.Parameter;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.PricedFeature;
+import org.maestro.planning.api.StepKey;
+import org.maestro.planning.grounding.Grounder;
+import org.maestro.planning.problem.GroundProblem;
+import org.maestro.planning.problem.Operator;
+import org.maestro.planning.problem.Relevance;
 import org.maestro.sl.Term;
 
 /** Grounds a task over all parameter values, without asking what matters. */
-final class Everything {
+public final class Everything {
   private Everything() {}
 
-  static GroundProblem ground(PlanningTask task) {
+  public static GroundProblem ground(PlanningTask task) {
     Grounder grounder = new Grounder(task);
     List<Operator> operators = new ArrayList<>();
     for (PricedFeature feature : task.features()) {

@@ -6,12 +6,16 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.PriorityQueue;
 import java.util.function.Function;
+import org.maestro.planning.problem.GroundProblem;
+import org.maestro.planning.problem.Operator;
+import org.maestro.planning.problem.State;
+import org.maestro.planning.problem.Successors;
 
 /**
  * Uniform-cost search over all ground operators, without relevance, pruning or heuristic: slow and
  * simple.
  */
-final class ExhaustiveSearch {
+public final class ExhaustiveSearch {
   private record Entry(double cost, State state) {}
 
   private ExhaustiveSearch() {}
@@ -20,7 +24,7 @@ final class ExhaustiveSearch {
    * The cost of the cheapest plan, empty when there is none, NaN when there are too many states to
    * say.
    */
-  static OptionalDouble cheapest(GroundProblem problem, int mostStates) {
+  public static OptionalDouble cheapest(GroundProblem problem, int mostStates) {
     return cheapest(problem, mostStates, state -> problem.operators());
   }
 
@@ -29,7 +33,7 @@ final class ExhaustiveSearch {
    *
    * @param going also with operators that are not possible in the state
    */
-  static OptionalDouble cheapest(
+  public static OptionalDouble cheapest(
       GroundProblem problem, int mostStates, Function<State, List<Operator>> going) {
     PriorityQueue<Entry> queue = new PriorityQueue<>((a, b) -> Double.compare(a.cost(), b.cost()));
     Map<State, Double> best = new HashMap<>();

@@ -11,10 +11,15 @@ import java.util.Set;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
-import org.maestro.planning.PlanningResult.Cure;
-import org.maestro.planning.PlanningResult.Explanation;
-import org.maestro.planning.PlanningResult.Obstacle;
-import org.maestro.planning.PlanningResult.Obstacle.Kind;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PlanningResult.Cure;
+import org.maestro.planning.api.PlanningResult.Explanation;
+import org.maestro.planning.api.PlanningResult.Obstacle;
+import org.maestro.planning.api.PlanningResult.Obstacle.Kind;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.StepKey;
+import org.maestro.planning.api.Unavailable;
+import org.maestro.planning.explanation.Cures;
 import org.maestro.sl.Term;
 
 /** Why there is no plan, and that each cure named is one. */

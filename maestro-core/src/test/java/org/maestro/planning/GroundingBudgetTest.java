@@ -9,6 +9,15 @@ import java.util.stream.Collectors;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
+import org.maestro.planning.api.Effort;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.grounding.Grounder;
+import org.maestro.planning.optimal.LandmarkCut;
+import org.maestro.planning.optimal.OptimalSearch;
+import org.maestro.planning.optimal.RelaxedProblem;
+import org.maestro.planning.problem.GroundProblem;
+import org.maestro.planning.problem.PlanBuilder;
 
 class GroundingBudgetTest {
   private final OptimalPlanner planner = new OptimalPlanner();

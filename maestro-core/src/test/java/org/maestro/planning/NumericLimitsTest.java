@@ -5,8 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.maestro.planning.PlanningResult.Obstacle;
-import org.maestro.planning.PlanningResult.Obstacle.Kind;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PlanningResult.Obstacle;
+import org.maestro.planning.api.PlanningResult.Obstacle.Kind;
 
 /** That nothing is called impossible, and no number a limit, that trying everything refutes. */
 class NumericLimitsTest {

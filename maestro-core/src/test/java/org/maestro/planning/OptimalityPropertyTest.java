@@ -13,9 +13,15 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.Step;
+import org.maestro.planning.grounding.Grounder;
+import org.maestro.planning.problem.GroundProblem;
 
 /** Random small worlds: the plan costs what exhaustive search finds, and holds when executed. */
-class OptimalityPropertyTest {
+public class OptimalityPropertyTest {
   /** What may be wanted in a random home. */
   static final List<String> HOME_GOALS =
       List.of(
@@ -40,7 +46,7 @@ class OptimalityPropertyTest {
     check(task, new Grounder(task).ground());
   }
 
-  static PlanningTask homeTask(Random random) {
+  public static PlanningTask homeTask(Random random) {
     SmallWorld world = home(random);
     return world.task(HOME_GOALS.get(random.nextInt(HOME_GOALS.size())));
   }
@@ -104,7 +110,7 @@ class OptimalityPropertyTest {
     check(task, Everything.ground(task));
   }
 
-  static PlanningTask puzzleTask(Random random) {
+  public static PlanningTask puzzleTask(Random random) {
     return puzzle(random).task(conjunction(random, 2));
   }
 

@@ -7,7 +7,12 @@ import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.maestro.ontology.vocabulary.Price;
-import org.maestro.planning.PricedFeature.ExactPrice;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.PricedFeature;
+import org.maestro.planning.api.PricedFeature.ExactPrice;
+import org.maestro.planning.api.Step;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
 

@@ -15,6 +15,12 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
 import org.maestro.ontology.vocabulary.Price;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.PricedFeature;
+import org.maestro.planning.api.Step;
+import org.maestro.planning.api.StepKey;
 import org.maestro.sl.SlParser;
 
 /**

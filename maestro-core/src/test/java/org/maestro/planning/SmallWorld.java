@@ -16,6 +16,8 @@ import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.PricedFeature;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Fact;
@@ -27,7 +29,7 @@ import org.maestro.sl.Truth;
 import org.maestro.sl.TypedVariable;
 
 /** A world for tests: words, facts and offered features, stated in MAESTRO-SL. */
-final class SmallWorld implements Facts {
+public final class SmallWorld implements Facts {
   final Map<String, PredicateDeclaration> predicates = new TreeMap<>();
   final Map<String, FeatureType> types = new LinkedHashMap<>();
   final List<PricedFeature> offers = new ArrayList<>();
@@ -69,7 +71,7 @@ final class SmallWorld implements Facts {
     return names;
   }
 
-  SmallWorld individuals(String classNames, String... names) {
+  public SmallWorld individuals(String classNames, String... names) {
     for (String name : names) {
       everybody.add(new Term.Name(name));
       for (String className : classNames.split(" ")) {
@@ -82,7 +84,7 @@ final class SmallWorld implements Facts {
   }
 
   /** Flags: fluent, observable, functional, symmetric. */
-  SmallWorld word(String name, String flags, String... arguments) {
+  public SmallWorld word(String name, String flags, String... arguments) {
     return declare(name, flags, null, null, arguments);
   }
 
@@ -125,7 +127,7 @@ final class SmallWorld implements Facts {
   /**
    * Parameters: {@code zone:Zone target:Thing|Zone level=0,0.5,1}; after {@code ;} come the binds.
    */
-  SmallWorld feature(String name, String parameters, String precondition, String effect) {
+  public SmallWorld feature(String name, String parameters, String precondition, String effect) {
     String[] parts = (parameters + " ; ").split(";");
     types.put(
         name,
@@ -170,11 +172,11 @@ final class SmallWorld implements Facts {
     return parameters;
   }
 
-  SmallWorld offer(String member, String type, String price) {
+  public SmallWorld offer(String member, String type, String price) {
     return offer(member, type, new Price.Stated(SlParser.expression(price)));
   }
 
-  SmallWorld offer(String member, String type, Price price) {
+  public SmallWorld offer(String member, String type, Price price) {
     offers.add(new PricedFeature(member, types.get(type), price, Map.of()));
     return this;
   }
@@ -184,7 +186,7 @@ final class SmallWorld implements Facts {
     return this;
   }
 
-  SmallWorld facts(String... texts) {
+  public SmallWorld facts(String... texts) {
     for (String text : texts) {
       Fact fact = SlParser.fact(text);
       if (fact instanceof Fact.Holds holds) {
@@ -259,7 +261,7 @@ final class SmallWorld implements Facts {
     return className.isEmpty() ? everybody : members.getOrDefault(className, Set.of());
   }
 
-  PlanningTask task(String goal) {
+  public PlanningTask task(String goal) {
     return new PlanningTask(
         new Vocabulary(Map.of(), predicates, types),
         this,

@@ -4,8 +4,11 @@ import jade.wrapper.AgentContainer;
 import jade.wrapper.AgentController;
 import java.nio.file.Path;
 import java.util.Optional;
-import org.maestro.agents.MaestroAgent;
+import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.platform.guard.Guard;
+import org.maestro.platform.jade.ContainerEnds;
+import org.maestro.platform.jade.JadeRuntime;
+import org.maestro.platform.jade.Sockets;
 
 /** JADE as the platform starts it, for tests of single agents. */
 public final class BareJade implements AutoCloseable {

@@ -28,6 +28,8 @@ import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.faults.FaultyDisk;
+import org.maestro.platform.jade.PlatformStartException;
+import org.maestro.platform.journal.JournalFile;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.sl.SlParser;

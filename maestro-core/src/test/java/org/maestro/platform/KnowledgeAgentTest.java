@@ -14,14 +14,17 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.maestro.agents.AgentNames;
-import org.maestro.agents.AgentTime;
 import org.maestro.agents.KnowledgeAgent;
-import org.maestro.agents.MaestroAgent;
+import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.knowledge.CollectiveKnowledge;
-import org.maestro.knowledge.Source;
+import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
+import org.maestro.platform.jade.ContainerEnds;
+import org.maestro.platform.jade.JadeRuntime;
+import org.maestro.platform.jade.Sockets;
 import org.maestro.rats.time.SteppedClock;
 
 /** What the knowledge agent tells those who ask and those who subscribe. */

@@ -21,9 +21,12 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.maestro.agents.AgentTime;
-import org.maestro.agents.MaestroAgent;
-import org.maestro.agents.Words;
+import org.maestro.agents.content.Words;
+import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.platform.jade.ContainerEnds;
+import org.maestro.platform.jade.JadeRuntime;
+import org.maestro.platform.jade.Sockets;
 import org.maestro.rats.time.SteppedClock;
 
 /**

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.faults.FaultyDisk;
+import org.maestro.platform.journal.StoryFile;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.rats.time.SteppedClock;
 

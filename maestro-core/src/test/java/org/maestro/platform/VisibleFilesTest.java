@@ -9,6 +9,8 @@ import java.time.Duration;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.coordination.api.StoryEntry;
+import org.maestro.platform.journal.JournalLine;
+import org.maestro.platform.journal.StoryFile;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.text.VisibleText;
 

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.coordination.api.Crew;
 import org.maestro.members.CallReporter;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Step;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.sl.Term;

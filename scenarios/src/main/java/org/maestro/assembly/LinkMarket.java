@@ -14,7 +14,7 @@ import org.maestro.coordination.api.CallForPrices;
 import org.maestro.coordination.api.Market;
 import org.maestro.members.JsonTerms;
 import org.maestro.ontology.vocabulary.Price;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Step;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.CostAnswer;
 

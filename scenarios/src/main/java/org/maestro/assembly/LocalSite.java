@@ -13,16 +13,16 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import org.maestro.knowledge.CollectiveKnowledge;
-import org.maestro.knowledge.KnowledgeBase;
-import org.maestro.knowledge.KnowledgeSettings;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.KnowledgeSettings;
 import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.planning.ObjectivePlanner;
 import org.maestro.planning.OptimalPlanner;
 import org.maestro.planning.ReplanningPlanner;
 import org.maestro.platform.MaestroPlatform;
-import org.maestro.platform.OtherNames;
 import org.maestro.platform.PlatformSettings;
+import org.maestro.platform.failover.OtherNames;
 import org.maestro.platform.guard.Guard;
 import org.maestro.rats.broker.EmbeddedBroker;
 import org.maestro.rats.link.BusLink;
@@ -37,7 +37,7 @@ import org.maestro.rats.time.SteppedClock;
 import org.maestro.rats.transport.InProcessBus;
 import org.maestro.rats.transport.Transport;
 import org.maestro.sim.SimulatedHome;
-import org.maestro.sim.World;
+import org.maestro.sim.world.World;
 
 /**
  * A running site of this process. Closing it leaves nothing behind. For the thread that started it.

@@ -3,13 +3,13 @@ package org.maestro.assembly;
 import java.net.URI;
 import java.nio.file.Path;
 import java.util.Optional;
-import org.maestro.knowledge.Store;
+import org.maestro.knowledge.api.Store;
 import org.maestro.ontology.home.Home;
-import org.maestro.planning.Objective;
-import org.maestro.platform.Premises;
+import org.maestro.planning.api.Objective;
+import org.maestro.platform.jade.Premises;
 import org.maestro.rats.security.SiteSecurity;
-import org.maestro.sim.PhysicalParameters;
-import org.maestro.sim.Scene;
+import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.scene.Scene;
 
 /**
  * How a site is to run.

@@ -17,8 +17,8 @@ import org.maestro.rats.protocol.Progress;
 import org.maestro.rats.protocol.Result;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.rats.transport.InProcessBus;
-import org.maestro.sim.Scene;
 import org.maestro.sim.SimulatedHome;
+import org.maestro.sim.scene.Scene;
 
 /**
  * A simulated home whose devices all work, without any platform: cameras look and sensors measure

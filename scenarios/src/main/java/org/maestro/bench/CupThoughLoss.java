@@ -25,10 +25,10 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.platform.AgentRow;
 import org.maestro.platform.GoalReport;
-import org.maestro.platform.Premises;
+import org.maestro.platform.jade.Premises;
 import org.maestro.rats.broker.EmbeddedBroker;
 import org.maestro.rats.transport.PahoTransport;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.scene.SceneLoader;
 import org.maestro.sl.SlParser;
 
 /**

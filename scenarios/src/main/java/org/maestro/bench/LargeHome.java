@@ -5,8 +5,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.sim.Scene;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SceneLoader;
 
 /**
  * A home of many like rooms in rows of five, with open doors between neighbours: in each room a
@@ -26,9 +26,10 @@ public record LargeHome(int rooms, int robots, int thingsPerRoom, boolean robots
   /** Prices of robots that state them: the way at full speed, and what arms take at least. */
   private static final String STATED_PRICES =
       """
-       ;
-        maestro:offers [ a :move ; maestro:cost "(+ 0.5 (/ (pathLength ?from ?to) (speed ?self)))" ] ,
-          [ a :pick ; maestro:cost "6" ] , [ a :place ; maestro:cost "5" ]""";
+      ;
+       maestro:offers [ a :move ; maestro:cost "(+ 0.5 (/ (pathLength ?from ?to) (speed ?self)))" ] ,
+         [ a :pick ; maestro:cost "6" ] , [ a :place ; maestro:cost "5" ]\
+      """;
 
   /** One whose robots have to be asked for each price. */
   public LargeHome(int rooms, int robots, int thingsPerRoom) {

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
-import org.maestro.agents.Handover;
+import org.maestro.agents.supervision.Handover;
 import org.maestro.assembly.SiteBus;
 import org.maestro.deployment.ContainerStart;
 import org.maestro.ontology.home.DescriptionReader;

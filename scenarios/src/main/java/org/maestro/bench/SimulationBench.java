@@ -12,7 +12,7 @@ import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.ontology.home.Home;
 import org.maestro.platform.GoalReport;
-import org.maestro.sim.Scene;
+import org.maestro.sim.scene.Scene;
 import org.maestro.sl.SlParser;
 
 /**

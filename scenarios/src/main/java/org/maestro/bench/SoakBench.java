@@ -11,7 +11,7 @@ import java.util.function.ToDoubleFunction;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.ontology.home.Home;
-import org.maestro.sim.Scene;
+import org.maestro.sim.scene.Scene;
 
 /**
  * Goals one after the other, for a long time, on one platform in this process with all that it

@@ -22,7 +22,7 @@ import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.faults.FaultyDisk;
 import org.maestro.ontology.home.Home;
-import org.maestro.platform.JournalFile;
+import org.maestro.platform.journal.JournalFile;
 import org.maestro.random.Fault;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.time.SteppedClock;

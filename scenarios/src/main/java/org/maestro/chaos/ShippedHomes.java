@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Random;
 import org.maestro.random.Fault;
 import org.maestro.random.RandomHome;
-import org.maestro.sim.Flaw;
+import org.maestro.sim.world.Flaw;
 
 /** Draws one of the homes that come with the platform, what is asked in it, and what breaks. */
 final class ShippedHomes {

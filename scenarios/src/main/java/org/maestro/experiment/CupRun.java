@@ -16,8 +16,8 @@ import org.maestro.experiment.setting.Settings;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.Home;
 import org.maestro.picture.TopView;
-import org.maestro.sim.Scene;
-import org.maestro.sim.WorldEvent;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.WorldEvent;
 
 /**
  * A broken cup was to be cleaned up.

@@ -11,7 +11,7 @@ import org.maestro.experiment.setting.Physics;
 import org.maestro.experiment.setting.Settings;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.Home;
-import org.maestro.sim.Scene;
+import org.maestro.sim.scene.Scene;
 
 /**
  * A goal was pursued while members came and went.

@@ -12,8 +12,8 @@ import org.maestro.experiment.setting.Setting;
 import org.maestro.experiment.setting.Settings;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.Home;
-import org.maestro.sim.Scene;
-import org.maestro.sim.SceneSky;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SceneSky;
 
 /**
  * The papers' laboratory by day, with its windows, and shutters or none. Things are put by hand to

@@ -22,9 +22,9 @@ import org.maestro.experiment.setting.Settings;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.Home;
 import org.maestro.picture.TopView;
-import org.maestro.planning.Objective;
-import org.maestro.sim.PhysicalParameters;
-import org.maestro.sim.World;
+import org.maestro.planning.api.Objective;
+import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.world.World;
 
 /**
  * A thing was to be brought next to another: what came of it.
@@ -78,7 +78,8 @@ record MoveRun(
         Setting.truth(
             SOONEST,
             false,
-            "whether plans are to be over soonest, rather than to cost least (seconds and energy)"));
+            "whether plans are to be over soonest, rather than to cost least (seconds and"
+                + " energy)"));
   }
 
   /**

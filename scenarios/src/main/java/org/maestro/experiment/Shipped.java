@@ -9,8 +9,8 @@ import java.util.Arrays;
 import java.util.stream.Collectors;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.sim.Scene;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SceneLoader;
 
 /** Homes and scenes that are shipped for experiments. */
 final class Shipped {

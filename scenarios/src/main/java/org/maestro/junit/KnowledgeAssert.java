@@ -2,10 +2,10 @@ package org.maestro.junit;
 
 import java.util.stream.Collectors;
 import org.assertj.core.api.AbstractAssert;
-import org.maestro.knowledge.Belief;
-import org.maestro.knowledge.KnowledgeBase;
 import org.maestro.knowledge.Question;
-import org.maestro.knowledge.Snapshot;
+import org.maestro.knowledge.api.Belief;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Snapshot;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;

@@ -1,7 +1,7 @@
 package org.maestro.junit;
 
-import org.maestro.knowledge.KnowledgeBase;
-import org.maestro.sim.World;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.sim.world.World;
 
 /** Entry points to the assertions over goals, world and knowledge. */
 public final class MaestroAssertions {

@@ -11,8 +11,8 @@ import java.util.UUID;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.sim.Scene;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SceneLoader;
 
 /** What a test class asked for, read from the class path. */
 record SiteWanted(Class<?> testClass, MaestroTest wanted) {
@@ -44,7 +44,8 @@ record SiteWanted(Class<?> testClass, MaestroTest wanted) {
             testClass.getSimpleName()
                 + " asks for "
                 + resource
-                + ", which is not on its class path; name a shipped home or scene, or a .ttl resource.");
+                + ", which is not on its class path; name a shipped home or scene, or a .ttl"
+                + " resource.");
       }
       return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
     } catch (IOException e) {

@@ -1,7 +1,7 @@
 package org.maestro.junit;
 
 import org.assertj.core.api.AbstractAssert;
-import org.maestro.sim.World;
+import org.maestro.sim.world.World;
 
 /** Assertions on the simulated truth, whatever the platform believes. */
 public final class WorldAssert extends AbstractAssert<WorldAssert, World> {

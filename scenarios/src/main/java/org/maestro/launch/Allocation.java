@@ -1,7 +1,7 @@
 package org.maestro.launch;
 
 import java.util.Map;
-import org.maestro.planning.Objective;
+import org.maestro.planning.api.Objective;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 

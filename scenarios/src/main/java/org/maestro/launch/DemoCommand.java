@@ -11,15 +11,15 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
-import org.maestro.agents.Words;
+import org.maestro.agents.content.Words;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.ontology.home.Home;
 import org.maestro.picture.TopView;
-import org.maestro.planning.Objective;
+import org.maestro.planning.api.Objective;
 import org.maestro.platform.GoalReport;
-import org.maestro.sim.Scene;
-import org.maestro.sim.SimulationException;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SimulationException;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import picocli.CommandLine.Command;
@@ -200,7 +200,8 @@ final class DemoCommand implements Callable<Integer> {
     report.reasons().forEach(reason -> out.println("  " + reason));
     out.printf(
         Locale.ROOT,
-        "%.1f simulated seconds%s, calls: %d, replans: %d; %.0f ms from the goal to the first call; %.1f s of wall time.%n",
+        "%.1f simulated seconds%s, calls: %d, replans: %d; %.0f ms from the goal to the first call;"
+            + " %.1f s of wall time.%n",
         report.duration().toMillis() / 1000.0,
         summary
             .lowerBound()
@@ -221,7 +222,8 @@ final class DemoCommand implements Callable<Integer> {
     out.printf("  ./maestro why %-17s the whole story again%n", report.id().orElse("G1"));
     out.printf("  ./maestro demo bob-weak-lamps   lamps weaker than they claim%n");
     out.printf(
-        "  ./maestro run bob --gui         a platform that stays, to talk to from another terminal%n");
+        "  ./maestro run bob --gui         a platform that stays, to talk to from another"
+            + " terminal%n");
   }
 
   private static String document(Summary summary) {

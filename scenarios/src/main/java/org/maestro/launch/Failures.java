@@ -2,10 +2,10 @@ package org.maestro.launch;
 
 import java.io.PrintWriter;
 import org.maestro.deployment.DeploymentException;
-import org.maestro.device.DeviceSetupException;
+import org.maestro.device.tasks.DeviceSetupException;
 import org.maestro.experiment.setting.SettingException;
 import org.maestro.ontology.home.HomeFaultException;
-import org.maestro.sim.SimulationException;
+import org.maestro.sim.scene.SimulationException;
 import org.maestro.sl.SlSyntaxException;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;

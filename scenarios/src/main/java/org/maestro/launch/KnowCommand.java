@@ -9,7 +9,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.stream.Collectors;
-import org.maestro.agents.Words;
+import org.maestro.agents.content.Words;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;

@@ -4,7 +4,7 @@ import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
-import org.maestro.agents.Words;
+import org.maestro.agents.content.Words;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.sl.Content;
 

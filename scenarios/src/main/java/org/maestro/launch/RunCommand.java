@@ -14,14 +14,14 @@ import java.util.regex.Pattern;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.deployment.Provision;
-import org.maestro.knowledge.Store;
+import org.maestro.knowledge.api.Store;
 import org.maestro.ontology.home.Home;
-import org.maestro.planning.Objective;
-import org.maestro.platform.Duty;
-import org.maestro.platform.Premises;
+import org.maestro.planning.api.Objective;
+import org.maestro.platform.failover.Duty;
 import org.maestro.platform.hosts.HostFile;
 import org.maestro.platform.hosts.HostStart;
-import org.maestro.sim.Scene;
+import org.maestro.platform.jade.Premises;
+import org.maestro.sim.scene.Scene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -68,20 +68,23 @@ final class RunCommand implements Callable<Integer> {
       names = "--data",
       paramLabel = "DIR",
       description =
-          "Keep goals, their stories and what was said there: after a crash, run it again with the same DIR, and every goal goes on. Without: they end with this process.")
+          "Keep goals, their stories and what was said there: after a crash, run it again with the"
+              + " same DIR, and every goal goes on. Without: they end with this process.")
   private Optional<Path> data;
 
   @Option(
       names = "--store",
       paramLabel = "DIR|URL",
       description =
-          "Keep the RDF dataset of what is known in files there, or behind a SPARQL endpoint (URL, or QUERY-URL,UPDATE-URL); without: in memory.")
+          "Keep the RDF dataset of what is known in files there, or behind a SPARQL endpoint (URL,"
+              + " or QUERY-URL,UPDATE-URL); without: in memory.")
   private Optional<String> store = Optional.empty();
 
   @Option(
       names = "--standby",
       description =
-          "Wait beside a platform that runs with the same --data, --name and --port, and take over as soon as its process has died.")
+          "Wait beside a platform that runs with the same --data, --name and --port, and take over"
+              + " as soon as its process has died.")
   private boolean standby;
 
   @Option(
@@ -102,7 +105,8 @@ final class RunCommand implements Callable<Integer> {
       names = "--mtp",
       paramLabel = "[HOST:]PORT",
       description =
-          "Hear agents of other platforms there, by HTTP, and let agents write to them; HOST is loopback unless it is said. Without: no other platform is heard.")
+          "Hear agents of other platforms there, by HTTP, and let agents write to them; HOST is"
+              + " loopback unless it is said. Without: no other platform is heard.")
   private Optional<String> letters = Optional.empty();
 
   @Option(
@@ -116,7 +120,8 @@ final class RunCommand implements Callable<Integer> {
       names = "--hosts",
       paramLabel = "FILE.json",
       description =
-          "Hosts that belong to the platform: their processes are started, here or by a command such as ssh, and started again when they die.")
+          "Hosts that belong to the platform: their processes are started, here or by a command"
+              + " such as ssh, and started again when they die.")
   private Optional<Path> hosts = Optional.empty();
 
   @Option(
@@ -155,7 +160,8 @@ final class RunCommand implements Callable<Integer> {
             : Optional.of(
                 simulation.scene(
                     loaded,
-                    "A home of your own needs --scene FILE for its simulated devices, or --no-sim for real ones."));
+                    "A home of your own needs --scene FILE for its simulated devices, or --no-sim"
+                        + " for real ones."));
     Optional<URI> bus = broker.map(Endpoint::broker);
     SiteSettings settings =
         new SiteSettings(
@@ -237,7 +243,8 @@ final class RunCommand implements Callable<Integer> {
     }
     if (letters.isPresent() && security.isAsked()) {
       throw CommandException.badInput(
-          "A secured site hears only whom its own processes vouch for: leave --mtp away, and have people of other platforms join as guests (./maestro secure --guest).");
+          "A secured site hears only whom its own processes vouch for: leave --mtp away, and have"
+              + " people of other platforms join as guests (./maestro secure --guest).");
     }
     if (!SLUG.matcher(name).matches()) {
       throw CommandException.badInput(
@@ -251,7 +258,8 @@ final class RunCommand implements Callable<Integer> {
     }
     if (standby && (data.isEmpty() || broker.isEmpty() || !withoutSimulation || port == 0)) {
       throw CommandException.badInput(
-          "--standby needs what outlives a process: --data DIR, --no-sim --broker URI, and --port P other than 0.");
+          "--standby needs what outlives a process: --data DIR, --no-sim --broker URI, and --port P"
+              + " other than 0.");
     }
     if (withoutSimulation && broker.isEmpty()) {
       throw CommandException.badInput("--no-sim needs --broker URI, over which the devices come.");

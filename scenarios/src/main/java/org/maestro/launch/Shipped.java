@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.Optional;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.sim.Scene;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SceneLoader;
 
 /** Homes and scenes by the name of a shipped one, or by a file's path. */
 final class Shipped {

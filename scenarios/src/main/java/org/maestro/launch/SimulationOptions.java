@@ -2,7 +2,7 @@ package org.maestro.launch;
 
 import java.util.Optional;
 import org.maestro.ontology.home.Home;
-import org.maestro.sim.Scene;
+import org.maestro.sim.scene.Scene;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 

@@ -2,8 +2,8 @@ package org.maestro.launch;
 
 import jade.lang.acl.ACLMessage;
 import java.util.concurrent.Callable;
-import org.maestro.agents.AgentNames;
-import org.maestro.agents.Words;
+import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.Words;
 import org.maestro.platform.JoinedContainer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;

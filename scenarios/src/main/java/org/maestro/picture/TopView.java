@@ -30,7 +30,7 @@ import org.maestro.ontology.home.Polygon;
 import org.maestro.ontology.home.Pose;
 import org.maestro.ontology.home.Segment;
 import org.maestro.ontology.home.Windows;
-import org.maestro.sim.World;
+import org.maestro.sim.world.World;
 import org.maestro.sl.Term;
 
 /**

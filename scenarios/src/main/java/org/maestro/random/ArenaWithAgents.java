@@ -13,7 +13,7 @@ import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.Disturbance;
 import org.maestro.rats.transport.InProcessBus;
 import org.maestro.rats.transport.Publication;
-import org.maestro.sim.World;
+import org.maestro.sim.world.World;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 

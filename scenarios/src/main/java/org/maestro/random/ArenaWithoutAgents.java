@@ -9,7 +9,7 @@ import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.InProcessBus;
-import org.maestro.sim.World;
+import org.maestro.sim.world.World;
 import org.maestro.sl.Formula;
 
 /** The heart alone. */

@@ -4,8 +4,8 @@ import java.time.Duration;
 import org.maestro.hal.Position;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.InProcessBus;
-import org.maestro.sim.Flaw;
-import org.maestro.sim.World;
+import org.maestro.sim.world.Flaw;
+import org.maestro.sim.world.World;
 
 /** Something that goes wrong, or that somebody does, at a time after the goals were stated. */
 public sealed interface Fault {

@@ -8,7 +8,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.maestro.hal.Position;
-import org.maestro.sim.World;
+import org.maestro.sim.world.World;
 
 /**
  * The truth of one moment.

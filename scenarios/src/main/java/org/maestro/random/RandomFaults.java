@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import org.maestro.sim.Flaw;
+import org.maestro.sim.world.Flaw;
 
 /**
  * Draws what goes wrong while the goals are pursued: often nothing, seldom more than two things.

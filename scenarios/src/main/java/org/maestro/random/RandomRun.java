@@ -17,8 +17,8 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.InProcessBus;
-import org.maestro.sim.Scene;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SceneLoader;
 import org.maestro.sl.Formula;
 
 /**

@@ -9,7 +9,7 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Pose;
-import org.maestro.sim.Scene;
+import org.maestro.sim.scene.Scene;
 import org.maestro.sl.Term;
 
 /** What does not change of a home, as the judge sees it. */

@@ -16,7 +16,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
-import org.maestro.sim.PhysicalParameters;
+import org.maestro.sim.parameters.PhysicalParameters;
 
 /** Each number of the physics that can be set is read by something that acts. */
 class NumbersOfPhysicsTest {

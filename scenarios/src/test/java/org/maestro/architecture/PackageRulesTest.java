@@ -103,7 +103,7 @@ class PackageRulesTest {
           .areNotAssignableTo(GenericAgent.class)
           .should()
           .dependOnClassesThat()
-          .haveFullyQualifiedName("org.maestro.agents.Voice");
+          .haveFullyQualifiedName("org.maestro.agents.device.Voice");
 
   @ArchTest
   static final ArchRule JADE_STAYS_IN_PLATFORM_AND_AGENTS =

@@ -18,8 +18,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.sim.Scene;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SceneLoader;
 
 /**
  * The coordinator dies at each entry of its journal, before and after it is whole, and another goes

@@ -14,8 +14,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.sim.Scene;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SceneLoader;
 
 /**
  * A process is frozen for 1 to 30 s at any moment while Bob's cup is brought. Nothing is lost by

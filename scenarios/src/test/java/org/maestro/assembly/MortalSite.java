@@ -20,19 +20,19 @@ import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.coordination.api.Thinking;
 import org.maestro.knowledge.CollectiveKnowledge;
-import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.OptimalPlanner;
-import org.maestro.platform.JournalFile;
+import org.maestro.platform.journal.JournalFile;
 import org.maestro.rats.link.BusLink;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.rats.transport.InProcessBus;
 import org.maestro.rats.transport.Transport;
-import org.maestro.sim.Scene;
 import org.maestro.sim.SimulatedHome;
-import org.maestro.sim.World;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.world.World;
 import org.maestro.sl.SlParser;
 
 /**

@@ -18,7 +18,7 @@ import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.planning.StepKey;
+import org.maestro.planning.api.StepKey;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.sl.SlParser;
 

@@ -8,7 +8,7 @@ import org.maestro.hal.Position;
 import org.maestro.junit.MaestroTest;
 import org.maestro.junit.Pursuit;
 import org.maestro.junit.Stage;
-import org.maestro.sim.World;
+import org.maestro.sim.world.World;
 
 /** The same with all agents: light on a desk while the sun comes out and clouds return. */
 @MaestroTest(home = "study", scene = "study-noon")

@@ -13,9 +13,9 @@ import org.maestro.ontology.home.Geometry;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.home.Positions;
-import org.maestro.sim.Scene;
-import org.maestro.sim.World;
-import org.maestro.sim.WorldEvent;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.WorldEvent;
+import org.maestro.sim.world.World;
 import org.maestro.sl.Term;
 
 /**

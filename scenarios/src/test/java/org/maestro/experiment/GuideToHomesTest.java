@@ -18,9 +18,9 @@ import org.maestro.experiment.running.TrialSite;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.ontology.home.UnstatedNeeds;
-import org.maestro.sim.PhysicalParameters;
-import org.maestro.sim.Scene;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SceneLoader;
 
 /** The home and the scene of docs/guide-homes.md are what the guide says. */
 class GuideToHomesTest {

@@ -14,8 +14,8 @@ import org.maestro.experiment.running.Trial;
 import org.maestro.experiment.running.TrialSite;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.sim.PhysicalParameters;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.scene.SceneLoader;
 
 /**
  * A robot with a camera on board searches three rooms in a row, of which the sun over-lights the

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.assembly.LocalSite;
 import org.maestro.rats.broker.EmbeddedBroker;
-import org.maestro.sim.World;
+import org.maestro.sim.world.World;
 
 /** What a stage costs and leaves, measured without others beside it. */
 @Isolated("counts the threads of the process")

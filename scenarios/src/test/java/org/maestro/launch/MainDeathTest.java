@@ -30,11 +30,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.maestro.agents.AgentNames;
-import org.maestro.agents.Words;
+import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.Words;
 import org.maestro.bench.PostOffice;
 import org.maestro.platform.JoinedContainer;
-import org.maestro.platform.PlatformStartException;
+import org.maestro.platform.jade.PlatformStartException;
 import org.maestro.rats.time.PacedClock;
 
 /**

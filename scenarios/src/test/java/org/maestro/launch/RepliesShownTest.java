@@ -16,7 +16,7 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
-import org.maestro.agents.Words;
+import org.maestro.agents.content.Words;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.display.VisibleWriter;
 import org.maestro.text.VisibleText;

@@ -21,8 +21,8 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
-import org.maestro.agents.AgentNames;
-import org.maestro.agents.Words;
+import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.Words;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.ontology.home.Home;
@@ -32,7 +32,7 @@ import org.maestro.platform.guard.Guard;
 import org.maestro.rats.security.SecureSite;
 import org.maestro.rats.security.SiteSecurity;
 import org.maestro.rats.time.PacedClock;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.scene.SceneLoader;
 
 /**
  * A secured site as processes of others meet it: who joins, who asks whom for what, and what those

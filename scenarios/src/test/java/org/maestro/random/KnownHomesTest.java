@@ -20,7 +20,7 @@ import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.scene.SceneLoader;
 
 /**
  * Where it is plain what can be done, it is done; where it is plain that nobody can, that is said.

@@ -14,8 +14,8 @@ import org.maestro.experiment.running.Trial;
 import org.maestro.experiment.running.TrialSite;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.sim.PhysicalParameters;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.scene.SceneLoader;
 
 /**
  * The cup has become a saucer, which a gripper's bag cannot wrap (M80), or a mug that is too wide.

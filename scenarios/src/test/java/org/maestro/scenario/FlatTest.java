@@ -6,12 +6,12 @@ import static org.maestro.junit.MaestroAssertions.assertThat;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
-import org.maestro.agents.AgentNames;
-import org.maestro.agents.Words;
+import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.Words;
 import org.maestro.junit.MaestroTest;
 import org.maestro.junit.Stage;
 import org.maestro.platform.AgentRow;
-import org.maestro.sim.World;
+import org.maestro.sim.world.World;
 
 /**
  * One plan over nearly every kind of hardware (M2): shutter, switch, door, light sensors, cameras,

@@ -38,7 +38,7 @@ import org.maestro.platform.AgentRow;
 import org.maestro.platform.GoalReport;
 import org.maestro.rats.broker.EmbeddedBroker;
 import org.maestro.rats.transport.PahoTransport;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.scene.SceneLoader;
 import org.maestro.sl.SlParser;
 
 /**

@@ -14,11 +14,11 @@ import org.maestro.assembly.AgentlessSite;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.hal.Position;
-import org.maestro.knowledge.Dispute;
-import org.maestro.knowledge.Source;
+import org.maestro.knowledge.api.Dispute;
+import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.scene.SceneLoader;
 
 /** What changes without anybody reporting it is noticed, and running plans change. */
 class NoticingTest {

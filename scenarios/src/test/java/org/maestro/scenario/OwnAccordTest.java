@@ -15,7 +15,7 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.maestro.agents.Words;
+import org.maestro.agents.content.Words;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.junit.Pursuit;
@@ -23,7 +23,7 @@ import org.maestro.junit.Stage;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.platform.AgentRow;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.scene.SceneLoader;
 
 /** Agents with goals of their own, held goals, and the death of the central agent. */
 class OwnAccordTest {

@@ -21,8 +21,8 @@ import org.maestro.assembly.SiteSettings;
 import org.maestro.launch.JavaProcess;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.sim.Scene;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SceneLoader;
 
 /**
  * The message that the paper prints in section 3.3.3, from an agent of another container that knows

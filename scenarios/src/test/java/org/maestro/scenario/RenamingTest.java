@@ -17,7 +17,7 @@ import org.maestro.junit.GoalOutcome;
 import org.maestro.junit.Stage;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.scene.SceneLoader;
 
 /**
  * No word of a domain means anything to the platform: with other words for all classes, predicates,

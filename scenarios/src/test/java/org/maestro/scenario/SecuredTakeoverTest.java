@@ -29,7 +29,7 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.rats.security.SecureSite;
 import org.maestro.rats.security.SiteSecurity;
-import org.maestro.sim.SceneLoader;
+import org.maestro.sim.scene.SceneLoader;
 
 /**
  * A takeover (M43) in a whole run on a secured site: TLS, passwords, the access lists and rules as

@@ -6,8 +6,8 @@ import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 import org.maestro.coordination.api.Market.Quote;
-import org.maestro.planning.PricedFeature.ExactPrice;
-import org.maestro.planning.StepKey;
+import org.maestro.planning.api.PricedFeature.ExactPrice;
+import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Term;
 
 /**

@@ -12,8 +12,8 @@ import java.util.stream.Stream;
 import org.maestro.coordination.api.Market;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.api.Takeover;
-import org.maestro.planning.Step;
-import org.maestro.planning.StepKey;
+import org.maestro.planning.api.Step;
+import org.maestro.planning.api.StepKey;
 
 /**
  * Which offers to take over a running step are worth a plan (M43). Whoever is expected to be done

@@ -15,9 +15,9 @@ import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Price;
-import org.maestro.planning.PlanningResult;
-import org.maestro.planning.PricedFeature;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PricedFeature;
+import org.maestro.planning.api.Step;
 
 /**
  * The contract net of one plan. Few candidates are called all at once. Of many, those are called

@@ -6,10 +6,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
-import org.maestro.knowledge.FeatureRun;
-import org.maestro.knowledge.StepAccount;
-import org.maestro.planning.Step;
-import org.maestro.planning.StepKey;
+import org.maestro.knowledge.api.FeatureRun;
+import org.maestro.knowledge.api.StepAccount;
+import org.maestro.planning.api.Step;
+import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Term;
 
 /**

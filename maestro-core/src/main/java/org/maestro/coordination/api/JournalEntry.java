@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.maestro.knowledge.FeatureRun;
-import org.maestro.planning.StepKey;
+import org.maestro.knowledge.api.FeatureRun;
+import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 

@@ -3,7 +3,7 @@ package org.maestro.coordination.api;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Step;
 
 /**
  * The contract net, as coordination sees it. Answers come on the coordinator's thread, exactly once

@@ -1,8 +1,8 @@
 package org.maestro.coordination.api;
 
 import java.time.Duration;
-import org.maestro.knowledge.KnowledgeBase;
-import org.maestro.planning.Planner;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.planning.api.Planner;
 import org.maestro.rats.time.Clock;
 
 /**

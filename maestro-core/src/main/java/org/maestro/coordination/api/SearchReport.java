@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.maestro.coordination.facts.Look;
-import org.maestro.planning.PlanningResult.Obstacle;
+import org.maestro.planning.api.PlanningResult.Obstacle;
 
 /**
  * What became of a search that found nothing: everywhere it was looked, and where not, and why.

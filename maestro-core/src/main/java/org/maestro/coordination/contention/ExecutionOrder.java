@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import org.maestro.coordination.facts.Sensing;
-import org.maestro.planning.Plan;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.Step;
 
 /**
  * Which steps of a plan may start. A step waits for those before it. As plans hope that sensing

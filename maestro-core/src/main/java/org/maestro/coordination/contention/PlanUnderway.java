@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.maestro.planning.Plan;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.Step;
 import org.maestro.sl.Term;
 
 /** The plan that a goal follows now, and which of its steps are done. */

@@ -8,8 +8,8 @@ import org.maestro.coordination.api.Takeover;
 import org.maestro.coordination.facts.Interest;
 import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.coordination.story.Decisions;
-import org.maestro.knowledge.KnowledgeBase;
-import org.maestro.knowledge.Snapshot;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Snapshot;
 import org.maestro.sl.Change;
 import org.maestro.sl.Formula;
 

@@ -17,7 +17,7 @@ import org.maestro.coordination.api.Thinking;
 import org.maestro.coordination.api.WaitsFor;
 import org.maestro.coordination.facts.FactsBesideSteps;
 import org.maestro.coordination.lessons.Experience;
-import org.maestro.knowledge.Snapshot;
+import org.maestro.knowledge.api.Snapshot;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.rats.time.Clock;
 

@@ -10,9 +10,9 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.coordination.api.Crew;
 import org.maestro.coordination.facts.FactsBesideSteps;
-import org.maestro.knowledge.Snapshot;
-import org.maestro.planning.Step;
-import org.maestro.planning.StepKey;
+import org.maestro.knowledge.api.Snapshot;
+import org.maestro.planning.api.Step;
+import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Term;
 
 /**

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.maestro.ontology.vocabulary.Vocabulary;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Step;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;

@@ -9,7 +9,7 @@ import java.util.OptionalDouble;
 import java.util.function.Predicate;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Step;
 import org.maestro.sl.Change;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;

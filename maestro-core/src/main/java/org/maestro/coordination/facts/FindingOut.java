@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.OptionalDouble;
-import org.maestro.knowledge.Snapshot;
+import org.maestro.knowledge.api.Snapshot;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;

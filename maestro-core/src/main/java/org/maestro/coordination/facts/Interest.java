@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.ontology.vocabulary.Vocabulary;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Step;
 import org.maestro.sl.Change;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;

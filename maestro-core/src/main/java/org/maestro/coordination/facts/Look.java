@@ -1,6 +1,6 @@
 package org.maestro.coordination.facts;
 
-import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.knowledge.api.KnowledgeBase;
 
 /**
  * What was known when a plan was looked at or begun. Changes are told one after the other, and the

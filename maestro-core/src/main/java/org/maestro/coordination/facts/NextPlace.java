@@ -8,7 +8,7 @@ import java.util.TreeMap;
 import org.maestro.coordination.api.Argument;
 import org.maestro.coordination.api.CallArguments;
 import org.maestro.ontology.vocabulary.Parameter;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Step;
 import org.maestro.sl.Term;
 
 /**

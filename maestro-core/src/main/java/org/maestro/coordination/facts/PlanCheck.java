@@ -2,10 +2,10 @@ package org.maestro.coordination.facts;
 
 import java.util.List;
 import java.util.Optional;
-import org.maestro.planning.Plan;
-import org.maestro.planning.Planner;
-import org.maestro.planning.PlanningTask;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.Planner;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.Step;
 import org.maestro.sl.Formula;
 
 /** Compares what is known with what a plan counts on. */

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.maestro.ontology.vocabulary.Vocabulary;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Step;
 import org.maestro.sl.Change;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Facts;

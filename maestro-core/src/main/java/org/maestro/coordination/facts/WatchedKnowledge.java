@@ -1,9 +1,9 @@
 package org.maestro.coordination.facts;
 
 import java.util.function.UnaryOperator;
-import org.maestro.knowledge.ForwardingKnowledge;
-import org.maestro.knowledge.KnowledgeBase;
-import org.maestro.knowledge.Snapshot;
+import org.maestro.knowledge.api.ForwardingKnowledge;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Snapshot;
 
 /** The collective knowledge as it looks to one goal. */
 public final class WatchedKnowledge extends ForwardingKnowledge {

@@ -6,9 +6,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.coordination.api.Crew;
-import org.maestro.knowledge.KnowledgeBase;
-import org.maestro.knowledge.Snapshot;
-import org.maestro.planning.StepKey;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Snapshot;
+import org.maestro.planning.api.StepKey;
 
 /**
  * The crew as the plans of a held goal use it: what they set is noted, and observation of what the

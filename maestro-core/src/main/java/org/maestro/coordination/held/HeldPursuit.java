@@ -25,8 +25,8 @@ import org.maestro.coordination.recovery.AttemptJournal;
 import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.coordination.story.Decisions;
 import org.maestro.coordination.story.GoalLife;
-import org.maestro.knowledge.KnowledgeBase;
-import org.maestro.knowledge.Snapshot;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Snapshot;
 import org.maestro.sl.Change;
 import org.maestro.sl.Formula;
 

@@ -7,7 +7,7 @@ import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.coordination.story.GoalStory;
-import org.maestro.knowledge.Snapshot;
+import org.maestro.knowledge.api.Snapshot;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Leaves;

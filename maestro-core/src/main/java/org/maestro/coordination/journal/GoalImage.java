@@ -12,7 +12,7 @@ import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.journal.JournalImage.Dated;
-import org.maestro.planning.StepKey;
+import org.maestro.planning.api.StepKey;
 
 /** What a journal's entries about one goal amount to. Not safe for use by several threads. */
 final class GoalImage {

@@ -5,11 +5,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.maestro.knowledge.FeatureRun;
+import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.ontology.vocabulary.FeatureType;
-import org.maestro.planning.PricedFeature;
-import org.maestro.planning.StepKey;
-import org.maestro.planning.Unavailable;
+import org.maestro.planning.api.PricedFeature;
+import org.maestro.planning.api.StepKey;
+import org.maestro.planning.api.Unavailable;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 

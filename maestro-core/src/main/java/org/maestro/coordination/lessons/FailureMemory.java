@@ -10,8 +10,8 @@ import org.maestro.coordination.api.Crew;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.facts.FactsUnder;
-import org.maestro.knowledge.FeatureRun;
-import org.maestro.planning.StepKey;
+import org.maestro.knowledge.api.FeatureRun;
+import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Formula;
 
 /**

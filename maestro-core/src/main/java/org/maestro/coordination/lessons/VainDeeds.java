@@ -3,7 +3,7 @@ package org.maestro.coordination.lessons;
 import java.util.HashMap;
 import java.util.Map;
 import org.maestro.coordination.facts.FactsUnder;
-import org.maestro.planning.StepKey;
+import org.maestro.planning.api.StepKey;
 
 /**
  * Steps of one goal that were said to be done, each with the facts under its precondition then. A

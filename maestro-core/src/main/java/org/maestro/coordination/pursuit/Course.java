@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.maestro.coordination.allocation.PlanningRound;
 import org.maestro.coordination.api.Market;
-import org.maestro.planning.Plan;
+import org.maestro.planning.api.Plan;
 import org.maestro.sl.Term;
 
 /** What comes next for a goal, as those who work at its parts ask for it. */

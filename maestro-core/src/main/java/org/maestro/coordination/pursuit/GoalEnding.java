@@ -13,8 +13,8 @@ import org.maestro.coordination.api.SearchReport;
 import org.maestro.coordination.facts.Confirmation;
 import org.maestro.coordination.story.GoalLife;
 import org.maestro.coordination.story.GoalStory;
-import org.maestro.planning.Plan;
-import org.maestro.planning.PlanningResult;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.PlanningResult;
 import org.maestro.sl.Term;
 
 /**

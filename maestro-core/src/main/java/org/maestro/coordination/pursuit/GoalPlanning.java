@@ -10,9 +10,9 @@ import org.maestro.coordination.facts.Look;
 import org.maestro.coordination.story.Decision;
 import org.maestro.coordination.story.Decisions;
 import org.maestro.coordination.story.GoalLife;
-import org.maestro.knowledge.KnowledgeBase;
-import org.maestro.planning.Plan;
-import org.maestro.planning.PlanningResult;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.PlanningResult;
 
 /**
  * Has plans made for one goal, one after the other, and takes none that things have outrun. The

@@ -9,7 +9,7 @@ import org.maestro.coordination.allocation.ExactPrices;
 import org.maestro.coordination.allocation.PlanningRound;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.contention.Rivals;
-import org.maestro.planning.StepKey;
+import org.maestro.planning.api.StepKey;
 
 /**
  * What is left to be tried when there seems to be no plan. A step that failed, or for which its

@@ -26,9 +26,9 @@ import org.maestro.coordination.facts.Look;
 import org.maestro.coordination.lessons.Insistence;
 import org.maestro.coordination.story.GoalLife;
 import org.maestro.coordination.story.GoalStory;
-import org.maestro.knowledge.KnowledgeBase;
-import org.maestro.planning.Plan;
-import org.maestro.planning.Step;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.Step;
 
 /**
  * Has the steps of a goal's plan done, and compares what is known with what the rest of the plan

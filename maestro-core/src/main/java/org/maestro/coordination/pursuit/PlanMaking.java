@@ -13,9 +13,9 @@ import org.maestro.coordination.api.WaitsFor;
 import org.maestro.coordination.contention.Contention;
 import org.maestro.coordination.contention.Rivals;
 import org.maestro.coordination.story.GoalStory;
-import org.maestro.planning.Plan;
-import org.maestro.planning.PlanningResult;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.Step;
 
 /**
  * Makes one plan for a goal beside others: the cheapest of all, unless it would have to wait for

@@ -1,8 +1,8 @@
 package org.maestro.coordination.pursuit;
 
 import org.maestro.coordination.api.Crew;
-import org.maestro.knowledge.KnowledgeBase;
-import org.maestro.planning.Step;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.planning.api.Step;
 
 /**
  * The end of a step, and what came of it.

@@ -22,13 +22,13 @@ import org.maestro.coordination.facts.NextPlace;
 import org.maestro.coordination.facts.Sensing;
 import org.maestro.coordination.lessons.Experience;
 import org.maestro.coordination.story.GoalStory;
-import org.maestro.knowledge.FeatureRun;
-import org.maestro.knowledge.KnowledgeBase;
-import org.maestro.knowledge.ResultCheck;
-import org.maestro.knowledge.Snapshot;
-import org.maestro.knowledge.StepAccount;
-import org.maestro.planning.Step;
-import org.maestro.planning.StepKey;
+import org.maestro.knowledge.api.FeatureRun;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Snapshot;
+import org.maestro.knowledge.api.StepAccount;
+import org.maestro.knowledge.learning.ResultCheck;
+import org.maestro.planning.api.Step;
+import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Term;
 
 /** Has one goal's steps done: takes what they occupy, orders them, learns from their reports. */

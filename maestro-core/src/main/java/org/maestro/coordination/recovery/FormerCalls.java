@@ -10,7 +10,7 @@ import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Roster;
 import org.maestro.ontology.vocabulary.FeatureType;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Step;
 
 /**
  * The calls of coordinators before this one: which of them may be asked for again, so that they are

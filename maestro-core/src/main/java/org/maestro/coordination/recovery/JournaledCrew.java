@@ -14,7 +14,7 @@ import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Latest;
 import org.maestro.coordination.api.Roster;
-import org.maestro.planning.StepKey;
+import org.maestro.planning.api.StepKey;
 
 /**
  * Gives each call its name, writes it down before it is sent and when it is over, and sends calls

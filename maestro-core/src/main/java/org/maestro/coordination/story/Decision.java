@@ -8,12 +8,12 @@ import java.util.Optional;
 import org.maestro.coordination.api.Bid;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.ontology.home.Home;
-import org.maestro.planning.Choice;
-import org.maestro.planning.ChoiceSearch;
-import org.maestro.planning.Plan;
-import org.maestro.planning.Planner;
-import org.maestro.planning.PlanningTask;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Choice;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.Planner;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.Step;
+import org.maestro.planning.explanation.ChoiceSearch;
 
 /**
  * A plan that was adopted, with all that it was chosen from.

@@ -3,7 +3,7 @@ package org.maestro.coordination.story;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.maestro.coordination.api.Sentences;
-import org.maestro.knowledge.KnowledgeBase;
+import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.facts.Confirmation;
-import org.maestro.knowledge.Belief;
+import org.maestro.knowledge.api.Belief;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.SlParser;
 

@@ -33,10 +33,10 @@ public final class SerialFilter implements ObjectInputFilter {
   private static final List<String> OF_AGENTS =
       List.of(
           "org.maestro.agents.GenericAgent",
-          "org.maestro.agents.MaestroAgent",
-          "org.maestro.agents.DirectoryEntry",
-          "org.maestro.agents.FormerCalls",
-          "org.maestro.agents.Movement",
+          "org.maestro.agents.runtime.MaestroAgent",
+          "org.maestro.agents.device.DirectoryEntry",
+          "org.maestro.agents.calls.FormerCalls",
+          "org.maestro.agents.device.Movement",
           "jade.core.Agent",
           "jade.core.Agent$1",
           "jade.core.Agent$ActiveLifeCycle",

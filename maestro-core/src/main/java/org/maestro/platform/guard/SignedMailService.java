@@ -22,7 +22,7 @@ import java.security.cert.CertificateEncodingException;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.atomic.AtomicLong;
-import org.maestro.agents.Caller;
+import org.maestro.agents.runtime.Caller;
 import org.maestro.rats.security.SecurityFilesException;
 
 /**

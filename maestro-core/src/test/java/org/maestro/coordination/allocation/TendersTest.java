@@ -17,10 +17,10 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Price;
-import org.maestro.planning.Plan;
-import org.maestro.planning.PlanningResult;
-import org.maestro.planning.PricedFeature;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PricedFeature;
+import org.maestro.planning.api.Step;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Term;
 

@@ -15,9 +15,9 @@ import org.junit.jupiter.api.Test;
 import org.maestro.coordination.PretendHouse;
 import org.maestro.coordination.api.Argument;
 import org.maestro.coordination.api.CallArguments;
-import org.maestro.knowledge.Source;
+import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Step;
 import org.maestro.sl.Term;
 
 /** What a robot is told of where its plan takes it next. */

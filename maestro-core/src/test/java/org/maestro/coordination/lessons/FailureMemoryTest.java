@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.api.Journal;
-import org.maestro.planning.StepKey;
+import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Term;
 
 class FailureMemoryTest {

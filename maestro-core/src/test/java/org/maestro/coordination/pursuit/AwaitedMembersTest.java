@@ -17,7 +17,7 @@ import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.GoalStatus;
 import org.maestro.coordination.api.Ports;
-import org.maestro.knowledge.Source;
+import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.sl.SlParser;

@@ -22,12 +22,12 @@ import org.maestro.coordination.story.ObstacleSentences;
 import org.maestro.coordination.story.SearchSentences;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.planning.Plan;
-import org.maestro.planning.Planner;
-import org.maestro.planning.PlanningResult;
-import org.maestro.planning.PlanningResult.Obstacle;
-import org.maestro.planning.PlanningTask;
-import org.maestro.planning.Step;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.Planner;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PlanningResult.Obstacle;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.Step;
 import org.maestro.sl.SlParser;
 
 /** Searches that find nothing end, and tell what was looked at and what could not be. */

@@ -17,8 +17,8 @@ import org.maestro.coordination.PretendHouse;
 import org.maestro.coordination.api.Bid;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.planning.Plan;
-import org.maestro.planning.PlanningTask;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.PlanningTask;
 import org.maestro.sl.SlParser;
 
 class DecisionsTest {

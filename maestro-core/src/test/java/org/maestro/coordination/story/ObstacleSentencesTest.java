@@ -13,11 +13,11 @@ import org.junit.jupiter.api.Test;
 import org.maestro.coordination.PretendHouse;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.planning.PlanningResult.Explanation;
-import org.maestro.planning.PlanningResult.Obstacle;
-import org.maestro.planning.PlanningResult.Obstacle.Extent;
-import org.maestro.planning.PlanningResult.Obstacle.Kind;
-import org.maestro.planning.StepKey;
+import org.maestro.planning.api.PlanningResult.Explanation;
+import org.maestro.planning.api.PlanningResult.Obstacle;
+import org.maestro.planning.api.PlanningResult.Obstacle.Extent;
+import org.maestro.planning.api.PlanningResult.Obstacle.Kind;
+import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Term;
 
 /** A number is called a limit only where it is one, and by whose help. */

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.maestro.knowledge.KnowledgeBase;
-import org.maestro.knowledge.Source;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 

@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.maestro.ontology.home.Point2;
-import org.maestro.sim.PathPoint;
+import org.maestro.sim.world.PathPoint;
 
 /** Where a robot was, at even times: between two corners of its path it drove evenly. */
 public record Trail(Duration step, List<Point2> places) {

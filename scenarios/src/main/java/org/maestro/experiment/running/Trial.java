@@ -5,9 +5,9 @@ import java.util.OptionalDouble;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.ontology.home.Home;
-import org.maestro.planning.Objective;
-import org.maestro.sim.PhysicalParameters;
-import org.maestro.sim.Scene;
+import org.maestro.planning.api.Objective;
+import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.scene.Scene;
 
 /**
  * What one run is made from.

@@ -14,7 +14,7 @@ import org.maestro.platform.GoalReport;
 import org.maestro.rats.member.MemberProfile;
 import org.maestro.rats.time.Clock;
 import org.maestro.sim.SimulatedHome;
-import org.maestro.sim.World;
+import org.maestro.sim.world.World;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 

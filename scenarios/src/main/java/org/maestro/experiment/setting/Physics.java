@@ -6,8 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import org.maestro.sim.PhysicalParameters;
-import org.maestro.sim.PhysicalSettings;
+import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.parameters.PhysicalSettings;
 
 /**
  * The physics that can be set in experiments: every number of {@link PhysicalParameters}, by its

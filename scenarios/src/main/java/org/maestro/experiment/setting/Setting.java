@@ -2,8 +2,8 @@ package org.maestro.experiment.setting;
 
 import java.util.Locale;
 import java.util.Map;
-import org.maestro.sim.PhysicalParameters;
-import org.maestro.sim.PhysicalSettings;
+import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.parameters.PhysicalSettings;
 
 /**
  * Something that can be set.
@@ -38,7 +38,7 @@ public record Setting(String name, String usual, Range range, String meaning) {
 
   /**
    * @throws SettingException when it may not have this value
-   * @throws org.maestro.sim.SimulationException when the world cannot be so
+   * @throws org.maestro.sim.scene.SimulationException when the world cannot be so
    */
   void check(String value) {
     if (range instanceof Range.Physical) {

@@ -6,7 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.maestro.ontology.home.Point2;
-import org.maestro.sim.PathPoint;
+import org.maestro.sim.world.PathPoint;
 
 class TrailTest {
 

@@ -1,0 +1,82 @@
+package org.maestro.device.navigation;
+
+import java.util.List;
+import org.maestro.hal.Surroundings.Obstacle;
+import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.home.Segment;
+
+/** Where a round body has room among walls and round obstacles. Immutable. */
+final class FreeFloor {
+
+  static final double TOLERANCE = 1e-6;
+
+  private final WalledFloor walls;
+  private final List<Obstacle> obstacles;
+  private final Boxes boxes;
+
+  FreeFloor(WalledFloor walls, List<Obstacle> obstacles) {
+    this.walls = walls;
+    this.obstacles = List.copyOf(obstacles);
+    this.boxes = new Boxes(obstacles.size());
+    for (int i = 0; i < obstacles.size(); i++) {
+      Obstacle obstacle = obstacles.get(i);
+      boxes.put(i, obstacle.middle(), obstacle.middle(), obstacle.radius() + walls.radius());
+    }
+  }
+
+  /** Whether the body may stand there. */
+  boolean isFree(Point2 point) {
+    return walls.isFree(point) && isFreeOfObstacles(point);
+  }
+
+  /** The same, where it is known that no wall is in the way. */
+  boolean isFreeOfObstacles(Point2 point) {
+    double x = point.x();
+    double y = point.y();
+    for (int i = 0; i < obstacles.size(); i++) {
+      if (boxes.touches(i, x, x, y, y)
+          && obstacles.get(i).middle().distance(point)
+              < obstacles.get(i).radius() + walls.radius() - TOLERANCE) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Whether the body can go straight there, given that it stands at the first point. */
+  boolean isFreeWay(Point2 from, Point2 to) {
+    return isFreeWay(from, to, new Memory());
+  }
+
+  /**
+   * What barred the last way: for many ways from one point to places that lie together it is the
+   * same wall. For one thread.
+   */
+  static final class Memory {
+    int wall = -1;
+  }
+
+  /** The same, with what barred a way before looked at first. */
+  boolean isFreeWay(Point2 from, Point2 to, Memory memory) {
+    Segment way = new Segment(from, to);
+    if (!walls.isFreeWay(way, memory)) {
+      return false;
+    }
+    double left = Math.min(from.x(), to.x());
+    double right = Math.max(from.x(), to.x());
+    double lower = Math.min(from.y(), to.y());
+    double upper = Math.max(from.y(), to.y());
+    for (int i = 0; i < obstacles.size(); i++) {
+      if (boxes.touches(i, left, right, lower, upper) && bars(obstacles.get(i), way)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private boolean bars(Obstacle obstacle, Segment way) {
+    double needed =
+        Math.min(obstacle.radius() + walls.radius(), obstacle.middle().distance(way.from()));
+    return way.distance(obstacle.middle()) < needed - TOLERANCE;
+  }
+}

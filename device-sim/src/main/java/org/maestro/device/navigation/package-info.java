@@ -1,0 +1,6 @@
+/**
+ * Ways over the floor for a round body: free floor among walls and obstacles, and the shortest way
+ * by a visibility graph. Outlines and obstacles flow in; routes flow out. It knows neither drivers
+ * nor calls.
+ */
+package org.maestro.device.navigation;

@@ -1,0 +1,95 @@
+package org.maestro.device.tasks;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.maestro.hal.Area;
+import org.maestro.hal.Completion;
+import org.maestro.hal.Position;
+import org.maestro.ontology.home.Point2;
+import org.maestro.rats.member.Execution;
+import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.RatsError;
+
+/**
+ * Drives to the nearest point of an area at which the robot stands wholly in it; when it is told
+ * where it goes from there, to the first such point on the shortest way there. On cancel it stands
+ * still, which is safe.
+ */
+final class MoveTask extends DeviceProcedure {
+
+  /** Even where nothing is to be driven, a call takes its time. */
+  private static final double LEAST_SECONDS = 0.5;
+
+  private final FeatureContext context;
+  private final Robot robot;
+
+  MoveTask(FeatureContext context) {
+    this.context = context;
+    this.robot = new Robot(context);
+  }
+
+  @Override
+  void start(Execution execution, CallParameters parameters) {
+    Area area = area(parameters);
+    List<Point2> goals = robot.standsIn(area);
+    Optional<Point2> onward = parameters.optionalPosition("onward").map(Position::floor);
+    execution.onCancel(
+        safe -> {
+          robot.base().stop();
+          safe.run();
+        });
+    robot.drive(
+        () ->
+            onward
+                .flatMap(place -> robot.routeInto(area, place))
+                .or(() -> robot.routeToNearest(goals)),
+        () -> new InTheWay(robot, amid -> amid.routeToNearest(goals)).clause(),
+        new Completion() {
+          @Override
+          public void done() {
+            execution.succeed(Map.of());
+          }
+
+          @Override
+          public void failed(String reason) {
+            execution.fail(blocked(parameters, reason));
+          }
+        });
+  }
+
+  private RatsError blocked(CallParameters parameters, String reason) {
+    String message = "Cannot drive to " + parameters.pointer("to").name() + ": " + reason + ".";
+    boolean named = parameters.optionalPointer("from").isPresent();
+    return FeatureContext.unmet(
+        message,
+        "open a door or clear the way",
+        named
+            ? context.reference("passable", parameters, Map.of(), "true", false).stream().toList()
+            : List.of());
+  }
+
+  private Area area(CallParameters parameters) {
+    Pointer to = parameters.pointer("to");
+    return to.outline()
+        .map(outline -> new Area(to.name(), outline, outline.centroid()))
+        .or(() -> robot.area(to.name()))
+        .orElseThrow(
+            () ->
+                new InvalidCallException(
+                    "The place " + to.name() + " is not on the map and comes without outline."));
+  }
+
+  @Override
+  CostAnswer cost(CallParameters parameters) {
+    List<Point2> goals = robot.standsIn(area(parameters));
+    return robot
+        .routeToNearest(goals)
+        .map(way -> price(Math.max(LEAST_SECONDS, robot.seconds(way)), robot.joules(way)))
+        .orElseGet(
+            () ->
+                impossible(
+                    new InTheWay(robot, amid -> amid.routeToNearest(goals))
+                        .sentence("to " + parameters.pointer("to").name())));
+  }
+}

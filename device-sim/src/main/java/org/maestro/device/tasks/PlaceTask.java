@@ -1,0 +1,113 @@
+package org.maestro.device.tasks;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
+import org.maestro.hal.Area;
+import org.maestro.hal.Completion;
+import org.maestro.hal.Position;
+import org.maestro.rats.member.Execution;
+import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.RatsError;
+
+/**
+ * Puts down what the hand holds, beside a thing or in an area: approach, reach out, let go, fold
+ * (M29).
+ */
+final class PlaceTask extends ArmTask {
+
+  PlaceTask(FeatureContext context) {
+    super(context);
+  }
+
+  @Override
+  void start(Execution execution, CallParameters parameters) {
+    Pointer object = parameters.pointer("object");
+    Pointer target = parameters.pointer("target");
+    if (!arm().held().equals(Optional.of(object.name()))) {
+      execution.fail(notHeld(parameters, "The hand does not hold " + object.name() + "."));
+      return;
+    }
+    if (ways(target).isEmpty()) {
+      throw new InvalidCallException(
+          "The pointer target comes without position and is no area of the map.");
+    }
+    exitSafely(execution);
+    AtomicReference<Position> spot = new AtomicReference<>();
+    new ActionSequence(
+            context().device(),
+            execution,
+            List.of(
+                approach(
+                    reach -> ways(target).orElseThrow().apply(reach),
+                    point -> spot.set(Position.onFloor(point)),
+                    "Cannot place at " + target.name()),
+                new ActionSequence.Action(
+                    "reach out", completion -> arm().extend(spot.get(), completion)),
+                new ActionSequence.Action(
+                    "feel the place", this::feel, reason -> occupied(object, target, reason)),
+                new ActionSequence.Action(
+                    "let go", arm()::release, reason -> lost(object, parameters, reason)),
+                new ActionSequence.Action("fold", arm()::fold)),
+            () -> {
+              context().deposits().put(object.name(), spot.get());
+              execution.succeed(Map.of());
+            })
+        .run();
+  }
+
+  private void feel(Completion completion) {
+    if (arm().isPlaceFree()) {
+      completion.done();
+    } else {
+      completion.failed("something stands there already");
+    }
+  }
+
+  private static RatsError occupied(Pointer object, Pointer target, String reason) {
+    return FeatureContext.unmet(
+        "Cannot place %s at %s: %s.".formatted(object.name(), target.name(), reason),
+        "clear the place",
+        List.of());
+  }
+
+  /** Somebody took it on the way: a hand feels that. */
+  private RatsError lost(Pointer object, CallParameters parameters, String reason) {
+    return arm().held().isPresent()
+        ? FeatureContext.broken(reason)
+        : notHeld(parameters, "The hand does not hold " + object.name() + " any more.");
+  }
+
+  private RatsError notHeld(CallParameters parameters, String sentence) {
+    return FeatureContext.unmet(
+        sentence,
+        "pick it up first",
+        context().reference("holding", parameters, Map.of(), "true", false).stream().toList());
+  }
+
+  /**
+   * Empty when the target can be nowhere; what is found by asking is empty when there is no free
+   * spot or way.
+   */
+  private Optional<Function<Reach, Optional<Reach.Approach>>> ways(Pointer target) {
+    Optional<Area> area =
+        target
+            .outline()
+            .map(outline -> new Area(target.name(), outline, outline.centroid()))
+            .or(() -> robot().area(target.name()));
+    if (area.isPresent()) {
+      return Optional.of(reach -> reach.within(area.get()));
+    }
+    return context().deposits().position(target).map(place -> reach -> reach.beside(place.floor()));
+  }
+
+  @Override
+  CostAnswer cost(CallParameters parameters) {
+    Pointer target = parameters.pointer("target");
+    return ways(target)
+        .map(approach -> price(approach, arm().placeSeconds(), target.name()))
+        .orElseGet(() -> price(arm().placeSeconds()));
+  }
+}

@@ -1,0 +1,66 @@
+package org.maestro.device.tasks;
+
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Function;
+import org.maestro.rats.member.Procedure;
+
+/**
+ * The routines of this software, by the key under which descriptions name them. One registry
+ * belongs to one device, since routines of a device may share what is under way.
+ */
+public final class Procedures {
+
+  private final Map<String, Kind> kinds = new TreeMap<>();
+
+  /**
+   * @param runningState the device's state while it runs
+   */
+  private record Kind(String runningState, Function<FeatureContext, Procedure> maker) {}
+
+  public Procedures() {
+    Observations observations = new Observations();
+    kinds.put(
+        "observeObject",
+        new Kind("observing", context -> new ObserveObject(context, observations)));
+    kinds.put("lookAround", new Kind("observing", LookAround::new));
+    kinds.put("stopObserve", new Kind("observing", context -> new StopObserve(observations)));
+    kinds.put("measureIllumination", new Kind("measuring", MeasureIllumination::new));
+    kinds.put("adjustLight", new Kind("adjusting", AdjustLight::new));
+    kinds.put("adjustShutter", new Kind("shutter-in-movement", AdjustShutter::new));
+    kinds.put("openDoor", new Kind("door-in-movement", context -> new SetDoor(context, true)));
+    kinds.put("closeDoor", new Kind("door-in-movement", context -> new SetDoor(context, false)));
+    kinds.put("move", new Kind("driving", MoveTask::new));
+    kinds.put("pick", new Kind("arm-in-movement", PickTask::new));
+    kinds.put("place", new Kind("arm-in-movement", PlaceTask::new));
+    kinds.put("recharge", new Kind("charging", RechargeTask::new));
+  }
+
+  /**
+   * @throws DeviceSetupException when there is no such routine, or no driver for it
+   */
+  public Procedure procedure(FeatureContext context) {
+    return kind(context).maker().apply(context);
+  }
+
+  public String runningState(FeatureContext context) {
+    return kind(context).runningState();
+  }
+
+  private Kind kind(FeatureContext context) {
+    Kind kind = kinds.get(context.feature().procedure());
+    if (kind == null) {
+      throw new DeviceSetupException(
+          "The device "
+              + context.device()
+              + " offers "
+              + context.feature().name()
+              + " with the procedure "
+              + context.feature().procedure()
+              + ", which is none of "
+              + String.join(", ", kinds.keySet())
+              + ".");
+    }
+    return kind;
+  }
+}

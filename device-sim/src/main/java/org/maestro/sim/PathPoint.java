@@ -1,7 +1,0 @@
-package org.maestro.sim;
-
-import java.time.Duration;
-import org.maestro.ontology.home.Point2;
-
-/** Where a robot was at a moment of simulated time. */
-public record PathPoint(Duration at, Point2 point) {}

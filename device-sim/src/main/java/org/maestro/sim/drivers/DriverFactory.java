@@ -1,0 +1,325 @@
+package org.maestro.sim.drivers;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.Random;
+import java.util.Set;
+import java.util.TreeSet;
+import org.maestro.hal.Battery;
+import org.maestro.hal.Camera;
+import org.maestro.hal.DaylightSensor;
+import org.maestro.hal.DimmableLamp;
+import org.maestro.hal.DoorDrive;
+import org.maestro.hal.Drivers;
+import org.maestro.hal.GripperArm;
+import org.maestro.hal.IlluminationSensor;
+import org.maestro.hal.JammingGripper;
+import org.maestro.hal.JammingHand;
+import org.maestro.hal.MobileBase;
+import org.maestro.hal.Position;
+import org.maestro.hal.ShutterDrive;
+import org.maestro.hal.Surroundings;
+import org.maestro.hal.SwitchedLamp;
+import org.maestro.hal.wheels.DifferentialWheels;
+import org.maestro.hal.wheels.MecanumWheels;
+import org.maestro.hal.wheels.WheelGeometry;
+import org.maestro.hal.wheels.WheeledBase;
+import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.Glass;
+import org.maestro.ontology.home.Pose;
+import org.maestro.ontology.home.Windows;
+import org.maestro.rats.time.Clock;
+import org.maestro.sim.parameters.ArmData;
+import org.maestro.sim.parameters.BaseData;
+import org.maestro.sim.parameters.CameraData;
+import org.maestro.sim.parameters.GripperData;
+import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.parameters.WheelData;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SimulationException;
+import org.maestro.sim.world.Body;
+import org.maestro.sim.world.FloorMap;
+import org.maestro.sim.world.LampLight;
+import org.maestro.sim.world.Likeness;
+import org.maestro.sim.world.Photographer;
+import org.maestro.sim.world.World;
+
+/**
+ * Makes simulated drivers for the driver keys of device descriptions, and puts the devices into the
+ * world.
+ */
+public final class DriverFactory {
+
+  private static final double USUAL_BEAM_DEGREES = 120;
+  private static final double FULL_STRENGTH = 1;
+  private static final double FULL_CHARGE = 1;
+
+  private final World world;
+  private final Scene scene;
+  private final Clock clock;
+  private final PhysicalParameters parameters;
+  private final Windows windows;
+  private final Set<String> robots = new TreeSet<>();
+  private final Photographer photographer;
+
+  public DriverFactory(
+      World world, Scene scene, Clock clock, PhysicalParameters parameters, Windows windows) {
+    this.world = world;
+    this.scene = scene;
+    this.clock = clock;
+    this.parameters = parameters;
+    this.windows = windows;
+    this.photographer = new Photographer(world, robots, parameters);
+  }
+
+  /**
+   * @param key of the device's description
+   * @param seed of the device's chance
+   * @throws SimulationException when there is no such driver, or home and scene lack what it needs
+   */
+  public Drivers drivers(Device device, String key, long seed) {
+    Actuator actuator = new Actuator(device.id(), world, clock, new Random(seed));
+    return switch (key) {
+      case "lamp" ->
+          lamp(device).with(DimmableLamp.class, new SimulatedLamp(actuator, parameters.lamp()));
+      case "switched-lamp" ->
+          lamp(device)
+              .with(
+                  DimmableLamp.class,
+                  new SwitchedLamp(
+                      new SimulatedSwitch(actuator, parameters.drives()),
+                      parameters.lamp().whiteKelvin()));
+      case "camera" -> ceilingCamera(device, actuator, parameters.camera(), seed);
+      case "trusting-camera" ->
+          ceilingCamera(device, actuator, parameters.camera().trusting(), seed);
+      case "light-sensor" ->
+          Drivers.none()
+              .with(
+                  IlluminationSensor.class,
+                  new SimulatedSensor(actuator, parameters.sensor(), place(device)));
+      case "tsl2561" ->
+          Drivers.none()
+              .with(
+                  IlluminationSensor.class,
+                  new SimulatedTsl2561(actuator, parameters.sensor(), place(device)));
+      case "door" ->
+          Drivers.none()
+              .with(
+                  DoorDrive.class,
+                  new SimulatedDoor(actuator, parameters.drives(), Stated.truth(device, "locked")));
+      case "shutter" -> shutter(device, actuator);
+      case "mobile-robot" -> robot(device, actuator, this::gliding);
+      case "mobile-robot-with-fingers" ->
+          robot(device, actuator, this::gliding, DriverFactory::fingers);
+      case "mecanum-robot" -> robot(device, actuator, this::onMecanumWheels);
+      case "differential-robot" -> robot(device, actuator, this::onTwoWheels);
+      case "mobile-robot-with-camera" ->
+          robot(device, actuator, this::gliding)
+              .with(
+                  Camera.class,
+                  camera(
+                      device,
+                      actuator,
+                      parameters.camera(),
+                      Eye.onBoard(actuator, parameters.turn(), number(device, "viewAngle")),
+                      seed));
+      default ->
+          throw new SimulationException(
+              "The driver "
+                  + key
+                  + " of "
+                  + device.id()
+                  + " cannot be simulated; known are lamp, switched-lamp, camera, trusting-camera,"
+                  + " light-sensor, tsl2561, door, shutter, mobile-robot, mobile-robot-with-camera,"
+                  + " mobile-robot-with-fingers, mecanum-robot, differential-robot.");
+    };
+  }
+
+  /** Puts its light into the world; what dims or switches it is still lacking. */
+  private Drivers lamp(Device device) {
+    Scene.Entry entry = scene.of(device.id());
+    OptionalDouble beam = FloorMap.number(device.individual(), "beamAngle");
+    world
+        .lighting()
+        .put(
+            device.id(),
+            new LampLight(
+                pose(device),
+                number(device, "luminousIntensity"),
+                beam.orElse(USUAL_BEAM_DEGREES),
+                entry.strength().orElse(FULL_STRENGTH),
+                entry.level().orElse(0)));
+    return Drivers.none();
+  }
+
+  private Drivers ceilingCamera(Device device, Actuator actuator, CameraData kind, long seed) {
+    Eye eye = Eye.fixed(pose(device), number(device, "viewAngle"));
+    return Drivers.none().with(Camera.class, camera(device, actuator, kind, eye, seed));
+  }
+
+  /** A setting that was changed is the truth, whatever the home states of its devices. */
+  private static double believed(Device device, String word, double set, double usual) {
+    return set == usual ? Stated.number(device, word).orElse(set) : set;
+  }
+
+  private Camera camera(Device device, Actuator actuator, CameraData kind, Eye eye, long seed) {
+    CameraData usual = CameraData.LIFECAM;
+    CameraData data =
+        kind.within(
+            believed(device, "minimumLight", kind.minimumLux(), usual.minimumLux()),
+            believed(device, "maximumLight", kind.maximumLux(), usual.maximumLux()));
+    double frameRate = FloorMap.number(device.individual(), "frameRate").orElse(data.frameRate());
+    Photographer.Resolution resolution =
+        FloorMap.pair(device.individual(), "resolution")
+            .map(pixels -> new Photographer.Resolution((int) pixels.x(), (int) pixels.y()))
+            .orElse(new Photographer.Resolution(data.width(), data.height()));
+    return new SimulatedCamera(
+        actuator,
+        new Likeness(data.atRate(frameRate), parameters.colour()),
+        eye,
+        now ->
+            photographer.take(eye.views().get().get(0), eye.viewDegrees(), resolution, seed, now));
+  }
+
+  private Drivers shutter(Device device, Actuator actuator) {
+    Drivers drivers =
+        Drivers.none()
+            .with(ShutterDrive.class, new SimulatedShutter(actuator, parameters.drives()));
+    List<Glass> shaded = windows.shadedBy(device.id()).stream().map(Windows.Window::glass).toList();
+    return shaded.isEmpty() || scene.sky().isEmpty()
+        ? drivers
+        : drivers.with(
+            DaylightSensor.class,
+            SimulatedDaylightSensor.start(actuator, parameters.facade(), shaded));
+  }
+
+  private interface Chassis {
+    MobileBase on(Actuator actuator, BaseData base);
+  }
+
+  private MobileBase gliding(Actuator actuator, BaseData base) {
+    return new SimulatedBase(actuator, base, parameters.wheels().slip());
+  }
+
+  private MobileBase onMecanumWheels(Actuator actuator, BaseData base) {
+    WheelData wheels = parameters.wheels();
+    return onWheels(
+        actuator,
+        base,
+        new MecanumWheels(wheels.wheelRadius(), wheels.halfLength(), wheels.halfWidth()));
+  }
+
+  private MobileBase onTwoWheels(Actuator actuator, BaseData base) {
+    WheelData wheels = parameters.wheels();
+    return onWheels(
+        actuator, base, new DifferentialWheels(wheels.wheelRadius(), wheels.halfWidth()));
+  }
+
+  private MobileBase onWheels(Actuator actuator, BaseData base, WheelGeometry geometry) {
+    WheelData data = parameters.wheels();
+    SimulatedWheels wheels = new SimulatedWheels(actuator, geometry, data.slip(), base.radius());
+    return new WheeledBase(
+        geometry,
+        wheels,
+        wheels,
+        actuator::after,
+        new WheeledBase.Limits(
+            base.speed(),
+            data.turnSpeed(),
+            base.radius(),
+            base.power(),
+            data.controlSeconds(),
+            data.nearMetres(),
+            data.aimRadians()));
+  }
+
+  /** What is at the end of a robot's arm. */
+  private interface Fitting {
+    Drivers at(Device device, Actuator actuator, ArmData arm, Grasp grasp);
+  }
+
+  private Drivers jamming(Device device, Actuator actuator, ArmData arm, Grasp grasp) {
+    GripperData data = parameters.gripper();
+    double opening = believed(device, "grip", data.opening(), GripperData.USUAL.opening());
+    JammingGripper gripper =
+        new SimulatedJammingGripper(actuator, data.opening(opening), grasp, arm.power());
+    return Drivers.none()
+        .with(JammingGripper.class, gripper)
+        .with(
+            GripperArm.class,
+            new SimulatedArm(
+                actuator, arm, Stated.number(device, "height"), grasp, new JammingHand(gripper)));
+  }
+
+  private static Drivers fingers(Device device, Actuator actuator, ArmData arm, Grasp grasp) {
+    double opening = Stated.number(device, "grip").orElse(SimulatedFingers.USUAL_OPENING_METRES);
+    return Drivers.none()
+        .with(
+            GripperArm.class,
+            new SimulatedArm(
+                actuator,
+                arm,
+                Stated.number(device, "height"),
+                grasp,
+                new SimulatedFingers(actuator, grasp, arm.power(), opening)));
+  }
+
+  private Drivers robot(Device device, Actuator actuator, Chassis chassis) {
+    return robot(device, actuator, chassis, this::jamming);
+  }
+
+  private Drivers robot(Device device, Actuator actuator, Chassis chassis, Fitting fitting) {
+    Body body =
+        world
+            .whereabouts()
+            .find(device.id())
+            .orElseThrow(
+                () ->
+                    new SimulationException(
+                        "The scene "
+                            + scene.name()
+                            + " does not say where "
+                            + device.id()
+                            + " stands. Give it a scene:position."));
+    robots.add(device.id());
+    world.whereabouts().put(body.withRadius(parameters.base().radius()));
+    Scene.Entry truth = scene.of(device.id());
+    double speed = believed(device, "speed", parameters.base().speed(), BaseData.YOUBOT.speed());
+    BaseData base = parameters.base().atSpeed(truth.speed().orElse(speed));
+    double payload =
+        believed(device, "payload", parameters.arm().payload(), ArmData.YOUBOT.payload());
+    double reach = believed(device, "reach", parameters.arm().reach(), ArmData.YOUBOT.reach());
+    ArmData arm = parameters.arm().lifting(truth.payload().orElse(payload)).reaching(reach);
+    world
+        .batteries()
+        .put(device.id(), parameters.battery(), base.power(), truth.charge().orElse(FULL_CHARGE));
+    Likeness likeness = new Likeness(parameters.camera(), parameters.colour());
+    return fitting
+        .at(device, actuator, arm, new Grasp(actuator, arm, likeness))
+        .with(Battery.class, SimulatedBattery.start(actuator, parameters.battery()))
+        .with(MobileBase.class, chassis.on(actuator, base))
+        .with(Surroundings.class, new OnBoardMap(device.id(), world));
+  }
+
+  private static Position place(Device device) {
+    Pose pose = pose(device);
+    return new Position(pose.x(), pose.y(), pose.z());
+  }
+
+  private static Pose pose(Device device) {
+    return FloorMap.pose(device.individual(), "pose").orElseThrow(() -> lacking(device, "pose"));
+  }
+
+  private static double number(Device device, String property) {
+    return FloorMap.number(device.individual(), property)
+        .orElseThrow(() -> lacking(device, property));
+  }
+
+  private static SimulationException lacking(Device device, String property) {
+    return new SimulationException(
+        device.id()
+            + " has no maestro:"
+            + property
+            + ", without which it cannot be simulated. Add it to the home file.");
+  }
+}

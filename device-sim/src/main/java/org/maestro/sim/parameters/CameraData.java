@@ -1,0 +1,137 @@
+package org.maestro.sim.parameters;
+
+/**
+ * What a camera takes, and in which light its detection finds things by their colour.
+ *
+ * @param frameRate frames a second, unless the home states it; paper 4.1: 30
+ * @param width of an image, pixels, unless the home states it; paper 4.1: 1080p
+ * @param height of an image, pixels
+ * @param minimumLux paper 5.1: about 72 lux is the critical threshold
+ * @param maximumLux assumed: colours wash out from 2,000 lux on
+ * @param halfLux light in which half of the frames show an object; assumed a little under the
+ *     threshold
+ * @param slopeLux steepness of the logistic around it; assumed: at the threshold 98 % of the frames
+ *     show it
+ * @param washedOutSlopeLux the same around {@code maximumLux} times 1.1; assumed
+ * @param noise of positions: standard deviation per metre of distance, each axis; assumed 1 %
+ *     (calibration; a pixel is 2 mm at 2.8 m)
+ * @param lightError standard deviation of the light estimated from images, relative; assumed
+ * @param noticesGlare whether its software says nothing of images in which something is over-lit;
+ *     assumed that it does. The paper's (5.2) did not: another thing was taken for the wanted one
+ */
+public record CameraData(
+    double frameRate,
+    int width,
+    int height,
+    double minimumLux,
+    double maximumLux,
+    double halfLux,
+    double slopeLux,
+    double washedOutSlopeLux,
+    double noise,
+    double lightError,
+    boolean noticesGlare) {
+  public static final CameraData LIFECAM =
+      new CameraData(30, 1920, 1080, 72, 2000, 69, 0.75, 20, 0.01, 0.005, true);
+  private static final double WASHED_OUT_HALF = 1.1;
+
+  /** A camera that needs no light of the room has a light of its own. */
+  private static final double LEAST_LUX = 0.01;
+
+  public CameraData {
+    PhysicalParameters.positive("camera.frameRate", frameRate);
+    PhysicalParameters.positive("camera.width", width);
+    PhysicalParameters.positive("camera.height", height);
+    PhysicalParameters.positive("camera.slopeLux", slopeLux);
+    PhysicalParameters.positive("camera.washedOutSlopeLux", washedOutSlopeLux);
+  }
+
+  public CameraData atRate(double framesPerSecond) {
+    return new CameraData(
+        framesPerSecond,
+        width,
+        height,
+        minimumLux,
+        maximumLux,
+        halfLux,
+        slopeLux,
+        washedOutSlopeLux,
+        noise,
+        lightError,
+        noticesGlare);
+  }
+
+  /**
+   * The same camera for other light: its detection sets in as far below the least light, in its
+   * proportion, as that of the usual one does.
+   *
+   * @param minimum above 0; so much is taken for 0
+   */
+  public CameraData within(double minimum, double maximum) {
+    double scale = Math.max(LEAST_LUX, minimum) / minimumLux;
+    return new CameraData(
+        frameRate,
+        width,
+        height,
+        minimum,
+        maximum,
+        halfLux * scale,
+        slopeLux * scale,
+        washedOutSlopeLux,
+        noise,
+        lightError,
+        noticesGlare);
+  }
+
+  /** One whose software takes images in which something is over-lit as it takes all others. */
+  public CameraData trusting() {
+    return new CameraData(
+        frameRate,
+        width,
+        height,
+        minimumLux,
+        maximumLux,
+        halfLux,
+        slopeLux,
+        washedOutSlopeLux,
+        noise,
+        lightError,
+        false);
+  }
+
+  /**
+   * The same camera with other errors, both relative standard deviations.
+   *
+   * @param position per metre of distance
+   * @param light of the light estimated from images
+   */
+  public CameraData withErrors(double position, double light) {
+    return new CameraData(
+        frameRate,
+        width,
+        height,
+        minimumLux,
+        maximumLux,
+        halfLux,
+        slopeLux,
+        washedOutSlopeLux,
+        position,
+        light,
+        noticesGlare);
+  }
+
+  /** The chance that one frame shows a visible object in so much light in its colour. */
+  public double detectability(double lux) {
+    return brightness(lux) * (1 - glare(lux));
+  }
+
+  /** The chance that there is enough light for one frame to show an object at all. */
+  public double brightness(double lux) {
+    return 1 / (1 + Math.exp(-(lux - halfLux) / slopeLux));
+  }
+
+  /** The chance that there is so much that one frame shows it in a wrong colour. */
+  public double glare(double lux) {
+    return 1 / (1 + Math.exp(-(lux - WASHED_OUT_HALF * maximumLux) / washedOutSlopeLux));
+  }
+}

@@ -1,0 +1,19 @@
+package org.maestro.sim.parameters;
+
+/**
+ * How colours look in an image. A channel of the image stands still where the light that a thing
+ * throws back in it exceeds {@code saturationLux}.
+ *
+ * @param saturationLux light in which a wholly white thing is at the image's end; assumed: that
+ *     from which colours wash out
+ * @param tolerance distance in chromaticity (shares of red and green) at which one colour is taken
+ *     for another in six frames of ten; assumed
+ */
+public record ColourData(double saturationLux, double tolerance) {
+  static final ColourData USUAL = new ColourData(2000, 0.1);
+
+  public ColourData {
+    PhysicalParameters.positive("colour.saturationLux", saturationLux);
+    PhysicalParameters.positive("colour.tolerance", tolerance);
+  }
+}

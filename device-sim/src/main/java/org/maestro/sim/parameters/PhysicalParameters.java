@@ -1,0 +1,81 @@
+package org.maestro.sim.parameters;
+
+import java.util.Map;
+import org.maestro.sim.scene.SimulationException;
+
+/**
+ * Every number of the simulated physics, each with its source; "assumed" means stated here and
+ * nowhere measured. Each can be given another value by its name ({@link PhysicalSettings}).
+ *
+ * @param shutters whether the shutters of a home are there; without them its windows stand free
+ */
+public record PhysicalParameters(
+    boolean shutters,
+    CameraData camera,
+    ColourData colour,
+    ImageData image,
+    TurnData turn,
+    SensorData sensor,
+    FacadeData facade,
+    LampData lamp,
+    BaseData base,
+    WheelData wheels,
+    ArmData arm,
+    GripperData gripper,
+    BatteryData battery,
+    DriveData drives) {
+
+  public static PhysicalParameters standard() {
+    return new PhysicalParameters(
+        true,
+        CameraData.LIFECAM,
+        ColourData.USUAL,
+        ImageData.USUAL,
+        TurnData.YOUBOT,
+        SensorData.TSL2561,
+        FacadeData.USUAL,
+        LampData.HUE,
+        BaseData.YOUBOT,
+        WheelData.YOUBOT,
+        ArmData.YOUBOT,
+        GripperData.USUAL,
+        BatteryData.YOUBOT,
+        DriveData.USUAL);
+  }
+
+  public PhysicalParameters with(CameraData other) {
+    return new PhysicalParameters(
+        shutters, other, colour, image, turn, sensor, facade, lamp, base, wheels, arm, gripper,
+        battery, drives);
+  }
+
+  public PhysicalParameters with(SensorData other) {
+    return new PhysicalParameters(
+        shutters, camera, colour, image, turn, other, facade, lamp, base, wheels, arm, gripper,
+        battery, drives);
+  }
+
+  public PhysicalParameters with(BaseData other) {
+    return new PhysicalParameters(
+        shutters, camera, colour, image, turn, sensor, facade, lamp, other, wheels, arm, gripper,
+        battery, drives);
+  }
+
+  public PhysicalParameters with(ArmData other) {
+    return new PhysicalParameters(
+        shutters, camera, colour, image, turn, sensor, facade, lamp, base, wheels, other, gripper,
+        battery, drives);
+  }
+
+  /** The same with other settings by name, such as {@code world.camera.noise} and {@code 0.05}. */
+  public PhysicalParameters with(Map<String, String> settings) {
+    return PhysicalSettings.apply(this, settings);
+  }
+
+  /** A record that is made by name says what is wrong with a value. */
+  static void positive(String name, double value) {
+    if (!(value > 0)) {
+      throw new SimulationException("The setting world.%s is more than 0.".formatted(name));
+    }
+  }
+}

@@ -1,0 +1,23 @@
+package org.maestro.sim.scene;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.maestro.ontology.home.Point2;
+
+/**
+ * What happens in a scene of its own accord. Immutable.
+ *
+ * @param faults by the thing, zone or device to which they happen; the empty name is the home
+ * @param walks corners of the rounds that persons walk, by name
+ */
+public record Course(Map<String, List<ScriptedFault>> faults, Map<String, List<Point2>> walks) {
+
+  public static final Course NOTHING = new Course(Map.of(), Map.of());
+
+  public Course {
+    faults = Collections.unmodifiableMap(new TreeMap<>(faults));
+    walks = Collections.unmodifiableMap(new TreeMap<>(walks));
+  }
+}

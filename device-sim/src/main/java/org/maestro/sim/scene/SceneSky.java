@@ -1,0 +1,34 @@
+package org.maestro.sim.scene;
+
+import java.time.Duration;
+import java.util.OptionalLong;
+import org.maestro.sim.sky.Clouds;
+import org.maestro.sim.sky.Sky;
+
+/**
+ * What a scene says of the sky.
+ *
+ * @param latitudeDegrees of the home, positive in the north
+ * @param dayOfYear 1 is the first of January
+ * @param solarHours of the beginning, 12 being when the sun is highest
+ * @param northDegrees where north is on the map, from x towards y
+ * @param cloudSeed of clouds that are the same whatever the run's seed is
+ */
+public record SceneSky(
+    double latitudeDegrees,
+    int dayOfYear,
+    double solarHours,
+    double northDegrees,
+    double cloudCover,
+    double cloudChange,
+    Duration cloudsEvery,
+    OptionalLong cloudSeed) {
+
+  public Sky sky(long runSeed) {
+    return new Sky(
+        latitudeDegrees,
+        dayOfYear,
+        solarHours,
+        new Clouds(cloudCover, cloudChange, cloudsEvery, cloudSeed.orElse(runSeed)));
+  }
+}

@@ -1,0 +1,47 @@
+package org.maestro.sim.scene;
+
+import java.time.Duration;
+import java.util.Optional;
+
+/**
+ * Something that happened in the world.
+ *
+ * @param at simulated time since the start
+ * @param subject the device, or the thing that was moved by hand
+ * @param thing the thing concerned
+ */
+public record WorldEvent(Duration at, Kind kind, String subject, Optional<String> thing) {
+
+  /** The first six are commands that a device's driver received, before they take effect. */
+  public enum Kind {
+    ADJUST,
+    LOOK,
+    READ,
+    DRIVE,
+    GRASP,
+    RELEASE,
+    LIT,
+    DRIVEN,
+    MEASURED,
+    BLOCKED,
+    PICKED,
+    PLACED,
+    DROPPED,
+    OPENED,
+    CLOSED,
+    DIED,
+    REVIVED,
+    MOVED,
+    /** A battery holds a step less, or more. */
+    DRAINED,
+    /** A battery is empty. */
+    EMPTIED,
+    /** A robot that drives touches another body that moves. */
+    COLLIDED
+  }
+
+  /** Told on the thread that caused the event, mostly the clock's; may change the world. */
+  public interface Listener {
+    void happened(WorldEvent event);
+  }
+}

@@ -1,0 +1,25 @@
+package org.maestro.sim.world;
+
+import org.maestro.hal.Position;
+import org.maestro.ontology.home.Point2;
+
+/** By how many metres a robot errs about where it is, along x and y. Immutable. */
+public record Astray(double xMetres, double yMetres) {
+  static final Astray NOT = new Astray(0, 0);
+
+  public static Astray between(Point2 truth, Point2 believed) {
+    return new Astray(believed.x() - truth.x(), believed.y() - truth.y());
+  }
+
+  /** Where who is there believes to be. */
+  public Point2 from(Point2 truth) {
+    return equals(NOT) ? truth : new Point2(truth.x() + xMetres, truth.y() + yMetres);
+  }
+
+  /** What it reaches when it believes to reach that place. */
+  public Position reached(Position believed) {
+    return equals(NOT)
+        ? believed
+        : new Position(believed.x() - xMetres, believed.y() - yMetres, believed.z());
+  }
+}

@@ -1,0 +1,90 @@
+package org.maestro.sim.world;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Individual;
+import org.maestro.sim.scene.Paint;
+import org.maestro.sim.scene.Scene;
+import org.maestro.sl.Term;
+
+/**
+ * What things look like: their colour and size as the scene states them, or else as a value in the
+ * home reads: the name of a colour, three lengths. Immutable.
+ */
+public final class Looks {
+
+  private static final Set<String> OTHER_TEXTS =
+      Set.of("pose", "position", "referencePoint", "glassFrom", "glassTo");
+  private static final Size USUAL = new Size(0.08, 0.08, 0.1);
+
+  private final Map<String, Paint> paints;
+  private final Map<String, Size> sizes;
+
+  /** Length, width and height; metres. */
+  public record Size(double length, double width, double height) {}
+
+  Looks(Home home, Scene scene) {
+    Map<String, Paint> colours = new TreeMap<>();
+    Map<String, Size> measures = new TreeMap<>();
+    home.individuals()
+        .forEach(
+            (name, individual) -> {
+              colour(individual).ifPresent(paint -> colours.put(name, paint));
+              size(individual).ifPresent(size -> measures.put(name, size));
+            });
+    scene
+        .entries()
+        .forEach((name, entry) -> entry.colour().ifPresent(paint -> colours.put(name, paint)));
+    this.paints = Collections.unmodifiableMap(colours);
+    this.sizes = Collections.unmodifiableMap(measures);
+  }
+
+  public Paint paint(String name) {
+    return paints.getOrDefault(name, Paint.GREY);
+  }
+
+  public Size size(String name) {
+    return sizes.getOrDefault(name, USUAL);
+  }
+
+  private static Optional<Paint> colour(Individual individual) {
+    return texts(individual).stream().flatMap(text -> Paint.parse(text).stream()).findFirst();
+  }
+
+  private static Optional<Size> size(Individual individual) {
+    return texts(individual).stream().flatMap(text -> lengths(text).stream()).findFirst();
+  }
+
+  private static Optional<Size> lengths(String text) {
+    String[] words = text.strip().split("\\s+");
+    if (words.length != 3) {
+      return Optional.empty();
+    }
+    try {
+      Size size =
+          new Size(
+              Double.parseDouble(words[0]),
+              Double.parseDouble(words[1]),
+              Double.parseDouble(words[2]));
+      return size.length() > 0 && size.width() > 0 && size.height() > 0
+          ? Optional.of(size)
+          : Optional.empty();
+    } catch (NumberFormatException e) {
+      return Optional.empty();
+    }
+  }
+
+  private static List<String> texts(Individual individual) {
+    return individual.properties().entrySet().stream()
+        .filter(property -> !OTHER_TEXTS.contains(property.getKey()))
+        .flatMap(property -> property.getValue().stream())
+        .filter(Term.Text.class::isInstance)
+        .map(term -> ((Term.Text) term).value())
+        .toList();
+  }
+}

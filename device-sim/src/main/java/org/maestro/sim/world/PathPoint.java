@@ -1,0 +1,7 @@
+package org.maestro.sim.world;
+
+import java.time.Duration;
+import org.maestro.ontology.home.Point2;
+
+/** Where a robot was at a moment of simulated time. */
+public record PathPoint(Duration at, Point2 point) {}

@@ -1,0 +1,58 @@
+package org.maestro.sim.world;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import org.maestro.ontology.home.Point2;
+import org.maestro.rats.time.Clock;
+import org.maestro.sim.scene.WorldEvent;
+
+/**
+ * Lets persons walk their rounds. They walk through whatever stands in their way (assumed): others
+ * have to look out.
+ */
+public final class Walks {
+
+  private static final double NANOS = 1e9;
+
+  /** A slow walk; metres a second, assumed. */
+  private static final double WALKING_SPEED = 0.8;
+
+  private final World world;
+  private final Clock clock;
+
+  public Walks(World world, Clock clock) {
+    this.world = world;
+    this.clock = clock;
+  }
+
+  /** From where the person is, corner by corner, for ever. */
+  public void start(String person, List<Point2> corners) {
+    walk(person, corners, 0);
+  }
+
+  private void later(String person, double seconds, Runnable then) {
+    clock.schedule(
+        Duration.ofNanos(Math.round(seconds * NANOS)),
+        person,
+        () -> {
+          if (!world.hasEnded()) {
+            then.run();
+          }
+        });
+  }
+
+  private void walk(String person, List<Point2> corners, int next) {
+    Point2 here = world.position(person).orElseThrow().floor();
+    Point2 corner = corners.get(next);
+    world.whereabouts().start(person, new Drive(clock.now(), here, List.of(corner), WALKING_SPEED));
+    later(
+        person,
+        Math.max(0.1, here.distance(corner) / WALKING_SPEED),
+        () -> {
+          world.whereabouts().stop(person);
+          world.tell(WorldEvent.Kind.MOVED, person, Optional.empty());
+          walk(person, corners, (next + 1) % corners.size());
+        });
+  }
+}

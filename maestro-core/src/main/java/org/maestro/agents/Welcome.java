@@ -1,7 +1,0 @@
-package org.maestro.agents;
-
-import java.util.List;
-import org.maestro.deployment.AgentStart;
-
-/** Agents that a container which joined is to begin, and that are asked to move there. */
-public record Welcome(List<AgentStart> begun, List<String> toMove) {}

@@ -1,0 +1,92 @@
+package org.maestro.agents.calls;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import org.maestro.coordination.api.Argument;
+import org.maestro.coordination.api.Bid;
+import org.maestro.coordination.api.CallForPrices;
+import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.Market;
+import org.maestro.members.MemberView;
+import org.maestro.ontology.vocabulary.Price;
+import org.maestro.planning.api.Step;
+
+/**
+ * A generic agent's own member, as the agent's own plans use it: no messages are needed. Agent
+ * thread only.
+ */
+public final class OwnMember implements Market, Crew {
+  private final String member;
+  private final MemberView view;
+  private final Performances performances;
+  private final PriceQuestions prices;
+  private int calls;
+
+  public OwnMember(
+      String member, MemberView view, Performances performances, PriceQuestions prices) {
+    this.member = member;
+    this.view = view;
+    this.performances = performances;
+    this.prices = prices;
+  }
+
+  @Override
+  public void callForPrices(CallForPrices call, Consumer<Tender> closed) {
+    List<String> wanted = call.features().getOrDefault(member, List.of());
+    if (wanted.isEmpty()) {
+      closed.accept(new Alone(List.of()));
+      return;
+    }
+    Map<String, Price> prices = new TreeMap<>();
+    for (String name : wanted) {
+      if (view.isReady()) {
+        view.feature(name).ifPresent(feature -> prices.put(name, feature.cost()));
+      }
+    }
+    Optional<String> refusal =
+        prices.isEmpty() ? Optional.of(member + " is not there") : Optional.empty();
+    closed.accept(new Alone(List.of(new Bid(member, prices, refusal))));
+  }
+
+  @Override
+  public void exactPrices(
+      String asked,
+      String feature,
+      List<Map<String, Argument>> sets,
+      Consumer<List<Quote>> answer) {
+    prices.quote(feature, sets, answer);
+  }
+
+  @Override
+  public Performance perform(Order order, Consumer<Report> reported) {
+    return performances.begin(
+            "own-" + ++calls,
+            new Performances.Deed(
+                order.step().feature(),
+                order.parameters(),
+                order.timeout(),
+                order.call().map(Call::id),
+                Optional.of(order.goalId()),
+                Optional.empty(),
+                order.ends()),
+            Optional.empty(),
+            (outcome, report) -> reported.accept(report))
+        ::cancel;
+  }
+
+  @Override
+  public void callOff(String whose, Call call) {
+    performances.callOff(call.id());
+  }
+
+  /** A round with one bidder, who needs no award. */
+  private record Alone(List<Bid> bids) implements Tender {
+    @Override
+    public void award(Map<String, List<Step>> parts) {
+      // It is the agent's own member: it gets its orders.
+    }
+  }
+}

@@ -1,0 +1,264 @@
+package org.maestro.agents.centre;
+
+import jade.core.AID;
+import jade.lang.acl.ACLMessage;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.maestro.agents.content.GoalWords;
+import org.maestro.agents.content.Words;
+import org.maestro.agents.runtime.Caller;
+import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.api.GoalOutcome;
+import org.maestro.coordination.api.HeldNews;
+import org.maestro.coordination.api.InvalidGoalException;
+import org.maestro.coordination.api.Recovery;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.ontology.home.AccessList;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.sl.Content;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.Term;
+
+/**
+ * What others want of the central agent about goals: to take one on, to tell its end, to cancel
+ * one, to explain one, to list them. Agent thread only.
+ */
+public final class GoalRequests {
+  private final MaestroAgent agent;
+  private final KnowledgeBase knowledge;
+  private final Coordinator coordinator;
+  private final ToldStories stories;
+  private final Endings endings;
+  private final GoalsOfOthers others = new GoalsOfOthers();
+  private final Map<String, Formula> takenUp = new HashMap<>();
+
+  public GoalRequests(
+      MaestroAgent agent, KnowledgeBase knowledge, Coordinator coordinator, ToldStories stories) {
+    this.agent = agent;
+    this.knowledge = knowledge;
+    this.coordinator = coordinator;
+    this.stories = stories;
+    this.endings = new Endings(agent::reply);
+  }
+
+  /** Goals of who was the central agent before are asked for here from now on. */
+  public void takeUp(Recovery recovery) {
+    recovery.goals().forEach(goal -> takenUp.put(goal.id(), goal.request().goal()));
+    recovery.ended().forEach(goal -> endings.ended(goal.request().goal(), goal.outcome()));
+  }
+
+  /** One of them has come to its end. */
+  public void ended(GoalOutcome outcome) {
+    endings.ended(takenUp.remove(outcome.id()), outcome);
+  }
+
+  public void goal(ACLMessage message, Words words) {
+    if (message.getPerformative() != ACLMessage.REQUEST) {
+      agent.refuse(
+          message,
+          ACLMessage.NOT_UNDERSTOOD,
+          "initCNP is understood in a request only, and this message is another: "
+              + ACLMessage.getPerformative(message.getPerformative())
+              + ".");
+      return;
+    }
+    Formula goal = words.find("goal").map(this::formula).orElse(null);
+    if (goal == null) {
+      agent.refuse(
+          message,
+          ACLMessage.NOT_UNDERSTOOD,
+          "initCNP needs a goal, such as (initCNP (:goal (nextTo Cup Bob))).");
+      return;
+    }
+    Caller requester = Caller.of(message, agent.getHap());
+    if (!AccessList.of(knowledge.home()).knows(requester.names())) {
+      agent.refuse(
+          message,
+          ACLMessage.REFUSE,
+          "No maestro:Permission of the home lets %s ask anybody for anything."
+              .formatted(String.join(" or ", requester.names())));
+      return;
+    }
+    try {
+      coordinator.submit(
+          GoalWords.request(goal, requester.toString(), words, agent.clock().now()),
+          answer(message),
+          news -> answer(message, news),
+          outcome -> endings.ended(goal, outcome));
+    } catch (InvalidGoalException e) {
+      agent.refuse(message, ACLMessage.REFUSE, e.getMessage());
+    }
+  }
+
+  private Coordinator.Answer answer(ACLMessage message) {
+    return new Coordinator.Answer() {
+      @Override
+      public void accepted(String goalId) {
+        agent.reply(message, ACLMessage.AGREE, named("initCNP", goalId));
+        endings.await(goalId, message);
+      }
+
+      @Override
+      public void refused(String reason) {
+        agent.reply(
+            message,
+            ACLMessage.REFUSE,
+            Words.content(
+                "inform",
+                Words.named("reason", Words.text(reason)),
+                Words.named("temporary", Words.name("true"))));
+      }
+    };
+  }
+
+  private static Content named(String operator, String goalId) {
+    return Words.content(operator, Words.named("goal", Words.name(goalId)));
+  }
+
+  /** A goal is a formula, or its text; a class atom may have been read as a term. */
+  private Formula formula(Words words) {
+    return words
+        .formula()
+        .or(() -> words.terms().stream().findFirst().map(t -> parse(Words.plain(t))))
+        .orElse(null);
+  }
+
+  private Formula parse(String text) {
+    return SlParser.formula(
+        text,
+        name ->
+            knowledge
+                .home()
+                .vocabulary()
+                .predicate(name)
+                .filter(PredicateDeclaration::fluent)
+                .isPresent());
+  }
+
+  /**
+   * Of a held goal, each time that it begins or ceases to be so: it is confirmed or disconfirmed.
+   */
+  private void answer(ACLMessage message, HeldNews news) {
+    agent.reply(
+        message,
+        news.kind().isSo() ? ACLMessage.CONFIRM : ACLMessage.DISCONFIRM,
+        GoalWords.news(news));
+  }
+
+  /** The end of a goal, for who did not state it, or whose conversation ended with a process. */
+  public void await(ACLMessage message, Words words) {
+    String id = words.string("goal").orElse("");
+    if (!endings.isOver(id)) {
+      if (!coordinator.hasGoal(id)) {
+        agent.refuse(message, ACLMessage.REFUSE, noSuchGoal(id));
+        return;
+      }
+      agent.reply(message, ACLMessage.AGREE, named("await", id));
+    }
+    endings.await(id, message);
+  }
+
+  /** An agent tells how a goal of its own fares. */
+  public void goalOfAnother(ACLMessage message, Words words, Content whole) {
+    others.told(
+        message.getSender(),
+        words.string("goal").orElseThrow(),
+        words.string("state").orElseThrow(),
+        whole);
+  }
+
+  public void cancel(ACLMessage message, Words words) {
+    String id = words.string("goal").orElse("");
+    Optional<AID> owner = others.owner(id);
+    if (owner.isPresent() && !agent.isFromOtherPlatform(message)) {
+      agent.ask(
+          agent.message(ACLMessage.REQUEST, owner.get(), named("cancel", id)),
+          agent.patience(agent.patience().agreement()),
+          answer ->
+              agent.reply(
+                  message,
+                  answer.getPerformative(),
+                  Words.parse(answer.getContent()).toArray(Content[]::new)));
+      return;
+    }
+    String by = Caller.of(message, agent.getHap()).agent();
+    if (agent.isFromOtherPlatform(message) && !isOf(id, by)) {
+      agent.refuse(
+          message, ACLMessage.REFUSE, "The goal " + id + " is not one that " + by + " stated.");
+      return;
+    }
+    if (coordinator.cancel(id, by)) {
+      agent.reply(
+          message,
+          ACLMessage.INFORM,
+          Words.content("inform", Words.named("cancelled", Words.name(id))));
+    } else {
+      agent.refuse(
+          message,
+          ACLMessage.REFUSE,
+          stories.goals().contains(id) ? "The goal " + id + " has ended already." : noSuchGoal(id));
+    }
+  }
+
+  private boolean isOf(String id, String requester) {
+    return coordinator.goals().stream()
+        .anyMatch(goal -> goal.id().equals(id) && goal.requester().equals(requester));
+  }
+
+  /** The story of a goal, as far as it was told and from then on. */
+  public void subscribe(ACLMessage message, Words words) {
+    String id = words.string("story").orElse("");
+    if (stories.goals().contains(id) || coordinator.hasGoal(id)) {
+      stories.subscribe(message, id);
+    } else {
+      agent.refuse(message, ACLMessage.REFUSE, noSuchGoal(id));
+    }
+  }
+
+  public void explain(ACLMessage message, Words words) {
+    String id = words.string("goal").orElse("");
+    if (!stories.goals().contains(id)) {
+      agent.refuse(message, ACLMessage.REFUSE, noSuchGoal(id));
+    } else if (words.find("step").isPresent()) {
+      coordinator.explainChoice(
+          id,
+          words.find("plan").isPresent()
+              ? OptionalInt.of((int) words.number("plan", 0))
+              : OptionalInt.empty(),
+          (int) words.number("step", 0),
+          sentences -> stories.tell(message, id, sentences));
+    } else {
+      stories.tellAll(message, id);
+    }
+  }
+
+  /** The goals, or with {@code (query-ref waits)} the wait-for graph. */
+  public void list(ACLMessage message, Words words) {
+    List<Content> lines = new ArrayList<>();
+    if (words.terms().contains(new Term.Name("waits"))) {
+      coordinator.waits().forEach(wait -> lines.add(GoalWords.wait(wait)));
+    } else {
+      coordinator.goals().forEach(goal -> lines.add(GoalWords.status(goal)));
+      lines.addAll(others.statuses());
+    }
+    agent.reply(message, ACLMessage.INFORM, lines.toArray(Content[]::new));
+  }
+
+  private String noSuchGoal(String id) {
+    if (coordinator.hasHad(id)) {
+      return "The goal "
+          + id
+          + " ended long ago, and nothing of it is kept here any more; its story may still be read"
+          + " when no platform runs.";
+    }
+    return stories.goals().isEmpty()
+        ? "There is no goal " + id + "; none was stated yet."
+        : "There is no goal " + id + "; there are " + String.join(", ", stories.goals()) + ".";
+  }
+}

@@ -1,0 +1,69 @@
+package org.maestro.agents.content;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.maestro.knowledge.api.MemberWord;
+import org.maestro.knowledge.api.Moment;
+import org.maestro.knowledge.api.StepAccount;
+import org.maestro.sl.Content;
+
+/** How agents tell each other what a member said of itself, and when by its own order. */
+public final class AccountWords {
+  private AccountWords() {}
+
+  public static Content.Argument.Named of(StepAccount account) {
+    List<Content.Argument> parts = new ArrayList<>();
+    parts.add(Words.named("listener", Words.text(account.ended().listener())));
+    parts.add(Words.named("begun", Words.number(account.begun().number())));
+    parts.add(Words.named("ended", Words.number(account.ended().number())));
+    account
+        .last()
+        .ifPresent(
+            word -> {
+              parts.add(Words.named("said", Words.number(word.moment().number())));
+              parts.add(facts(word));
+            });
+    parts.add(Words.named("includesStep", Words.name(String.valueOf(account.includesStep()))));
+    return Words.named("account", parts);
+  }
+
+  public static Content.Argument.Named facts(MemberWord word) {
+    return Words.named("facts", word.facts().stream().map(Words::text).toList());
+  }
+
+  /** What {@link #of} wrote, if somebody has listened. */
+  public static Optional<StepAccount> account(Words report) {
+    return report
+        .find("account")
+        .flatMap(
+            words ->
+                moment(words, "begun")
+                    .flatMap(
+                        begun ->
+                            moment(words, "ended")
+                                .map(
+                                    ended ->
+                                        new StepAccount(
+                                            begun,
+                                            ended,
+                                            moment(words, "said").map(said -> word(words, said)),
+                                            words
+                                                .string("includesStep")
+                                                .filter("true"::equals)
+                                                .isPresent()))));
+  }
+
+  public static MemberWord word(Words words, Moment moment) {
+    return new MemberWord(
+        words.find("facts").map(Words::terms).orElse(List.of()).stream().map(Words::plain).toList(),
+        moment);
+  }
+
+  public static Optional<Moment> moment(Words words, String name) {
+    double number = words.number(name, -1);
+    return number < 0
+        ? Optional.empty()
+        : words.string("listener").map(listener -> new Moment(listener, (long) number));
+  }
+}

@@ -1,0 +1,20 @@
+package org.maestro.agents.content;
+
+/**
+ * Local names of the agents of which a platform has one, and of those that are named after theirs.
+ */
+public final class AgentNames {
+  /** The central coordinator agent, which people and other platforms ask. */
+  public static final String COORDINATOR = "CCA";
+
+  public static final String KNOWLEDGE = "knowledge";
+  public static final String SUPERVISOR = "supervisor";
+  private static final String HOST = "host-";
+
+  private AgentNames() {}
+
+  /** The agent that offers a host to the platform. */
+  public static String ofHost(String host) {
+    return HOST + host;
+  }
+}

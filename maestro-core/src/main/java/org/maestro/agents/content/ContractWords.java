@@ -1,0 +1,36 @@
+package org.maestro.agents.content;
+
+import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.api.Takeover;
+
+/**
+ * What an agent tells the holder of a contract while its member is at it: {@code (inform (:member
+ * rose) (:feature pick) (:goal G1) (:offer tim) (:cost 4) (:seconds 4))}, or that it comes back by
+ * {@code (:release "...")}, or that it is at it still by {@code (:alive true)}.
+ */
+public final class ContractWords {
+
+  private ContractWords() {}
+
+  public static boolean areIn(Words words) {
+    return words.string("goal").isPresent()
+        && words.string("feature").isPresent()
+        && (words.string("offer").isPresent()
+            || words.string("release").isPresent()
+            || words.string("alive").isPresent());
+  }
+
+  public static void tell(Words words, Coordinator coordinator) {
+    String goal = words.string("goal").orElseThrow();
+    String member = words.string("member").orElse("");
+    String feature = words.string("feature").orElseThrow();
+    words.string("release").ifPresent(r -> coordinator.givenBack(goal, member, feature, r));
+    words.string("alive").ifPresent(a -> coordinator.alive(goal, member, feature));
+    double cost = words.number("cost", -1);
+    if (words.string("offer").isPresent() && cost >= 0) {
+      double seconds = words.number("seconds", cost);
+      coordinator.offered(
+          goal, new Takeover(words.string("offer").get(), member, feature, cost, seconds));
+    }
+  }
+}

@@ -1,0 +1,300 @@
+package org.maestro.agents.goals;
+
+import jade.core.AID;
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.maestro.agents.calls.OwnMember;
+import org.maestro.agents.negotiation.AclCrew;
+import org.maestro.agents.negotiation.AclMarket;
+import org.maestro.agents.negotiation.Clients;
+import org.maestro.agents.negotiation.Contracts;
+import org.maestro.agents.negotiation.Misconduct;
+import org.maestro.agents.negotiation.PermittedMarket;
+import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.agents.runtime.OwnThread;
+import org.maestro.agents.runtime.PlanningThread;
+import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.Journal;
+import org.maestro.coordination.api.Market;
+import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Story;
+import org.maestro.coordination.api.Thinking;
+import org.maestro.rats.time.Clock;
+
+/**
+ * A coordinator as an agent has one: it bids, orders and hears over the agent's messages, and plans
+ * beside the agent. Its scope are the members that it is told of. Agent thread only.
+ */
+public final class Deliberation {
+
+  /** For so long a plan made again lets first plans go before it. */
+  private static final Duration PATIENCE = Duration.ofSeconds(2);
+
+  /** Wall time that another agent for a member has until it announces itself. */
+  private static final Duration MOVE = Duration.ofSeconds(20);
+
+  private final MaestroAgent agent;
+  private final Clock clock;
+  private final Mind mind;
+  private final Contracts contracts = new Contracts();
+  private final AclCrew crew;
+  private final Coordinator coordinator;
+  private final PlanningThread planning = new PlanningThread();
+  private final Map<String, AID> agentByMember = new HashMap<>();
+  private volatile boolean ended;
+
+  /** Of an agent that orders other agents by messages. */
+  public Deliberation(
+      MaestroAgent agent,
+      Clock clock,
+      Mind mind,
+      Story story,
+      Journal journal,
+      Misconduct misconduct) {
+    this.agent = agent;
+    this.clock = clock;
+    this.mind = mind;
+    Clients clients = new Clients(mind.knowledge(), this::requester, misconduct);
+    this.crew =
+        new AclCrew(agent, this::agentOf, this::isDoubted, contracts, misconduct, clients::of);
+    Market market =
+        new PermittedMarket(new AclMarket(agent, this::agentOf, contracts, misconduct), clients);
+    this.coordinator = new Coordinator(ports(clock, market, crew, story, journal));
+  }
+
+  /**
+   * Of an agent with goals of its own.
+   *
+   * @param prefix before its goals' numbers
+   * @param own the member that is the agent's own; empty: it orders other agents
+   */
+  public Deliberation(
+      MaestroAgent agent,
+      Clock clock,
+      Mind mind,
+      Story story,
+      Journal journal,
+      String prefix,
+      Misconduct misconduct,
+      Optional<OwnMember> own) {
+    this.agent = agent;
+    this.clock = clock;
+    this.mind = mind;
+    this.crew =
+        new AclCrew(
+            agent,
+            this::agentOf,
+            this::isDoubted,
+            contracts,
+            misconduct,
+            goalId -> Optional.empty());
+    Market market = new AclMarket(agent, this::agentOf, contracts, misconduct);
+    this.coordinator =
+        new Coordinator(
+            ports(
+                clock,
+                own.map(Market.class::cast).orElse(market),
+                own.map(Crew.class::cast).orElse(crew),
+                story,
+                journal),
+            prefix);
+  }
+
+  private Ports ports(Clock clock, Market market, Crew orders, Story story, Journal journal) {
+    return new Ports(
+        mind.knowledge(),
+        mind.planner(),
+        market,
+        orders,
+        new OwnThread(clock, Duration.ZERO),
+        clock,
+        story,
+        journal);
+  }
+
+  public Coordinator coordinator() {
+    return coordinator;
+  }
+
+  private Optional<String> requester(String goalId) {
+    return coordinator.requester(goalId);
+  }
+
+  /** From now on what changes in the collective knowledge is noticed. */
+  public void begin() {
+    mind.knowledge()
+        .watch(
+            change -> {
+              if (!ended) {
+                agent.tell(() -> coordinator.knowledgeChanged(change));
+              }
+            });
+  }
+
+  /** What is under way at members goes on; nobody here waits for it any more. */
+  public void end() {
+    ended = true;
+    planning.end();
+  }
+
+  public int ordersUnderway() {
+    return crew.underwayCount();
+  }
+
+  public boolean contractsOpen() {
+    return !contracts.isEmpty();
+  }
+
+  /** The goal's story is over. */
+  public void forget(String goalId) {
+    contracts.forget(goalId);
+  }
+
+  public void memberPresent(String member, AID its, Optional<String> life) {
+    agentByMember.put(member, its);
+    coordinator.memberPresent(member, life);
+    crew.agentThere(member);
+  }
+
+  public void memberLost(String member, String reason) {
+    coordinator.memberLost(member, reason);
+    crew.memberLost(member);
+  }
+
+  /** Its agent gives no sign of life: nothing is asked of it until it does, or is lost. */
+  public void agentDoubted(String member, String reason) {
+    coordinator.memberDoubted(member, reason);
+  }
+
+  /** Its agent has given a sign of life again. */
+  public void agentTrusted(String member) {
+    if (agentByMember.containsKey(member)) {
+      coordinator.memberTrusted(member);
+      crew.agentThere(member);
+    }
+  }
+
+  /**
+   * The agent is no more, and is to be there again soon, when it takes over what its members were
+   * ordered; a member for which none has come in time is lost.
+   *
+   * @return the members that it stood for
+   */
+  public Set<String> agentMoves(String agentName) {
+    Set<String> members = membersOf(agentName);
+    for (String member : members) {
+      agentByMember.remove(member);
+      coordinator.memberDoubted(member, member + " is getting another agent");
+      crew.agentMoves(member);
+      clock.schedule(
+          agent.patience(MOVE), agent.getLocalName(), () -> agent.tell(() -> hasNotCome(member)));
+    }
+    return members;
+  }
+
+  private void hasNotCome(String member) {
+    if (isAwaited(member)) {
+      agentStaysAway(member, "it has had no agent for %d s".formatted(MOVE.toSeconds()));
+    }
+  }
+
+  /** It has no agent, and this is why. */
+  public void agentStaysAway(String member, String reason) {
+    if (isAwaited(member)) {
+      memberLost(member, reason);
+    } else if (!agentByMember.containsKey(member)) {
+      coordinator.memberAway(member, reason);
+    }
+  }
+
+  /** Whether its agent has not come yet after it moved. */
+  private boolean isAwaited(String member) {
+    return isDoubted(member) && !agentByMember.containsKey(member);
+  }
+
+  private boolean isDoubted(String member) {
+    return coordinator.isDoubted(member);
+  }
+
+  /** The agent is no more; returns the members that it stood for. */
+  public Set<String> agentGone(String agentName, String reason) {
+    Set<String> members = membersOf(agentName);
+    for (String member : members) {
+      agentByMember.remove(member);
+      coordinator.memberLost(member, reason);
+      crew.agentEnded(member);
+    }
+    return members;
+  }
+
+  /** The members that the agent stands for. */
+  public Set<String> membersOf(String agentName) {
+    Set<String> members = new TreeSet<>();
+    agentByMember.forEach(
+        (member, its) -> {
+          if (its.getLocalName().equals(agentName)) {
+            members.add(member);
+          }
+        });
+    return members;
+  }
+
+  private Optional<AID> agentOf(String member) {
+    return coordinator.isPresent(member)
+        ? Optional.ofNullable(agentByMember.get(member))
+        : Optional.empty();
+  }
+
+  /** Plans beside the agent, and hands the result back through the clock. */
+  private final class OwnThread implements Thinking {
+    private final Clock clock;
+    private final Duration patience;
+
+    private OwnThread(Clock clock, Duration patience) {
+      this.clock = clock;
+      this.patience = patience;
+    }
+
+    @Override
+    public Thinking patient() {
+      return new OwnThread(clock, PATIENCE);
+    }
+
+    @Override
+    public <T> void think(Supplier<T> work, Consumer<T> then) {
+      // An event of its own, so that on a stepped clock the agent is idle while it is planned.
+      clock.schedule(Duration.ZERO, agent.getLocalName(), () -> begin(work, then));
+    }
+
+    private <T> void begin(Supplier<T> work, Consumer<T> then) {
+      if (ended) {
+        return;
+      }
+      Clock.Ticket ticket = clock.hold("planning");
+      planning.execute(
+          () -> {
+            try {
+              T result = work.get();
+              clock.schedule(
+                  mind.decisionTime(),
+                  agent.getLocalName(),
+                  () -> {
+                    if (!ended) {
+                      agent.tell(() -> then.accept(result));
+                    }
+                  });
+            } finally {
+              ticket.close();
+            }
+          },
+          patience);
+    }
+  }
+}

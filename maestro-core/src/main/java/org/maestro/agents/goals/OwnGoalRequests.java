@@ -1,0 +1,41 @@
+package org.maestro.agents.goals;
+
+import jade.lang.acl.ACLMessage;
+import org.maestro.agents.content.GoalWords;
+import org.maestro.agents.content.Replies;
+import org.maestro.agents.content.Words;
+import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.sl.Content;
+
+/** Answers what others ask of an agent's own goals. Agent thread only. */
+public final class OwnGoalRequests {
+  private final MaestroAgent agent;
+  private final OwnGoals goals;
+
+  public OwnGoalRequests(MaestroAgent agent, OwnGoals goals) {
+    this.agent = agent;
+    this.goals = goals;
+  }
+
+  public void cancel(ACLMessage message, Words words) {
+    String id = words.string("goal").orElse("");
+    if (goals.cancel(id, Replies.sender(message))) {
+      agent.reply(
+          message,
+          ACLMessage.INFORM,
+          Words.content("inform", Words.named("cancelled", Words.name(id))));
+    } else {
+      agent.refuse(
+          message,
+          ACLMessage.REFUSE,
+          agent.getLocalName() + " has no goal " + Replies.shortened(id) + " that goes on.");
+    }
+  }
+
+  public void list(ACLMessage message) {
+    agent.reply(
+        message,
+        ACLMessage.INFORM,
+        goals.statuses().stream().map(GoalWords::status).toArray(Content[]::new));
+  }
+}

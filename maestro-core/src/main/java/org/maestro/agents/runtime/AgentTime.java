@@ -1,0 +1,35 @@
+package org.maestro.agents.runtime;
+
+import java.time.Duration;
+import java.util.Optional;
+import org.maestro.agents.stepping.SteppedMail;
+import org.maestro.rats.time.Clock;
+
+/**
+ * How the agents of one platform live in time.
+ *
+ * @param mail what carries their messages on a stepped clock; empty on a paced one, where JADE does
+ */
+public record AgentTime(Clock clock, Optional<SteppedMail> mail, Patience patience) {
+
+  public static AgentTime of(Clock clock) {
+    return of(clock, Patience.standard());
+  }
+
+  public static AgentTime of(Clock clock, Patience patience) {
+    return new AgentTime(
+        clock,
+        clock.isStepped() ? Optional.of(new SteppedMail(clock)) : Optional.empty(),
+        patience);
+  }
+
+  /** So much wall time, as simulated time; on a stepped clock they are the same. */
+  Duration simulated(Duration wallTime) {
+    return Duration.ofMillis(Math.round(wallTime.toMillis() * clock.speed()));
+  }
+
+  /** The opposite of {@link #simulated(Duration)}. */
+  Duration wallTime(Duration simulated) {
+    return Duration.ofMillis(Math.round(simulated.toMillis() / clock.speed()));
+  }
+}

@@ -1,0 +1,44 @@
+package org.maestro.agents.runtime;
+
+import jade.core.Agent;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.function.BooleanSupplier;
+import org.maestro.agents.stepping.IdleDetector;
+import org.maestro.agents.stepping.WorkTickets;
+
+/** What an agent works with in one container; it gets another when it moves. */
+final class Equipment {
+  final AgentTime time;
+  final WorkTickets tickets;
+  final CountDownLatch started = new CountDownLatch(1);
+  final IdleDetector idleDetector;
+  final Conversations conversations;
+  final Protest protest;
+  final Inbox inbox;
+  final Reception reception;
+
+  /**
+   * @param thread the agent's own
+   * @param mail takes one message; returns whether there was one
+   */
+  Equipment(Agent agent, OwnThread thread, AgentTime time, BooleanSupplier mail) {
+    this.time = time;
+    this.tickets = new WorkTickets(time.clock(), agent.getClass().getSimpleName());
+    this.idleDetector = new IdleDetector(tickets, started::countDown);
+    this.conversations = new Conversations(agent, thread, time);
+    this.protest = new Protest(agent);
+    this.inbox = new Inbox(agent, thread, time.clock(), tickets, idleDetector);
+    this.reception =
+        new Reception(
+            agent, List.of(inbox::step, conversations::step, mail), inbox::hasWork, this::settled);
+  }
+
+  /** Where time is paced nobody waits until the agent is idle, but for its start. */
+  private void settled() {
+    if (!time.clock().isStepped()) {
+      tickets.idle();
+      started.countDown();
+    }
+  }
+}

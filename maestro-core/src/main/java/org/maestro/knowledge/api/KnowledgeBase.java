@@ -1,0 +1,91 @@
+package org.maestro.knowledge.api;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.Home;
+
+/** The store. Thread-safe; writes are atomic, each yields at most one change. */
+public interface KnowledgeBase extends AutoCloseable {
+
+  /** The home as it is now: the file's, and the devices that joined. */
+  Home home();
+
+  /** A device joined or sent a new description; it speaks only of itself. */
+  void describe(Device device);
+
+  /**
+   * Ground MAESTRO-SL facts said by a source: {@code (in rose zone-b)}, {@code (not (open
+   * door-1))}, {@code (= (level lamp-b1) 0.5)}. A device states all its values each time: what it
+   * leaves out is not known any more.
+   */
+  void state(Source source, List<String> facts);
+
+  /**
+   * The same, said by a member of itself: what a later message of its has told otherwise stays as
+   * it is.
+   */
+  void state(String member, MemberWord word);
+
+  /**
+   * Writes what the result teaches: {@code learns}, or the effect, or {@code error.refs}. Returns
+   * what that changed.
+   */
+  Change learn(FeatureRun run);
+
+  /** The member is gone: what it said of itself, and what was carried by it, become unknown. */
+  void lost(String member);
+
+  Snapshot snapshot();
+
+  /**
+   * Who said what of what the fact speaks of, when and how surely, oldest first: for a functional
+   * predicate all its values for the same thing. Statements that lost against another source are
+   * among them, and those from before a restart if they were kept.
+   *
+   * @param fact a ground atom, or a fluent
+   */
+  List<Belief> history(String fact);
+
+  /**
+   * What was known last of what the fact speaks of, however long ago; empty when nothing ever was.
+   *
+   * @param fact a ground atom, or a fluent
+   */
+  Optional<Belief> lastKnown(String fact);
+
+  /** Listeners are told after each change, on the writer's thread, and must hand over at once. */
+  void watch(Consumer<Change> listener);
+
+  @Override
+  void close();
+
+  /**
+   * What one write changed.
+   *
+   * @param facts the new beliefs, and {@code (unknown ...)} for what was lost, in MAESTRO-SL
+   * @param expected those of them that nobody has reported: they follow from what a step is for
+   */
+  record Change(long version, Source source, List<String> facts, List<String> expected) {
+
+    public Change(long version, Source source, List<String> facts) {
+      this(version, source, facts, List.of());
+    }
+
+    /** What somebody has reported. */
+    public List<String> reported() {
+      return facts.stream().filter(fact -> !expected.contains(fact)).toList();
+    }
+
+    /** The same, where this was reported, be it that it was known already. */
+    public Change with(List<String> words) {
+      return new Change(
+          version,
+          source,
+          Stream.concat(words.stream(), facts.stream()).distinct().toList(),
+          expected.stream().filter(fact -> !words.contains(fact)).toList());
+    }
+  }
+}

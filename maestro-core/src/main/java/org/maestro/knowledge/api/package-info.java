@@ -1,0 +1,5 @@
+/**
+ * What others tell the collective knowledge and hear from it: beliefs with their sources, results
+ * of features, snapshots, disputes, history. It says nothing of how they are kept.
+ */
+package org.maestro.knowledge.api;

@@ -1,0 +1,59 @@
+package org.maestro.knowledge.belief;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.maestro.knowledge.api.Moment;
+import org.maestro.knowledge.api.StateVariable;
+
+/**
+ * Which message of a member was the last that told of what, by the member's own order: what was
+ * said earlier and comes to be known later is no news. One writer at a time.
+ */
+public final class LastWords {
+
+  private final Map<String, Map<StateVariable, Moment>> toldByMember = new TreeMap<>();
+  private final Map<String, Moment> heardByMember = new TreeMap<>();
+  private final Map<String, Map<StateVariable, Moment>> taughtByMember = new TreeMap<>();
+
+  /** Returns whether nothing later was told of it; then this is what was told last. */
+  public boolean takes(String member, StateVariable variable, Moment moment) {
+    boolean outdated = last(member, variable).filter(last -> last.isAfter(moment)).isPresent();
+    if (!outdated) {
+      toldByMember.computeIfAbsent(member, m -> new HashMap<>()).put(variable, moment);
+    }
+    return !outdated;
+  }
+
+  /** The member said of itself all that it tells. */
+  public void heard(String member, Moment moment) {
+    heardByMember.merge(member, moment, (one, next) -> one.isAfter(next) ? one : next);
+  }
+
+  public Optional<Moment> lastHeard(String member) {
+    return Optional.ofNullable(heardByMember.get(member));
+  }
+
+  /** The result of a step that changes the variable was the message. */
+  public void taught(String member, StateVariable variable, Moment ended) {
+    if (takes(member, variable, ended)) {
+      taughtByMember.computeIfAbsent(member, m -> new HashMap<>()).put(variable, ended);
+    }
+  }
+
+  public Optional<Moment> last(String member, StateVariable variable) {
+    return Optional.ofNullable(toldByMember.getOrDefault(member, Map.of()).get(variable));
+  }
+
+  /** The latest result of a step that changed it. */
+  public Optional<Moment> lastTaught(String member, StateVariable variable) {
+    return Optional.ofNullable(taughtByMember.getOrDefault(member, Map.of()).get(variable));
+  }
+
+  public void forget(String member) {
+    toldByMember.remove(member);
+    heardByMember.remove(member);
+    taughtByMember.remove(member);
+  }
+}

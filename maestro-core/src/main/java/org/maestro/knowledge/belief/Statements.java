@@ -1,0 +1,118 @@
+package org.maestro.knowledge.belief;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Predicate;
+import org.maestro.knowledge.api.Source;
+import org.maestro.knowledge.api.StateVariable;
+import org.maestro.ontology.home.Device;
+import org.maestro.sl.Fact;
+
+/**
+ * What each device said of itself last. A device tells all its values each time: what it leaves out
+ * does not hold any more.
+ */
+public final class Statements {
+
+  private final Map<String, Set<StateVariable>> byDevice = new TreeMap<>();
+  private final Map<String, Set<StateVariable>> expectedOf = new TreeMap<>();
+
+  /**
+   * Withdraws what the source does not say any more, and returns what is to be written.
+   *
+   * @param isNews of what is spoken of or left out; else somebody knows better already
+   */
+  public List<Fact> take(
+      Source source,
+      List<Fact> facts,
+      Draft draft,
+      PositionKeeping positions,
+      Predicate<StateVariable> isNews) {
+    Set<StateVariable> said = new LinkedHashSet<>();
+    facts.forEach(fact -> said.add(draft.variable(FactReader.atom(fact))));
+    withdrawn(draft.base(), source, said).stream()
+        .filter(isNews)
+        .forEach(variable -> positions.withdraw(variable, source));
+    Source expected = new Source(Source.Kind.EXPECTED, source.agent());
+    notBroughtAbout(source, said, isNews)
+        .forEach(variable -> positions.withdraw(variable, expected));
+    said.removeIf(isNews.negate());
+    return facts.stream()
+        .filter(fact -> said.contains(draft.variable(FactReader.atom(fact))))
+        .toList();
+  }
+
+  /** The device is expected to have brought this about by a step of its own. */
+  public void expects(World world, String device, List<Fact> facts) {
+    Device described = world.home().devices().get(device);
+    if (described == null) {
+      return;
+    }
+    OwnReports reports = new OwnReports(described);
+    for (Fact fact : facts) {
+      if (fact instanceof Fact.Holds holds && reports.wouldTell(holds.atom())) {
+        expectedOf
+            .computeIfAbsent(device, name -> new LinkedHashSet<>())
+            .add(world.declarations().spokenOf(fact));
+      }
+    }
+  }
+
+  /**
+   * What was expected of the device, would be told by it now, and is not.
+   *
+   * @param isNews what was told of otherwise since is still expected
+   */
+  private List<StateVariable> notBroughtAbout(
+      Source source, Set<StateVariable> said, Predicate<StateVariable> isNews) {
+    if (source.kind() != Source.Kind.STATED || !expectedOf.containsKey(source.agent())) {
+      return List.of();
+    }
+    Set<StateVariable> expected = expectedOf.get(source.agent());
+    List<StateVariable> decided = expected.stream().filter(isNews).toList();
+    decided.forEach(expected::remove);
+    return decided.stream().filter(variable -> !said.contains(variable)).toList();
+  }
+
+  /**
+   * Notes what is said now, and returns what was said before, is still believed on that word, and
+   * is not repeated.
+   */
+  private List<StateVariable> withdrawn(World world, Source source, Set<StateVariable> said) {
+    if (source.kind() != Source.Kind.STATED
+        || !world.home().devices().containsKey(source.agent())) {
+      return List.of();
+    }
+    Set<StateVariable> before = byDevice.put(source.agent(), new LinkedHashSet<>(said));
+    return before == null
+        ? List.of()
+        : before.stream()
+            .filter(variable -> !said.contains(variable))
+            .filter(variable -> isOnItsWord(world, variable, source))
+            .toList();
+  }
+
+  /** Whether it is what a device says of itself, and goes on saying until it says otherwise. */
+  public boolean isStillSaid(StateVariable variable, Claim claim) {
+    Source source = claim.held().source();
+    return source.kind() == Source.Kind.STATED
+        && byDevice.getOrDefault(source.agent(), Set.of()).contains(variable);
+  }
+
+  public void forget(String device) {
+    byDevice.remove(device);
+    expectedOf.remove(device);
+  }
+
+  private static boolean isOnItsWord(World world, StateVariable variable, Source source) {
+    return world
+        .cell(variable)
+        .filter(
+            cell ->
+                cell.standing().stream().anyMatch(claim -> claim.held().source().equals(source)))
+        .isPresent();
+  }
+}

@@ -1,0 +1,6 @@
+/**
+ * What is believed, drawn from what is claimed: claims weighed by sureness and time, positions and
+ * what follows from them, ageing. Claims flow in; settled beliefs, disputes and what is too old
+ * flow out. Immutable but for a draft; it knows no RDF.
+ */
+package org.maestro.knowledge.belief;

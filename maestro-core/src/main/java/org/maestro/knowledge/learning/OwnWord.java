@@ -1,0 +1,248 @@
+package org.maestro.knowledge.learning;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.maestro.knowledge.api.FeatureRun;
+import org.maestro.knowledge.api.KnowledgeException;
+import org.maestro.knowledge.api.MemberWord;
+import org.maestro.knowledge.api.Moment;
+import org.maestro.knowledge.api.Snapshot;
+import org.maestro.knowledge.api.StateVariable;
+import org.maestro.knowledge.api.StepAccount;
+import org.maestro.knowledge.belief.Declarations;
+import org.maestro.knowledge.belief.FactReader;
+import org.maestro.knowledge.belief.LastWords;
+import org.maestro.knowledge.belief.OwnReports;
+import org.maestro.knowledge.belief.World;
+import org.maestro.ontology.home.Device;
+import org.maestro.sl.Evaluation;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Fact;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
+
+/**
+ * What a member itself has reported of what its step changes, set against what the effect predicts.
+ * What it reported after the step stands. What it reported while the step went on stands too,
+ * unless it is only what was known before: then the effect was still to come.
+ */
+final class OwnWord {
+
+  /** By which share sums may differ that are the same. */
+  private static final double ROUNDING = 1e-6;
+
+  /** What to make of a fact that the effect predicts. */
+  enum Verdict {
+    /** It is as predicted, as far as the member has said. */
+    PREDICTED,
+    /** The member's own word stands. */
+    OWN_WORD,
+    /**
+     * The member's word stands above the prediction; but it may have been said before all was done.
+     */
+    OWN_WORD_FOR_NOW,
+    /** The member has spoken of it later, and that is known already. */
+    SPOKEN_SINCE,
+    /** Steps overlap, and nobody can tell whose share is in the member's word. */
+    OPEN
+  }
+
+  private final World world;
+  private final LastWords lastWords;
+  private final FeatureRun run;
+  private final Map<StateVariable, List<Fact>> said = new LinkedHashMap<>();
+
+  OwnWord(World world, LastWords lastWords, FeatureRun run) {
+    this.world = world;
+    this.lastWords = lastWords;
+    this.run = run;
+    for (Fact fact : read(run)) {
+      StateVariable variable = world.declarations().spokenOf(fact);
+      said.computeIfAbsent(variable, v -> new ArrayList<>()).add(fact);
+    }
+  }
+
+  /**
+   * What cannot be read is refused where it is told for itself; it is no reason to learn nothing.
+   */
+  private static List<Fact> read(FeatureRun run) {
+    try {
+      return run.account().flatMap(StepAccount::last).stream()
+          .flatMap(word -> word.facts().stream())
+          .map(text -> FactReader.read(text, run.member()))
+          .toList();
+    } catch (KnowledgeException e) {
+      return List.of();
+    }
+  }
+
+  /** What the step adds to: where the member has spoken since it began, what was known before. */
+  OptionalDouble base(Expression.Fluent fluent, Snapshot present) {
+    StateVariable variable = new StateVariable(fluent.name(), fluent.arguments());
+    if (isSaidSinceBegun(variable)) {
+      return before(fluent);
+    }
+    return isNews(variable) ? number(variable) : present.number(fluent);
+  }
+
+  private OptionalDouble before(Expression.Fluent fluent) {
+    return run.before().map(known -> known.number(fluent)).orElse(OptionalDouble.empty());
+  }
+
+  /** What the member said of it last, where that is not known yet. */
+  List<Fact> news(StateVariable variable) {
+    return isNews(variable) ? said.get(variable) : List.of();
+  }
+
+  Verdict verdict(StateVariable variable, Fact predicted) {
+    if (isSpokenSince(variable) || isLeftOut(variable, predicted)) {
+      return Verdict.SPOKEN_SINCE;
+    }
+    if (!isSaidSinceBegun(variable)) {
+      return Verdict.PREDICTED;
+    }
+    if (isOverlapped(variable)) {
+      return Verdict.OPEN;
+    }
+    List<Fact> words = said.get(variable);
+    if (words.stream().noneMatch(word -> knowsBetter(word, predicted))) {
+      return Verdict.PREDICTED;
+    }
+    boolean isSure = includesStep() || words.stream().allMatch(word -> isSame(word, predicted));
+    return isSure ? Verdict.OWN_WORD : Verdict.OWN_WORD_FOR_NOW;
+  }
+
+  private static boolean isSame(Fact word, Fact predicted) {
+    return word instanceof Fact.Equation own
+        && predicted instanceof Fact.Equation equation
+        && own.value() instanceof Term.Number said
+        && equation.value() instanceof Term.Number expected
+        && Math.abs(said.value() - expected.value())
+            <= ROUNDING * Math.max(1, Math.abs(expected.value()));
+  }
+
+  /** Whether the member has said just that since the step began. */
+  boolean agrees(StateVariable variable, Fact predicted) {
+    return isSaidSinceBegun(variable) && said.get(variable).contains(predicted);
+  }
+
+  private boolean includesStep() {
+    return run.account().filter(StepAccount::includesStep).isPresent();
+  }
+
+  /** Whether another step of the member has taught of it, of which the word knows or not. */
+  private boolean isOverlapped(StateVariable variable) {
+    StepAccount account = run.account().orElseThrow();
+    Moment word = account.last().orElseThrow().moment();
+    return lastWords
+        .lastTaught(run.member(), variable)
+        .filter(last -> last.isAfter(account.includesStep() ? word : account.begun()))
+        .isPresent();
+  }
+
+  private boolean isSpokenSince(StateVariable variable) {
+    return run.account()
+        .flatMap(
+            account ->
+                lastWords
+                    .last(run.member(), variable)
+                    .filter(last -> last.isAfter(account.tellsOfTheEnd())))
+        .isPresent();
+  }
+
+  /** Whether a state that was said knowing of the step would name it, if it were so. */
+  private boolean isLeftOut(StateVariable variable, Fact predicted) {
+    if (!(predicted instanceof Fact.Holds holds)
+        || run.account().isEmpty()
+        || !wouldTell(holds.atom())) {
+      return false;
+    }
+    Moment end = run.account().get().tellsOfTheEnd();
+    boolean heardSince =
+        lastWords.lastHeard(run.member()).filter(heard -> heard.isAfter(end)).isPresent();
+    return heardSince || includesStep() && !said.containsKey(variable);
+  }
+
+  private boolean wouldTell(Formula.Atom atom) {
+    Device device = world.home().devices().get(run.member());
+    return device != null && new OwnReports(device).wouldTell(atom);
+  }
+
+  private boolean isSaidSinceBegun(StateVariable variable) {
+    return said.containsKey(variable)
+        && (includesStep()
+            || run.account().flatMap(StepAccount::last).stream()
+                .anyMatch(word -> word.moment().isAfter(run.account().get().begun())));
+  }
+
+  private boolean isNews(StateVariable variable) {
+    Optional<Moment> moment = run.account().flatMap(StepAccount::last).map(MemberWord::moment);
+    return said.containsKey(variable)
+        && moment.isPresent()
+        && lastWords
+            .last(run.member(), variable)
+            .filter(last -> last.isAfter(moment.get()))
+            .isEmpty();
+  }
+
+  /**
+   * Whether the prediction gives way to the word; a result that tells of itself is no prediction.
+   */
+  private boolean knowsBetter(Fact word, Fact predicted) {
+    if (predicted instanceof Fact.Unknown) {
+      return true;
+    }
+    if (run.feature().learns().isPresent()) {
+      return false;
+    }
+    if (predicted instanceof Fact.Equation equation) {
+      return includesStep() || word instanceof Fact.Equation own && isNeither(own, equation);
+    }
+    return contradicts(word, predicted) && (includesStep() || !wasKnownBefore(word));
+  }
+
+  /** A number that shows less than half of the step's share is that of before. */
+  private boolean isNeither(Fact.Equation own, Fact.Equation predicted) {
+    OptionalDouble before = before(predicted.fluent());
+    if (before.isEmpty()
+        || !(own.value() instanceof Term.Number said)
+        || !(predicted.value() instanceof Term.Number expected)) {
+      return true;
+    }
+    double share = expected.value() - before.getAsDouble();
+    double shown = said.value() - before.getAsDouble();
+    return Math.abs(shown) >= Math.abs(share) / 2;
+  }
+
+  private boolean contradicts(Fact fact, Fact predicted) {
+    Declarations declarations = world.declarations();
+    Term value = declarations.valueOf(declarations.canonical(FactReader.atom(fact)));
+    Term other = declarations.valueOf(declarations.canonical(FactReader.atom(predicted)));
+    boolean holds = fact instanceof Fact.Holds;
+    boolean predictedToHold = predicted instanceof Fact.Holds;
+    return holds && predictedToHold
+        ? !value.equals(other)
+        : holds != predictedToHold && value.equals(other);
+  }
+
+  private boolean wasKnownBefore(Fact fact) {
+    Formula.Atom atom = FactReader.atom(fact);
+    Truth then =
+        run.before()
+            .map(known -> new Evaluation(known).truth(atom, Map.of()))
+            .orElse(Truth.UNKNOWN);
+    return then == Truth.of(fact instanceof Fact.Holds);
+  }
+
+  private OptionalDouble number(StateVariable variable) {
+    return said.get(variable).stream()
+        .filter(fact -> fact instanceof Fact.Equation own && own.value() instanceof Term.Number)
+        .mapToDouble(fact -> ((Term.Number) ((Fact.Equation) fact).value()).value())
+        .findFirst();
+  }
+}

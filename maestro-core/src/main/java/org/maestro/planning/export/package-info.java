@@ -1,0 +1,5 @@
+/**
+ * Tasks written as PDDL for other planners, or the sentence that says what PDDL cannot carry. It
+ * solves nothing.
+ */
+package org.maestro.planning.export;

@@ -1,0 +1,170 @@
+package org.maestro.planning.grounding;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.planning.problem.Condition.Constant;
+import org.maestro.planning.problem.ConditionCompiler;
+import org.maestro.planning.problem.Signature;
+import org.maestro.planning.problem.Sought;
+import org.maestro.planning.problem.StaticFacts;
+import org.maestro.planning.problem.Variable;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
+import org.maestro.sl.TypedVariable;
+
+/**
+ * How likely each value of a functional predicate is that nobody knows. What was known last, though
+ * too old to count, has the chance that the facts tell. The rest goes to the values that are
+ * expected first ({@code likelyWhen}) and, a smaller part, to all others; within both by floor
+ * area, since a thing may lie anywhere. What is excluded has none, and the others share it.
+ */
+public final class Chances {
+  /** Part of the cases in which a thing is where it is expected first. Stated assumption. */
+  static final double EXPECTED_FIRST = 0.8;
+
+  private static final double SAME = 1e-9;
+
+  private final Signature signature;
+  private final StaticFacts facts;
+  private final ConditionCompiler conditions;
+
+  Chances(Signature signature, StaticFacts facts, ConditionCompiler conditions) {
+    this.signature = signature;
+    this.facts = facts;
+    this.conditions = conditions;
+  }
+
+  /**
+   * The chances of all values that are not excluded, in a stable order; they sum up to 1.
+   *
+   * @param asked values that a look can find
+   */
+  public Map<Term, Double> of(Variable variable, List<Term> asked) {
+    List<Term> pool = pool(variable, asked);
+    Map<Term, Double> prior = prior(variable, pool);
+    Map<Term, Double> chances = new LinkedHashMap<>();
+    double still = pool.stream().mapToDouble(value -> still(variable, value)).sum();
+    double sum = 0;
+    for (Term value : pool) {
+      if (facts.truth(atom(variable, value)) == Truth.UNKNOWN) {
+        double chance = still(variable, value) + Math.max(0, 1 - still) * prior.get(value);
+        chances.put(value, chance);
+        sum += chance;
+      }
+    }
+    double all = sum;
+    double alike = 1.0 / chances.size();
+    chances.replaceAll((value, chance) -> all > 0 ? chance / all : alike);
+    return chances;
+  }
+
+  /** Which of the values that can be looked at is likeliest; the first among equals. */
+  public int likeliest(Sought sought) {
+    Map<Term, Double> chanceOf = of(sought.variable(), sought.terms());
+    int best = 0;
+    for (int i = 1; i < sought.values().size(); i++) {
+      if (chanceOf.getOrDefault(sought.terms().get(i), 0.0)
+          > chanceOf.getOrDefault(sought.terms().get(best), 0.0) + SAME) {
+        best = i;
+      }
+    }
+    return sought.values().get(best);
+  }
+
+  /** Whether something is likelier to be where nobody can look than anywhere else. */
+  public boolean isLikelierOutOfView(Sought sought) {
+    List<Term> inView = sought.terms();
+    Map<Term, Double> chanceOf = of(sought.variable(), inView);
+    double likeliest =
+        inView.stream().mapToDouble(v -> chanceOf.getOrDefault(v, 0.0)).max().orElse(0);
+    return chanceOf.entrySet().stream()
+        .anyMatch(place -> !inView.contains(place.getKey()) && place.getValue() > likeliest + SAME);
+  }
+
+  private double still(Variable variable, Term value) {
+    return facts.chanceStill(atom(variable, value));
+  }
+
+  /** All values that count: those with a floor, or where none has, those that are excluded. */
+  private List<Term> pool(Variable variable, List<Term> asked) {
+    Set<Term> pool = new LinkedHashSet<>(asked);
+    boolean measured = asked.stream().allMatch(value -> area(value) > 0);
+    String places = lastParameter(variable).flatMap(TypedVariable::className).orElse("");
+    facts.individuals(places).stream()
+        .filter(
+            value -> measured ? area(value) > 0 : facts.truth(atom(variable, value)) == Truth.FALSE)
+        .forEach(pool::add);
+    return new ArrayList<>(pool);
+  }
+
+  private Map<Term, Double> prior(Variable variable, List<Term> pool) {
+    boolean measured = pool.stream().allMatch(value -> area(value) > 0);
+    Map<Term, Double> sizes = new HashMap<>();
+    Set<Term> first = new LinkedHashSet<>();
+    double sizeOfFirst = 0;
+    double sizeOfAll = 0;
+    for (Term value : pool) {
+      double size = measured ? area(value) : 1;
+      sizes.put(value, size);
+      sizeOfAll += size;
+      if (isExpectedFirst(variable, value)) {
+        first.add(value);
+        sizeOfFirst += size;
+      }
+    }
+    double sizeOfOthers = sizeOfAll - sizeOfFirst;
+    double ofFirst = first.isEmpty() ? 0 : first.size() == pool.size() ? 1 : EXPECTED_FIRST;
+    Map<Term, Double> prior = new HashMap<>();
+    for (Term value : pool) {
+      prior.put(
+          value,
+          first.contains(value)
+              ? ofFirst * sizes.get(value) / sizeOfFirst
+              : (1 - ofFirst) * sizes.get(value) / sizeOfOthers);
+    }
+    return prior;
+  }
+
+  private boolean isExpectedFirst(Variable variable, Term value) {
+    Optional<PredicateDeclaration> declaration = signature.declaration(variable.predicate());
+    Optional<Formula> likely = declaration.flatMap(PredicateDeclaration::likelyWhen);
+    if (likely.isEmpty()) {
+      return false;
+    }
+    List<TypedVariable> parameters = declaration.get().parameters();
+    Map<String, Term> bindings = new HashMap<>();
+    for (int i = 0; i < variable.arguments().size(); i++) {
+      bindings.put(parameters.get(i).name(), variable.arguments().get(i));
+    }
+    bindings.put(parameters.get(parameters.size() - 1).name(), value);
+    return conditions.condition(likely.get(), bindings) == Constant.TRUE;
+  }
+
+  private Optional<TypedVariable> lastParameter(Variable variable) {
+    return signature
+        .declaration(variable.predicate())
+        .map(PredicateDeclaration::parameters)
+        .filter(parameters -> !parameters.isEmpty())
+        .map(parameters -> parameters.get(parameters.size() - 1));
+  }
+
+  /** Square metres; not a positive number when the place has no floor. */
+  private double area(Term place) {
+    return facts.number(new Expression.Fluent("floorArea", List.of(place)));
+  }
+
+  private static Formula.Atom atom(Variable variable, Term value) {
+    List<Term> all = new ArrayList<>(variable.arguments());
+    all.add(value);
+    return new Formula.Atom(variable.predicate(), all);
+  }
+}

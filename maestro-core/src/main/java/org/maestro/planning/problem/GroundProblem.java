@@ -1,0 +1,122 @@
+package org.maestro.planning.problem;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+
+/**
+ * A planning task without variables, reduced to what matters for its goal.
+ *
+ * @param variables those whose values make a state
+ */
+public record GroundProblem(
+    List<Operator> operators,
+    GroundGoal goal,
+    List<Variable> variables,
+    List<NumberVariable> numbers,
+    State initial) {
+
+  /**
+   * The part of the operators that matters for the goal, with all that does not matter left out.
+   */
+  public static GroundProblem reduced(Relevance relevance, GroundGoal goal) {
+    List<Operator> operators = new ArrayList<>();
+    for (Operator operator : relevance.operators()) {
+      List<Change> kept =
+          operator.changes().stream()
+              .filter(change -> relevance.variables().contains(change.target()))
+              .toList();
+      if (!kept.isEmpty()) {
+        Condition precondition = relevance.simplified(operator.precondition());
+        operators.add(operator.withChanges(kept).withPrecondition(precondition));
+      }
+    }
+    return over(relevance, operators, goal.simplified(relevance));
+  }
+
+  /** All operators as they are. */
+  public static GroundProblem complete(Relevance relevance, GroundGoal goal) {
+    return over(relevance, List.copyOf(relevance.operators()), goal);
+  }
+
+  private static GroundProblem over(
+      Relevance relevance, List<Operator> operators, GroundGoal goal) {
+    List<Variable> variables = new ArrayList<>();
+    List<NumberVariable> numbers = new ArrayList<>();
+    for (Object target : relevance.variables()) {
+      if (target instanceof Variable variable) {
+        variable.placeAt(variables.size());
+        variables.add(variable);
+      } else if (target instanceof NumberVariable number) {
+        number.placeAt(numbers.size());
+        numbers.add(number);
+      }
+    }
+    int[] codes = variables.stream().mapToInt(Variable::initialCode).toArray();
+    double[] values = numbers.stream().mapToDouble(NumberVariable::initial).toArray();
+    State initial = new State(codes, new NumberVector(values));
+    return new GroundProblem(
+        List.copyOf(operators), goal, List.copyOf(variables), List.copyOf(numbers), initial);
+  }
+
+  /**
+   * This problem, with its variables at their places in its states again: another problem over the
+   * same variables may have placed them otherwise.
+   */
+  public GroundProblem placed() {
+    for (int i = 0; i < variables.size(); i++) {
+      variables.get(i).placeAt(i);
+    }
+    for (int i = 0; i < numbers.size(); i++) {
+      numbers.get(i).placeAt(i);
+    }
+    return this;
+  }
+
+  /** The same goal with some of the operators, reduced again. */
+  public GroundProblem with(List<Operator> remaining) {
+    Map<Object, List<Operator>> byTarget = byTarget(remaining);
+    Relevance relevance =
+        new Relevance(target -> (Collection<Operator>) byTarget.getOrDefault(target, List.of()));
+    relevance.close(goal.condition());
+    return reduced(relevance, goal);
+  }
+
+  /** What a plan costs at least that uses an operator, for those within the budget. */
+  public ChainCosts chains(ToDoubleFunction<Operator> leastCost, double budget) {
+    Map<Object, List<Operator>> byWant = byTarget(operators);
+    for (Operator operator : operators) {
+      for (Change change : operator.changes()) {
+        if (change instanceof Change.OfVariable of && !(change instanceof Change.Remove)) {
+          add(operator, new Aim(of.variable(), of.value()), byWant);
+        }
+      }
+    }
+    ChainCosts.Source source =
+        (want, left, into) -> {
+          into.addAll(byWant.getOrDefault(want, List.of()));
+          return Double.POSITIVE_INFINITY;
+        };
+    return new ChainCosts(source, leastCost, operator -> 0, budget).follow(goal.condition());
+  }
+
+  public static Map<Object, List<Operator>> byTarget(List<Operator> operators) {
+    Map<Object, List<Operator>> byTarget = new LinkedHashMap<>();
+    for (Operator operator : operators) {
+      for (Change change : operator.changes()) {
+        add(operator, change.target(), byTarget);
+      }
+    }
+    return byTarget;
+  }
+
+  private static void add(Operator operator, Object want, Map<Object, List<Operator>> byWant) {
+    List<Operator> changing = byWant.computeIfAbsent(want, absent -> new ArrayList<>());
+    if (changing.isEmpty() || changing.get(changing.size() - 1) != operator) {
+      changing.add(operator);
+    }
+  }
+}

@@ -1,0 +1,41 @@
+package org.maestro.planning.problem;
+
+import java.util.Arrays;
+
+/** The numbers of a state, by index of their variables. Immutable, shared between states. */
+public final class NumberVector {
+  private final double[] values;
+  private final int hash;
+
+  public NumberVector(double[] values) {
+    this.values = values;
+    this.hash = Arrays.hashCode(values);
+  }
+
+  public double get(int index) {
+    return values[index];
+  }
+
+  public double[] copy() {
+    return values.clone();
+  }
+
+  public NumberVector with(int index, double value) {
+    double[] changed = copy();
+    changed[index] = value;
+    return new NumberVector(changed);
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return this == other
+        || other instanceof NumberVector that
+            && hash == that.hash
+            && Arrays.equals(values, that.values);
+  }
+
+  @Override
+  public int hashCode() {
+    return hash;
+  }
+}

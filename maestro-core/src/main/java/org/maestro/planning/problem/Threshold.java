@@ -1,0 +1,50 @@
+package org.maestro.planning.problem;
+
+import org.maestro.sl.Formula.Relation;
+
+/**
+ * A comparison of one number with a constant, seen as a bound to be reached.
+ *
+ * @param upward whether the number has to be raised to it
+ */
+public record Threshold(NumberVariable variable, boolean upward, double bound, boolean strict) {
+
+  /** The threshold that the comparison is, or null when it is none. */
+  public static Threshold of(Condition.Compare compare) {
+    if (compare.relation() == Relation.EQUAL) {
+      return null;
+    }
+    boolean upward =
+        compare.relation() == Relation.AT_LEAST || compare.relation() == Relation.GREATER;
+    boolean strict = compare.relation() == Relation.LESS || compare.relation() == Relation.GREATER;
+    if (!compare.positive()) {
+      upward = !upward;
+      strict = !strict;
+    }
+    if (compare.left() instanceof NumberExpression.Read read
+        && compare.right() instanceof NumberExpression.Constant bound) {
+      return of(read, upward, bound, strict);
+    } else if (compare.right() instanceof NumberExpression.Read read
+        && compare.left() instanceof NumberExpression.Constant bound) {
+      return of(read, !upward, bound, strict);
+    }
+    return null;
+  }
+
+  private static Threshold of(
+      NumberExpression.Read read, boolean upward, NumberExpression.Constant bound, boolean strict) {
+    return Double.isFinite(bound.number())
+        ? new Threshold(read.variable(), upward, bound.number(), strict)
+        : null;
+  }
+
+  public boolean isMetBy(double value) {
+    double difference = upward ? value - bound : bound - value;
+    return strict ? Quantity.greater(difference, 0) : Quantity.atLeast(difference, 0);
+  }
+
+  /** How far the value is from the bound. */
+  public double missing(double value) {
+    return upward ? bound - value : value - bound;
+  }
+}

@@ -1,0 +1,314 @@
+package org.maestro.planning.sensing;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.IntStream;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.PlannedSearch;
+import org.maestro.planning.api.PlannedSearch.Place;
+import org.maestro.planning.api.Step;
+import org.maestro.planning.api.StepKey;
+import org.maestro.planning.grounding.Chances;
+import org.maestro.planning.optimal.RelaxedProblem;
+import org.maestro.planning.problem.GroundProblem;
+import org.maestro.planning.problem.Operator;
+import org.maestro.planning.problem.PlanBuilder;
+import org.maestro.planning.problem.Sought;
+import org.maestro.planning.problem.State;
+import org.maestro.planning.problem.Variable;
+import org.maestro.sl.Term;
+
+/**
+ * Chooses where to look first for what nobody knows, so that the whole goal is expected to cost
+ * least: the plans that look first here, there and nowhere are weighed against each other, each
+ * with the chance that the thing is not there and the search goes on.
+ *
+ * <p>A plan is optimistic: it counts on finding what it looks for. Its look costs {@code a}, with
+ * all that has to be done before; what comes after it costs {@code r}; it finds the thing with
+ * chance {@code p}. Then beginning with it is expected to cost {@code a + p r + (1 - p) V}, where
+ * {@code V} is the expected cost of the rest of the search ({@link SearchOrder}).
+ */
+public final class ExpectedCostSearch {
+  /** Plans made at most to weigh one search. */
+  private static final int MOST_PLANS = 6;
+
+  private static final double SAME = 1e-9;
+
+  /** Finds a cheapest plan, if there is one within bounds. */
+  public interface Solver {
+    Optional<List<Operator>> solve(GroundProblem problem);
+  }
+
+  private record Candidate(List<Operator> operators, Plan plan) {}
+
+  /** A plan split at a look: what has to be done for it, and what comes after it. */
+  private record Split(List<StepKey> prefix, double look, double rest) {}
+
+  private final GroundProblem problem;
+  private final Chances chances;
+  private final Solver solver;
+  private final Map<Sought, Integer> choice = new LinkedHashMap<>();
+  private final List<PlannedSearch> searches = new ArrayList<>();
+  private Candidate best;
+  private RelaxedProblem relaxed;
+
+  public ExpectedCostSearch(
+      GroundProblem problem, Chances chances, Solver solver, List<Operator> optimistic) {
+    this.problem = problem;
+    this.chances = chances;
+    this.solver = solver;
+    this.best = new Candidate(optimistic, PlanBuilder.plan(problem.placed(), optimistic));
+    for (Sought sought : Sought.of(problem)) {
+      int first = sought.firstLookedAt(optimistic);
+      if (first >= 0) {
+        choice.put(sought, first);
+      }
+    }
+  }
+
+  /** The plan to begin with; the optimistic one where there is nothing to choose. */
+  public Plan plan() {
+    for (Sought sought : List.copyOf(choice.keySet())) {
+      if (choice.get(sought) >= 0) {
+        weigh(sought);
+      }
+    }
+    return best.plan().withSearches(searches);
+  }
+
+  /**
+   * Finds the best beginning of one search, while the others begin as chosen. Places are weighed by
+   * estimated costs at first; a plan is made for the best of them, and they are weighed again,
+   * until the best one has a plan.
+   */
+  private void weigh(Sought sought) {
+    int present = sought.values().indexOf(choice.get(sought));
+    LookCosts costs = new LookCosts(problem.placed(), relaxed(), sought);
+    boolean avoidable = costs.isInReachWithoutLooks();
+    Map<Term, Double> chanceOf = chances.of(sought.variable(), sought.terms());
+    double[] chance = shares(sought, chanceOf);
+    double[] look = costs.looks(costs.initial());
+    Map<Integer, Candidate> candidates = new TreeMap<>();
+    Map<Integer, Split> splits = new TreeMap<>();
+    candidates.put(present, best);
+    splits.put(present, split(best, sought, choice.get(sought)).orElseThrow());
+    Set<Integer> open = new TreeSet<>();
+    for (int i = 0; i < look.length; i++) {
+      if (i != present && Double.isFinite(look[i])) {
+        open.add(i);
+      }
+    }
+    Rests rests = new Rests(new State[look.length], new double[look.length]);
+    double[] expected = expectedCosts(costs, present, chance, look, splits, rests);
+    int first = least(expected, present, candidates.keySet(), open);
+    while (!candidates.containsKey(first)) {
+      int next = first;
+      open.remove(next);
+      candidate(sought, sought.values().get(next))
+          .ifPresent(
+              found ->
+                  split(found, sought, sought.values().get(next))
+                      .ifPresent(
+                          split -> {
+                            candidates.put(next, found);
+                            splits.put(next, split);
+                          }));
+      if (candidates.size() > MOST_PLANS) {
+        open.clear();
+      }
+      expected = expectedCosts(costs, present, chance, look, splits, rests);
+      first = least(expected, present, candidates.keySet(), open);
+    }
+    Optional<Candidate> without = avoidable ? candidate(sought, Variable.NONE) : Optional.empty();
+    if (without.isPresent() && without.get().plan().cost() < expected[first] - SAME) {
+      choose(without.get());
+      return;
+    }
+    choose(candidates.get(first));
+    searches.add(described(sought, first, chanceOf, expected, look, splits));
+  }
+
+  /** The chances of what can be looked at, as if there were nothing else. */
+  private static double[] shares(Sought sought, Map<Term, Double> chanceOf) {
+    double[] chance = sought.terms().stream().mapToDouble(chanceOf::get).toArray();
+    double sum = Arrays.stream(chance).sum();
+    return Arrays.stream(chance).map(one -> sum > 0 ? one / sum : 1.0 / chance.length).toArray();
+  }
+
+  /** Among equals the present choice, then what has a plan. */
+  private static int least(
+      double[] expected, int present, Set<Integer> planned, Set<Integer> open) {
+    int least = present;
+    for (Set<Integer> places : List.of(planned, open)) {
+      for (int i : places) {
+        least = expected[i] < expected[least] - SAME ? i : least;
+      }
+    }
+    return least;
+  }
+
+  private void choose(Candidate candidate) {
+    best = candidate;
+    choice.replaceAll((sought, before) -> sought.firstLookedAt(candidate.operators()));
+  }
+
+  /** The problem's variables are placed for it. */
+  private RelaxedProblem relaxed() {
+    if (relaxed == null) {
+      relaxed = new RelaxedProblem(problem);
+    }
+    return relaxed;
+  }
+
+  /**
+   * What comes after each look, as far as it is estimated by now.
+   *
+   * @param after the state after a successful look; null where none is estimated yet
+   * @param rest the cost from there on
+   */
+  private record Rests(State[] after, double[] rest) {
+    void estimate(LookCosts costs, int place, Split split) {
+      if (split != null) {
+        after[place] = costs.after(split.prefix());
+      } else if (after[place] == null) {
+        after[place] = costs.initial();
+      } else {
+        return;
+      }
+      rest[place] = costs.rest(costs.initial(), after[place], place);
+    }
+  }
+
+  /** For each place; where no plan was made, by the estimated costs. */
+  private double[] expectedCosts(
+      LookCosts costs,
+      int present,
+      double[] chance,
+      double[] look,
+      Map<Integer, Split> splits,
+      Rests rests) {
+    problem.placed();
+    int size = look.length;
+    for (int i = 0; i < size; i++) {
+      rests.estimate(costs, i, splits.get(i));
+    }
+    State[] after = rests.after();
+    double[] rest = rests.rest();
+    SearchOrder.Cost[] first = new SearchOrder.Cost[size];
+    for (int i = 0; i < size; i++) {
+      first[i] =
+          splits.containsKey(i)
+              ? new SearchOrder.Cost(splits.get(i).look(), splits.get(i).rest())
+              : new SearchOrder.Cost(
+                  look[i], changed(splits.get(present).rest(), rest[present], rest[i]));
+    }
+    SearchOrder.Cost[][] next = new SearchOrder.Cost[size][];
+    for (int i = 0; i < size; i++) {
+      next[i] = first.clone();
+      if (!costs.sought().isInManyPlaces() && splits.containsKey(i)) {
+        double[] looks = costs.looksAfterVainLook(after[i], i);
+        for (int j = 0; j < size; j++) {
+          next[i][j] =
+              new SearchOrder.Cost(
+                  changed(first[j].look(), look[j], looks[j]),
+                  changed(first[j].rest(), rest[j], costs.rest(after[i], after[j], j)));
+        }
+      }
+    }
+    SearchOrder order = new SearchOrder(chance, first, next);
+    return IntStream.range(0, size).mapToDouble(order::expectedCost).toArray();
+  }
+
+  /** The exact cost, changed as the estimated one changes. */
+  private static double changed(double exact, double before, double after) {
+    double change = after - before;
+    return Double.isFinite(change) ? Math.max(0, exact + change) : exact;
+  }
+
+  private static PlannedSearch described(
+      Sought sought,
+      int first,
+      Map<Term, Double> chanceOf,
+      double[] expected,
+      double[] look,
+      Map<Integer, Split> splits) {
+    List<Term> terms = sought.terms();
+    List<Place> places = new ArrayList<>();
+    IntStream.range(0, look.length)
+        .boxed()
+        .sorted(
+            Comparator.<Integer>comparingInt(i -> i == first ? 0 : 1)
+                .thenComparingDouble(i -> expected[i]))
+        .forEach(
+            i ->
+                places.add(
+                    new Place(
+                        terms.get(i),
+                        chanceOf.get(terms.get(i)),
+                        splits.containsKey(i) ? splits.get(i).look() : look[i],
+                        expected[i])));
+    chanceOf.forEach(
+        (value, chance) -> {
+          if (!terms.contains(value)) {
+            places.add(
+                new Place(value, chance, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY));
+          }
+        });
+    return new PlannedSearch(sought.variable().predicate(), sought.variable().arguments(), places);
+  }
+
+  /**
+   * The cheapest plan that finds the sought at this value if at all, and what else is sought as
+   * chosen.
+   */
+  private Optional<Candidate> candidate(Sought sought, int value) {
+    Map<Sought, Integer> chosen = new LinkedHashMap<>(choice);
+    chosen.put(sought, value);
+    return candidate(chosen);
+  }
+
+  private Optional<Candidate> candidate(Map<Sought, Integer> chosen) {
+    GroundProblem smaller = new Supposition(chosen).appliedTo(problem);
+    return solver
+        .solve(smaller)
+        .map(found -> new Candidate(found, PlanBuilder.plan(smaller.placed(), found)));
+  }
+
+  /** Empty when the plan does not look there. */
+  private static Optional<Split> split(Candidate candidate, Sought sought, int value) {
+    List<Operator> operators = candidate.operators();
+    for (int at = 0; at < operators.size(); at++) {
+      if (sought.looksAt(operators.get(at), value)) {
+        return Optional.of(split(candidate.plan(), at + 1));
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static Split split(Plan plan, int look) {
+    Set<Integer> before = new HashSet<>(Set.of(look));
+    for (int number = look; number >= 1; number--) {
+      if (before.contains(number)) {
+        before.addAll(plan.steps().get(number - 1).after());
+      }
+    }
+    List<StepKey> prefix = new ArrayList<>();
+    double cost = 0;
+    for (Step step : plan.steps()) {
+      if (before.contains(step.number())) {
+        prefix.add(step.key());
+        cost += step.cost();
+      }
+    }
+    return new Split(prefix, cost, plan.cost() - cost);
+  }
+}

@@ -1,0 +1,18 @@
+package org.maestro.platform.jade;
+
+import org.maestro.agents.pulse.ProcessPulse;
+import org.maestro.platform.wires.Wires;
+
+/**
+ * What the containers that one platform has in this process have in common.
+ *
+ * @param wires their connections to others
+ * @param pulse their signs of life
+ */
+public record SharedParts(Wires wires, ProcessPulse pulse) {
+
+  /** For the first of them. */
+  public static SharedParts fresh() {
+    return new SharedParts(new Wires(), new ProcessPulse());
+  }
+}
