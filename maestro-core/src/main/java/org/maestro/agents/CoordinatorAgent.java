@@ -17,8 +17,8 @@ import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.goals.AgentJournal;
 import org.maestro.agents.goals.Deliberation;
-import org.maestro.agents.goals.Mind;
 import org.maestro.agents.goals.Past;
+import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.Coordinator;
@@ -92,7 +92,7 @@ public final class CoordinatorAgent extends MaestroAgent {
         new Deliberation(
             this,
             time.clock(),
-            new Mind(knowledge, planner, decisionTime),
+            new ReasoningServices(knowledge, planner, decisionTime),
             stories::told,
             journal,
             this::misconduct);

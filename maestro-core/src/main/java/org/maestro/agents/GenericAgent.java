@@ -22,13 +22,13 @@ import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.StartWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.device.DirectoryEntry;
-import org.maestro.agents.device.Doorkeeper;
 import org.maestro.agents.device.HostService;
+import org.maestro.agents.device.MemberProxy;
 import org.maestro.agents.device.Movement;
 import org.maestro.agents.device.PriceResponder;
+import org.maestro.agents.device.RequestGuard;
 import org.maestro.agents.device.Settling;
 import org.maestro.agents.device.Surroundings;
-import org.maestro.agents.device.Voice;
 import org.maestro.agents.goals.OwnGoalRequests;
 import org.maestro.agents.goals.OwnGoals;
 import org.maestro.agents.runtime.AgentTime;
@@ -65,10 +65,10 @@ public final class GenericAgent extends MaestroAgent {
   private Movement movement;
 
   private transient Optional<Surroundings> here = Optional.empty();
-  private transient Map<String, Voice> voices = Map.of();
+  private transient Map<String, MemberProxy> proxies = Map.of();
   private transient PriceResponder prices;
   private transient Settling settling;
-  private transient Doorkeeper door;
+  private transient RequestGuard door;
 
   /** Made by JADE, which has its arguments. */
   public GenericAgent() {
@@ -89,7 +89,7 @@ public final class GenericAgent extends MaestroAgent {
   private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
     in.defaultReadObject();
     here = Optional.empty();
-    voices = Map.of();
+    proxies = Map.of();
   }
 
   @Override
@@ -119,23 +119,24 @@ public final class GenericAgent extends MaestroAgent {
 
   private void begin(AgentStart start) {
     Surroundings surroundings = here.orElseThrow();
-    Map<String, Voice> all = new LinkedHashMap<>();
+    Map<String, MemberProxy> all = new LinkedHashMap<>();
     for (Charge charge : start.charges()) {
-      all.put(charge.member(), new Voice(this, new Told(), charge, surroundings, formerCalls));
+      all.put(
+          charge.member(), new MemberProxy(this, new Told(), charge, surroundings, formerCalls));
     }
-    voices = all;
-    door = new Doorkeeper(this, all);
+    proxies = all;
+    door = new RequestGuard(this, all);
     Optional<String> mark = all.size() > 1 ? Optional.of(getLocalName()) : Optional.empty();
     prices =
         new PriceResponder(
-            this, words -> door.voice(words).map(Voice::view), door::objection, mark);
+            this, words -> door.proxy(words).map(MemberProxy::view), door::objection, mark);
     settling =
         new Settling(
             clock(),
             clock().isStepped() ? Duration.ZERO : patience(Settling.LONGEST),
-            () -> all.values().stream().allMatch(voice -> voice.view().isReady()),
+            () -> all.values().stream().allMatch(proxy -> proxy.view().isReady()),
             this::tell);
-    all.values().forEach(Voice::begin);
+    all.values().forEach(MemberProxy::begin);
   }
 
   /** How it is to begin: as it was told, as it was before it moved, or as its arguments say. */
@@ -177,15 +178,15 @@ public final class GenericAgent extends MaestroAgent {
   /** Who subscribes hears at once, and then each time, whether the members can be used. */
   private void subscribe(ACLMessage message) {
     if (message.getSender().getLocalName().equals(AgentNames.COORDINATOR)) {
-      voices.values().forEach(voice -> voice.goals().ifPresent(OwnGoals::centreReturned));
+      proxies.values().forEach(proxy -> proxy.goals().ifPresent(OwnGoals::centreReturned));
     } else {
       listeners.add(message.getSender());
     }
-    voices
+    proxies
         .values()
         .forEach(
-            voice ->
-                voice
+            proxy ->
+                proxy
                     .presence()
                     .ifPresent(
                         news -> send(message(ACLMessage.INFORM, message.getSender(), news))));
@@ -198,19 +199,19 @@ public final class GenericAgent extends MaestroAgent {
 
   private Map<String, Device> offering() {
     Map<String, Device> offering = new LinkedHashMap<>();
-    voices.forEach(
-        (member, voice) ->
-            voice
+    proxies.forEach(
+        (member, proxy) ->
+            proxy
                 .view()
                 .device()
-                .filter(device -> voice.view().isReady())
+                .filter(device -> proxy.view().isReady())
                 .ifPresent(device -> offering.put(member, device)));
     return offering;
   }
 
   @Override
   protected boolean opensSession(ACLMessage message) {
-    return voices.size() > 1 && message.getPerformative() == ACLMessage.CFP;
+    return proxies.size() > 1 && message.getPerformative() == ACLMessage.CFP;
   }
 
   @Override
@@ -246,12 +247,12 @@ public final class GenericAgent extends MaestroAgent {
             door.when(
                 message,
                 ACLMessage.REQUEST,
-                () -> door.allowed(message, words, voice -> voice.prices().cost(message, words)));
+                () -> door.allowed(message, words, proxy -> proxy.prices().cost(message, words)));
         case "cancel" -> cancel(message, words);
         case "subscribe" -> door.when(message, ACLMessage.SUBSCRIBE, () -> subscribe(message));
         case "query-ref" ->
-            voices.values().stream()
-                .flatMap(voice -> voice.goals().stream())
+            proxies.values().stream()
+                .flatMap(proxy -> proxy.goals().stream())
                 .findFirst()
                 .ifPresent(own -> new OwnGoalRequests(this, own).list(message));
         default ->
@@ -269,7 +270,7 @@ public final class GenericAgent extends MaestroAgent {
   private void perform(ACLMessage message, Words words) {
     Optional<String> action = words.string("action");
     if (action.isEmpty()) {
-      door.allowed(message, words, voice -> voice.performances().perform(message, words));
+      door.allowed(message, words, proxy -> proxy.actions().perform(message, words));
     } else if (!message.getSender().equals(getAID(AgentNames.SUPERVISOR))) {
       refuse(
           message,
@@ -283,7 +284,7 @@ public final class GenericAgent extends MaestroAgent {
   }
 
   private void move(ACLMessage message, String container) {
-    Optional<Voice> tied = voices.values().stream().filter(Voice::pursues).findFirst();
+    Optional<MemberProxy> tied = proxies.values().stream().filter(MemberProxy::pursues).findFirst();
     if (clock().isStepped()) {
       refuse(message, ACLMessage.REFUSE, "On a stepped clock agents stay where they are.");
     } else if (tied.isPresent()) {
@@ -305,7 +306,7 @@ public final class GenericAgent extends MaestroAgent {
   private boolean isIdle() {
     return prices.isIdle()
         && conversations().openCount() == 0
-        && voices.values().stream().allMatch(voice -> voice.performances().isIdle());
+        && proxies.values().stream().allMatch(proxy -> proxy.actions().isIdle());
   }
 
   private void stay(String why) {
@@ -318,8 +319,8 @@ public final class GenericAgent extends MaestroAgent {
     try {
       charges.forEach(
           charge ->
-              Optional.ofNullable(voices.get(charge.member()))
-                  .ifPresent(voice -> voice.configure(charge.description())));
+              Optional.ofNullable(proxies.get(charge.member()))
+                  .ifPresent(proxy -> proxy.configure(charge.description())));
       AgentStart start = StartWords.read(Words.of(Words.parse(configuration).get(0)));
       configuration = Words.print(StartWords.content(start.with(charges)));
       reply(
@@ -334,14 +335,14 @@ public final class GenericAgent extends MaestroAgent {
   /** A goal of its own is cancelled like any goal, what it does for others by who ordered it. */
   private void cancel(ACLMessage message, Words words) {
     Optional<OwnGoals> own =
-        voices.values().stream().flatMap(voice -> voice.goals().stream()).findFirst();
+        proxies.values().stream().flatMap(proxy -> proxy.goals().stream()).findFirst();
     if (own.isPresent() && words.string("goal").isPresent()) {
       new OwnGoalRequests(this, own.get()).cancel(message, words);
     } else {
       door.when(
           message,
           ACLMessage.CANCEL,
-          () -> voices.values().forEach(voice -> voice.performances().cancel(words)));
+          () -> proxies.values().forEach(proxy -> proxy.actions().cancel(words)));
     }
   }
 
@@ -349,10 +350,10 @@ public final class GenericAgent extends MaestroAgent {
   @Override
   protected void beforeMove() {
     Set<String> lives = new TreeSet<>();
-    for (Voice voice : voices.values()) {
-      lives.add(voice.performances().life());
-      voice.performances().abandon();
-      voice.end();
+    for (MemberProxy proxy : proxies.values()) {
+      lives.add(proxy.actions().life());
+      proxy.actions().abandon();
+      proxy.end();
     }
     formerCalls.moves(lives);
     if (movement == null) {
@@ -376,11 +377,11 @@ public final class GenericAgent extends MaestroAgent {
 
   @Override
   protected void takeDown() {
-    voices.values().forEach(Voice::end);
+    proxies.values().forEach(MemberProxy::end);
     super.takeDown();
   }
 
-  private final class Told implements Voice.Announcements {
+  private final class Told implements MemberProxy.Announcements {
     @Override
     public void announce(Content news) {
       GenericAgent.this.announce(news);

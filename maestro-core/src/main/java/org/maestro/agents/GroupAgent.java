@@ -11,10 +11,10 @@ import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.ContractWords;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
-import org.maestro.agents.goals.Mind;
 import org.maestro.agents.goals.OwnGoalRequests;
 import org.maestro.agents.goals.OwnGoals;
 import org.maestro.agents.goals.Past;
+import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.Story;
@@ -43,7 +43,7 @@ public final class GroupAgent extends MaestroAgent {
   /** Wall time that members have to show up before the first plan. */
   private static final Duration FIRST_MEMBERS = Duration.ofSeconds(10);
 
-  private final transient Mind mind;
+  private final transient ReasoningServices mind;
   private final transient Group group;
   private final transient OwnGoals goals;
 
@@ -58,7 +58,7 @@ public final class GroupAgent extends MaestroAgent {
   /**
    * @param past of the platform, with which its goals go on
    */
-  public GroupAgent(AgentTime time, Mind mind, Group group, Story story, Past past) {
+  public GroupAgent(AgentTime time, ReasoningServices mind, Group group, Story story, Past past) {
     super(time);
     this.mind = mind;
     this.group = group;

@@ -7,7 +7,6 @@ import java.util.function.Consumer;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.StartWords;
 import org.maestro.agents.content.Words;
-import org.maestro.agents.device.Host;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;

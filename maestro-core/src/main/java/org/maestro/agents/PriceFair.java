@@ -9,13 +9,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.maestro.agents.device.PriceResponder;
-import org.maestro.agents.negotiation.AclMarket;
+import org.maestro.agents.negotiation.AclContractNet;
 import org.maestro.agents.negotiation.Contracts;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.MaestroAgent;
-import org.maestro.coordination.api.Bid;
 import org.maestro.coordination.api.CallForPrices;
-import org.maestro.coordination.api.Market;
+import org.maestro.coordination.api.ContractNet;
+import org.maestro.coordination.api.Proposal;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.FeatureType;
@@ -71,8 +71,9 @@ public final class PriceFair {
 
     private final transient Map<String, FeatureType> wanted = new LinkedHashMap<>();
     private final transient Contracts contracts = new Contracts();
-    private final transient Market market =
-        new AclMarket(this, this::agentOf, contracts, (goal, sentence) -> LOG.warn("{}", sentence));
+    private final transient ContractNet contractNet =
+        new AclContractNet(
+            this, this::agentOf, contracts, (goal, sentence) -> LOG.warn("{}", sentence));
 
     /**
      * @param devices what they ask for is the first feature of each
@@ -101,14 +102,14 @@ public final class PriceFair {
       Map<String, List<String>> features = new LinkedHashMap<>();
       wanted.forEach((member, feature) -> features.put(member, List.of(feature.name())));
       CallForPrices call = new CallForPrices(NO_GOAL, new Formula.And(List.of()), features);
-      tell(() -> market.callForPrices(call, tender -> award(tender, closed)));
+      tell(() -> contractNet.callForPrices(call, tender -> award(tender, closed)));
     }
 
-    private void award(Market.Tender tender, Runnable closed) {
+    private void award(ContractNet.Round tender, Runnable closed) {
       String winner =
           tender.bids().stream()
               .filter(bid -> bid.refusal().isEmpty())
-              .map(Bid::member)
+              .map(Proposal::member)
               .findFirst()
               .orElseThrow(() -> new IllegalStateException("Nobody at the fair names a price."));
       Step step = new Step(1, winner, wanted.get(winner), Map.of(), 1, 1, true, Set.of());

@@ -10,10 +10,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
+import org.maestro.coordination.achievement.AchievementGoal;
 import org.maestro.coordination.allocation.ExactPrices;
 import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalOutcome;
+import org.maestro.coordination.api.GoalPriority;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalStatus;
 import org.maestro.coordination.api.HeldNews;
@@ -23,19 +25,17 @@ import org.maestro.coordination.api.Latest;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Roster;
-import org.maestro.coordination.api.Standing;
 import org.maestro.coordination.api.Takeover;
 import org.maestro.coordination.api.WaitsFor;
-import org.maestro.coordination.contention.Pursuit;
-import org.maestro.coordination.contention.Rivals;
-import org.maestro.coordination.facts.Interest;
-import org.maestro.coordination.held.HeldPursuit;
-import org.maestro.coordination.held.Reaching;
-import org.maestro.coordination.held.Wish;
-import org.maestro.coordination.pursuit.GoalPursuit;
-import org.maestro.coordination.recovery.Comeback;
+import org.maestro.coordination.contention.ActiveGoal;
+import org.maestro.coordination.contention.ActiveGoals;
+import org.maestro.coordination.facts.FactFilter;
+import org.maestro.coordination.maintenance.MaintenanceGoal;
+import org.maestro.coordination.maintenance.Reaching;
+import org.maestro.coordination.maintenance.Wish;
 import org.maestro.coordination.recovery.FormerCalls;
-import org.maestro.coordination.recovery.JournaledCrew;
+import org.maestro.coordination.recovery.JournaledDispatcher;
+import org.maestro.coordination.recovery.RecoveryBarrier;
 import org.maestro.coordination.story.Decision;
 import org.maestro.coordination.story.Decisions;
 import org.maestro.knowledge.api.KnowledgeBase;
@@ -57,14 +57,14 @@ public final class Coordinator {
   private static final long BYTES_OF_A_REQUEST = 512;
 
   private final Ports ports;
-  private final JournaledCrew crew;
+  private final JournaledDispatcher dispatcher;
   private final Roster roster = new Roster();
-  private final Rivals rivals;
+  private final ActiveGoals activeGoals;
   private final ExactPrices exactPrices = new ExactPrices();
-  private final Map<String, Pursuit> pursuits = new LinkedHashMap<>();
+  private final Map<String, ActiveGoal> pursuits = new LinkedHashMap<>();
   private final Latest<Recovery.EndedGoal> ended =
       new Latest<>(MOST_BYTES_OF_ENDED, goal -> BYTES_OF_A_REQUEST + goal.outcome().bytes());
-  private final Comeback comeback = new Comeback();
+  private final RecoveryBarrier comeback = new RecoveryBarrier();
   private final Map<String, Clock.Timer> deadlines = new HashMap<>();
   private final String prefix;
   private final Latest<Decisions> explained =
@@ -81,9 +81,11 @@ public final class Coordinator {
    */
   public Coordinator(Ports ports, String prefix) {
     this.prefix = prefix;
-    this.crew = new JournaledCrew(ports.crew(), ports.journal(), roster, ports.clock().instant());
-    this.ports = ports.with(crew);
-    this.rivals = new Rivals(ports.clock(), ports.thinking());
+    this.dispatcher =
+        new JournaledDispatcher(
+            ports.dispatcher(), ports.journal(), roster, ports.clock().instant());
+    this.ports = ports.with(dispatcher);
+    this.activeGoals = new ActiveGoals(ports.clock(), ports.thinking());
   }
 
   /** Takes a goal on, of which only the end is wanted to be known. */
@@ -122,10 +124,11 @@ public final class Coordinator {
         .accept(
             new JournalEntry.Submitted(id, request),
             () -> {
-              Pursuit pursuit = pursuit(id, request, number, news, ended);
+              ActiveGoal pursuit = pursuit(id, request, number, news, ended);
               answer.accepted(id);
               comeback.afterwards(
-                  () -> ports.thinking().think(() -> id, started -> rivals.run(pursuit::start)));
+                  () ->
+                      ports.thinking().think(() -> id, started -> activeGoals.run(pursuit::start)));
             },
             answer::refused);
     return id;
@@ -155,13 +158,13 @@ public final class Coordinator {
     void refused(String reason);
   }
 
-  private Pursuit pursuit(
+  private ActiveGoal pursuit(
       String id,
       GoalRequest request,
       int number,
       Consumer<HeldNews> news,
       Consumer<GoalOutcome> told) {
-    Standing standing = new Standing(request.priority(), request.deadline(), number);
+    GoalPriority standing = new GoalPriority(request.priority(), request.deadline(), number);
     Consumer<GoalOutcome> over =
         outcome -> {
           Optional.ofNullable(deadlines.remove(id)).ifPresent(Clock.Timer::cancel);
@@ -169,20 +172,21 @@ public final class Coordinator {
           ports.journal().afterwards(() -> told.accept(outcome));
         };
     Reaching reaching =
-        (wish, with, then) -> new GoalPursuit(id, wish, with, roster, rivals, exactPrices, then);
-    Pursuit pursuit =
+        (wish, with, then) ->
+            new AchievementGoal(id, wish, with, roster, activeGoals, exactPrices, then);
+    ActiveGoal pursuit =
         request.goal() instanceof Formula.Keep
-            ? new HeldPursuit(
+            ? new MaintenanceGoal(
                 new Wish(id, request, standing),
                 ports,
-                rivals,
+                activeGoals,
                 exactPrices,
                 reaching,
                 heard -> ports.journal().afterwards(() -> news.accept(heard)),
                 over)
             : reaching.pursuit(request, ports, over);
     pursuits.put(id, pursuit);
-    rivals.enter(pursuit, standing);
+    activeGoals.enter(pursuit, standing);
     request.deadline().ifPresent(deadline -> endAt(deadline, pursuit));
     return pursuit;
   }
@@ -191,7 +195,7 @@ public final class Coordinator {
   private void ended(Recovery.EndedGoal goal) {
     String id = goal.outcome().id();
     ended.put(id, goal);
-    crew.over(id);
+    dispatcher.over(id);
     explained.put(id, pursuits.remove(id).decisions());
   }
 
@@ -221,7 +225,7 @@ public final class Coordinator {
           .prepareToTakeUp(goal, "for its devices to come back after the restart");
     }
     FormerCalls former = new FormerCalls(ports, roster);
-    comeback.afterwards(() -> rivals.run(() -> takeUp(recovery, former)));
+    comeback.afterwards(() -> activeGoals.run(() -> takeUp(recovery, former)));
     Clock clock = ports.clock();
     clock.schedule(
         patience,
@@ -241,24 +245,26 @@ public final class Coordinator {
   }
 
   /** The clock's thread only hands over. */
-  private void endAt(Duration deadline, Pursuit pursuit) {
+  private void endAt(Duration deadline, ActiveGoal pursuit) {
     Clock clock = ports.clock();
     Clock.Timer timer =
         clock.schedule(
             deadline.minus(clock.now()),
             pursuit.id(),
             () ->
-                ports.thinking().think(pursuit::id, passed -> rivals.run(pursuit::deadlinePassed)));
+                ports
+                    .thinking()
+                    .think(pursuit::id, passed -> activeGoals.run(pursuit::deadlinePassed)));
     deadlines.put(pursuit.id(), timer);
   }
 
   /** Returns whether there is such a goal, and it had not ended yet. */
   public boolean cancel(String goalId, String who) {
-    Pursuit pursuit = pursuits.get(goalId);
+    ActiveGoal pursuit = pursuits.get(goalId);
     if (pursuit == null) {
       return false;
     }
-    rivals.run(() -> pursuit.cancel(who));
+    activeGoals.run(() -> pursuit.cancel(who));
     return true;
   }
 
@@ -273,14 +279,14 @@ public final class Coordinator {
    *     life are unknown to it
    */
   public void memberPresent(String member, Optional<String> life) {
-    rivals.experience().forget(member);
+    activeGoals.experience().forget(member);
     roster.present(member, life);
     ports.journal().write(new JournalEntry.MemberCame(member, life));
     comeback.present(member);
-    rivals.run(
+    activeGoals.run(
         () -> {
-          rivals.all().forEach(pursuit -> pursuit.memberPresent(member));
-          rivals.all().forEach(pursuit -> pursuit.doubtOver(member));
+          activeGoals.all().forEach(pursuit -> pursuit.memberPresent(member));
+          activeGoals.all().forEach(pursuit -> pursuit.doubtOver(member));
         });
   }
 
@@ -305,7 +311,7 @@ public final class Coordinator {
   public void memberTrusted(String member) {
     if (roster.trust(member)) {
       comeback.present(member);
-      rivals.run(() -> rivals.all().forEach(pursuit -> pursuit.doubtOver(member)));
+      activeGoals.run(() -> activeGoals.all().forEach(pursuit -> pursuit.doubtOver(member)));
     }
   }
 
@@ -321,27 +327,28 @@ public final class Coordinator {
     ports.journal().write(new JournalEntry.MemberWent(member, reason));
     exactPrices.forget(member);
     ports.knowledge().lost(member);
-    rivals.run(
+    activeGoals.run(
         () -> {
-          rivals.leases().lost(member);
-          rivals.all().forEach(pursuit -> pursuit.memberLost(member));
-          rivals.all().forEach(pursuit -> pursuit.doubtOver(member));
+          activeGoals.leases().lost(member);
+          activeGoals.all().forEach(pursuit -> pursuit.memberLost(member));
+          activeGoals.all().forEach(pursuit -> pursuit.doubtOver(member));
         });
   }
 
   /** A member offers to take over a running step of the goal; nothing is promised to it (M43). */
   public void offered(String goalId, Takeover offer) {
-    rivals.run(() -> Optional.ofNullable(pursuits.get(goalId)).ifPresent(p -> p.offered(offer)));
+    activeGoals.run(
+        () -> Optional.ofNullable(pursuits.get(goalId)).ifPresent(p -> p.offered(offer)));
   }
 
   /** The member says that it is at a step of the goal still, though it takes long. */
   public void alive(String goalId, String member, String feature) {
-    crew.alive(goalId, member, feature);
+    dispatcher.alive(goalId, member, feature);
   }
 
   /** A member gives back a running step of the goal, and brings itself to a safe state (M44). */
   public void givenBack(String goalId, String member, String feature, String reason) {
-    rivals.run(
+    activeGoals.run(
         () ->
             Optional.ofNullable(pursuits.get(goalId))
                 .ifPresent(pursuit -> pursuit.givenBack(member, feature, reason)));
@@ -349,11 +356,12 @@ public final class Coordinator {
 
   public void knowledgeChanged(KnowledgeBase.Change change) {
     exactPrices.forget(change.source().agent());
-    if (rivals.all().isEmpty()) {
+    if (activeGoals.all().isEmpty()) {
       return;
     }
-    Interest changed = Interest.of(change.facts(), ports.knowledge().home().vocabulary());
-    rivals.run(() -> rivals.all().forEach(pursuit -> pursuit.knowledgeChanged(change, changed)));
+    FactFilter changed = FactFilter.of(change.facts(), ports.knowledge().home().vocabulary());
+    activeGoals.run(
+        () -> activeGoals.all().forEach(pursuit -> pursuit.knowledgeChanged(change, changed)));
   }
 
   /** Whether a goal of that id is or was pursued. */
@@ -379,7 +387,7 @@ public final class Coordinator {
       String goalId, OptionalInt plan, int step, Consumer<List<String>> told) {
     Decisions decisions =
         Optional.ofNullable(pursuits.get(goalId))
-            .map(Pursuit::decisions)
+            .map(ActiveGoal::decisions)
             .or(() -> explained.find(goalId))
             .orElseGet(Decisions::new);
     Optional<Decision> decision = decisions.find(plan);
@@ -432,7 +440,7 @@ public final class Coordinator {
 
   /** The wait-for graph: which goal waits for what, and which goal has it. */
   public List<WaitsFor> waits() {
-    return rivals.leases().graph();
+    return activeGoals.leases().graph();
   }
 
   private GoalStatus status(Recovery.EndedGoal goal) {

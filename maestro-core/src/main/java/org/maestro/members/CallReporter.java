@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.ErrorCode;
@@ -29,7 +29,7 @@ public final class CallReporter implements RatsLink.CallListener {
   public interface Listener {
 
     /** Exactly once: succeeded, established or failed. */
-    void reported(Outcome outcome, Crew.Report report);
+    void reported(Outcome outcome, ActionDispatcher.Report report);
 
     /** Each value set of a stream teaches, as the first did. */
     void learnt(Map<String, Term> outputs);
@@ -104,18 +104,18 @@ public final class CallReporter implements RatsLink.CallListener {
         });
   }
 
-  private void report(Outcome outcome, Crew.Report report) {
+  private void report(Outcome outcome, ActionDispatcher.Report report) {
     if (!reported) {
       reported = true;
       listener.reported(outcome, report);
     }
   }
 
-  private static Crew.Report succeeded(Map<String, Object> values) {
-    return new Crew.Report(true, JsonTerms.terms(values), Optional.empty(), List.of());
+  private static ActionDispatcher.Report succeeded(Map<String, Object> values) {
+    return new ActionDispatcher.Report(true, JsonTerms.terms(values), Optional.empty(), List.of());
   }
 
-  private static Crew.Report failed(Result result) {
+  private static ActionDispatcher.Report failed(Result result) {
     List<FeatureRun.Learnt> refs = new ArrayList<>();
     for (RatsError.Reference ref : result.error().map(RatsError::refs).orElse(List.of())) {
       refs.add(
@@ -124,7 +124,7 @@ public final class CallReporter implements RatsLink.CallListener {
               JsonTerms.term(ref.have()),
               Optional.of(ref.need()).filter(need -> !need.isBlank())));
     }
-    return new Crew.Report(
+    return new ActionDispatcher.Report(
         false,
         Map.of(),
         result
@@ -138,10 +138,13 @@ public final class CallReporter implements RatsLink.CallListener {
   }
 
   /** Whether it says that the same again is refused again as long as things are as they are. */
-  private static Optional<Crew.Refusal> refusal(RatsError error) {
+  private static Optional<ActionDispatcher.Refusal> refusal(RatsError error) {
     return switch (error.code()) {
       case PRECONDITION_NOT_MET, INVALID_PARAMETERS, UNKNOWN_FEATURE, NOT_AUTHORISED ->
-          Optional.of(error.retriable() ? Crew.Refusal.FOR_NOW : Crew.Refusal.AS_THINGS_ARE);
+          Optional.of(
+              error.retriable()
+                  ? ActionDispatcher.Refusal.FOR_NOW
+                  : ActionDispatcher.Refusal.AS_THINGS_ARE);
       default -> Optional.empty();
     };
   }

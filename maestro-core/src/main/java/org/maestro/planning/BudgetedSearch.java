@@ -14,10 +14,10 @@ import org.maestro.planning.api.PlanningTask;
 import org.maestro.planning.explanation.ObstacleText;
 import org.maestro.planning.grounding.Grounder;
 import org.maestro.planning.optimal.CostBounds;
-import org.maestro.planning.optimal.EarliestFinishSearch;
 import org.maestro.planning.optimal.KeptGround;
 import org.maestro.planning.optimal.LandmarkCut;
 import org.maestro.planning.optimal.LimitedSearch;
+import org.maestro.planning.optimal.MakespanSearch;
 import org.maestro.planning.optimal.OptimalSearch;
 import org.maestro.planning.optimal.Pruning;
 import org.maestro.planning.optimal.RelaxedProblem;
@@ -26,7 +26,7 @@ import org.maestro.planning.problem.Operator;
 import org.maestro.planning.problem.PlanBuilder;
 import org.maestro.planning.problem.Sought;
 import org.maestro.planning.sensing.ExpectedCostSearch;
-import org.maestro.planning.sensing.Supposition;
+import org.maestro.planning.sensing.MostLikelyState;
 
 /**
  * Finds the plan of one task. Most goals are reached with few of all steps: a budget grows until
@@ -219,7 +219,7 @@ final class BudgetedSearch {
     if (mayWait && sought.stream().anyMatch(grounder.chances()::isLikelierOutOfView)) {
       return new OptimalSearch.Outcome.TooDear(budget);
     }
-    Supposition likeliest = Supposition.likeliest(sought, grounder.chances());
+    MostLikelyState likeliest = MostLikelyState.likeliest(sought, grounder.chances());
     OptimalSearch.Outcome outcome =
         search(Pruning.pruned(likeliest.appliedTo(pruned.problem())), effort, budget);
     pruned.problem().placed();
@@ -266,13 +266,12 @@ final class BudgetedSearch {
   /** Exact in small problems; else the cheapest plan or a better one, and what no plan is below. */
   private PlanningResult earliest(Round round, Plan cheapest) {
     GroundProblem problem = round.problem();
-    EarliestFinishSearch.Outcome outcome =
-        new EarliestFinishSearch(problem, cheapest.seconds(), Math.min(mostStates, MOST_SCHEDULES))
-            .run();
-    if (outcome instanceof EarliestFinishSearch.Outcome.Found found) {
+    MakespanSearch.Outcome outcome =
+        new MakespanSearch(problem, cheapest.seconds(), Math.min(mostStates, MOST_SCHEDULES)).run();
+    if (outcome instanceof MakespanSearch.Outcome.Found found) {
       return found(round, PlanBuilder.plan(problem, found.operators()));
     }
-    return outcome instanceof EarliestFinishSearch.Outcome.BoundReached bound
+    return outcome instanceof MakespanSearch.Outcome.BoundReached bound
         ? new PlanningResult.Found(
             cheapest, OptionalDouble.of(bound.atLeastSeconds()), contenders(round, cheapest))
         : found(round, cheapest);

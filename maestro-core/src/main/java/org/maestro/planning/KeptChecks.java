@@ -12,7 +12,7 @@ import org.maestro.planning.api.PricedFeature;
 import org.maestro.planning.api.Step;
 import org.maestro.planning.api.StepKey;
 import org.maestro.planning.grounding.Grounder;
-import org.maestro.planning.grounding.Groundwork;
+import org.maestro.planning.grounding.GroundingCache;
 import org.maestro.sl.Formula;
 
 /**
@@ -42,7 +42,7 @@ final class KeptChecks {
     }
   }
 
-  private record Kept(PlanningTask task, Groundwork work, Optional<Plan> answer) {}
+  private record Kept(PlanningTask task, GroundingCache work, Optional<Plan> answer) {}
 
   private final Map<Subject, Kept> kept = new LinkedHashMap<>();
 
@@ -60,7 +60,7 @@ final class KeptChecks {
   }
 
   private static Optional<Kept> again(Kept known, PlanningTask task, List<Step> steps) {
-    Groundwork work = known.work();
+    GroundingCache work = known.work();
     return work.takeFacts(task.facts())
         .map(
             otherwise ->
@@ -73,7 +73,7 @@ final class KeptChecks {
   }
 
   private static Kept anew(PlanningTask task, List<Step> steps) {
-    Groundwork work = Groundwork.forSteps(task, steps);
+    GroundingCache work = GroundingCache.forSteps(task, steps);
     return new Kept(task, work, OptimalPlanner.revalidate(new Grounder(work, task), steps));
   }
 

@@ -15,7 +15,7 @@ import org.maestro.planning.api.PlanningResult;
 import org.maestro.planning.api.PlanningTask;
 import org.maestro.planning.api.Step;
 import org.maestro.planning.grounding.Grounder;
-import org.maestro.planning.grounding.Groundwork;
+import org.maestro.planning.grounding.GroundingCache;
 import org.maestro.planning.optimal.KeptGround;
 import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.Operator;
@@ -49,7 +49,7 @@ final class KeptPlanning {
       PlanningTask task,
       Set<Integer> features) {}
 
-  private final Groundwork work;
+  private final GroundingCache work;
   private final Grounder grounder;
   private PlanningTask task;
 
@@ -67,7 +67,7 @@ final class KeptPlanning {
   /**
    * @param work that was made for the task, or went over to it
    */
-  KeptPlanning(Groundwork work, PlanningTask task) {
+  KeptPlanning(GroundingCache work, PlanningTask task) {
     this.work = work;
     this.task = task;
     this.seen = work.changes().last();

@@ -13,7 +13,7 @@ import org.maestro.planning.api.Planner;
 import org.maestro.planning.api.PlanningResult;
 import org.maestro.planning.api.PlanningTask;
 import org.maestro.planning.api.Step;
-import org.maestro.planning.grounding.Groundwork;
+import org.maestro.planning.grounding.GroundingCache;
 import org.maestro.sl.Formula;
 
 /**
@@ -36,7 +36,7 @@ public final class ReplanningPlanner implements Planner {
   private record Subject(Formula goal, Objective objective) {}
 
   /** What was made for one home and what can be changed in it, and for goals there. */
-  private record Kept(Groundwork work, Map<Subject, KeptPlanning> plannings) {
+  private record Kept(GroundingCache work, Map<Subject, KeptPlanning> plannings) {
     KeptPlanning planning(Subject subject, PlanningTask task) {
       KeptPlanning planning = plannings.remove(subject);
       if (planning == null) {
@@ -85,7 +85,7 @@ public final class ReplanningPlanner implements Planner {
     Kept used =
         taken(subject, task)
             .filter(known -> known.renew(task))
-            .orElseGet(() -> new Kept(new Groundwork(task), new LinkedHashMap<>()));
+            .orElseGet(() -> new Kept(new GroundingCache(task), new LinkedHashMap<>()));
     PlanningResult result = used.planning(subject, task).solve(planner.mostStates());
     keep(used);
     return result;

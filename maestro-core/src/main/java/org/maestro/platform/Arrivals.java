@@ -9,9 +9,9 @@ import java.util.function.BiFunction;
 import org.maestro.deployment.AgentStart;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.home.Device;
+import org.maestro.platform.failover.AgentFailover;
 import org.maestro.platform.failover.FormerCallers;
-import org.maestro.platform.failover.HeirLinks;
-import org.maestro.platform.failover.Rescue;
+import org.maestro.platform.failover.TakeoverLinks;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.MemberStatus;
@@ -30,7 +30,7 @@ final class Arrivals {
   private final BiFunction<String, String, Device> describedBy;
   private final Clock clock;
   private final Deployer deployer;
-  private final Rescue rescue;
+  private final AgentFailover rescue;
   private final FormerCallers callers;
   private final CountDownLatch placed = new CountDownLatch(1);
   private final Complaints complaints = new Complaints();
@@ -45,7 +45,7 @@ final class Arrivals {
       BiFunction<String, String, Device> describedBy,
       Clock clock,
       Deployer deployer,
-      Rescue rescue,
+      AgentFailover rescue,
       FormerCallers callers) {
     this.knowledge = knowledge;
     this.describedBy = describedBy;
@@ -109,7 +109,7 @@ final class Arrivals {
     AgentStart start = AgentStart.of(member, topic);
     Optional<String> former = callers.of(member);
     if (former.isPresent()) {
-      String container = former.flatMap(HeirLinks::container).orElse(topic);
+      String container = former.flatMap(TakeoverLinks::container).orElse(topic);
       if (deployer.await(start, container)) {
         rescue.awaits(member, former.get());
       }

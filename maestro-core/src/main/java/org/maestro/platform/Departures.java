@@ -6,9 +6,9 @@ import org.maestro.agents.DeskAgent;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.pulse.Pulse;
 import org.maestro.deployment.AgentStart;
-import org.maestro.platform.failover.HeirLinks;
-import org.maestro.platform.failover.Rescue;
-import org.maestro.platform.failover.Starter;
+import org.maestro.platform.failover.AgentFailover;
+import org.maestro.platform.failover.HostSupervisor;
+import org.maestro.platform.failover.TakeoverLinks;
 import org.maestro.platform.jade.PlatformEvents;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -21,8 +21,8 @@ final class Departures implements PlatformEvents.Listener {
   private static final Logger LOG = LoggerFactory.getLogger(Departures.class);
 
   private final Deployer deployer;
-  private final Rescue rescue;
-  private final Starter starter;
+  private final AgentFailover rescue;
+  private final HostSupervisor starter;
   private final DeskAgent desk;
   private final Principals principals;
   private final BooleanSupplier closing;
@@ -33,8 +33,8 @@ final class Departures implements PlatformEvents.Listener {
    */
   Departures(
       Deployer deployer,
-      Rescue rescue,
-      Starter starter,
+      AgentFailover rescue,
+      HostSupervisor starter,
       DeskAgent desk,
       Principals principals,
       BooleanSupplier closing) {
@@ -92,7 +92,7 @@ final class Departures implements PlatformEvents.Listener {
     Optional<AgentStart> lost = deployer.ended(agent);
     if (lost.isPresent()) {
       principals.agentMoves(agent);
-      rescue.lost(agent, HeirLinks.controller(lost.get().container()));
+      rescue.lost(agent, TakeoverLinks.controller(lost.get().container()));
     } else {
       principals.agentEnded(agent);
     }

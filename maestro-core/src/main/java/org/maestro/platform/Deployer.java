@@ -22,8 +22,8 @@ import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.ContainerStart;
 import org.maestro.deployment.Deployment;
 import org.maestro.deployment.DeploymentException;
-import org.maestro.platform.failover.Handing;
-import org.maestro.platform.failover.HeirLinks;
+import org.maestro.platform.failover.MigrationReservations;
+import org.maestro.platform.failover.TakeoverLinks;
 import org.maestro.platform.jade.AgentsByName;
 import org.maestro.platform.jade.ContainerEnds;
 import org.maestro.platform.jade.JadeRuntime;
@@ -36,7 +36,7 @@ import org.maestro.platform.jade.JadeRuntime;
 final class Deployer {
   private final Deployment deployment;
   private final Surroundings here;
-  private final HeirLinks heirs;
+  private final TakeoverLinks heirs;
   private final AgentsByName jade;
   private final OwnContainers own;
   private final Map<String, String> containerByGroup = new TreeMap<>();
@@ -50,7 +50,7 @@ final class Deployer {
   /** Agents whose container, of another process, may be back soon. */
   private final Set<String> awaited = new TreeSet<>();
 
-  private final Handing handing = new Handing();
+  private final MigrationReservations handing = new MigrationReservations();
 
   /** Agents that live in other processes. */
   private final Set<String> elsewhere = new ConcurrentSkipListSet<>();
@@ -65,7 +65,7 @@ final class Deployer {
   Deployer(
       Surroundings here,
       BiFunction<String, Host, AgentContainer> newContainer,
-      HeirLinks heirs,
+      TakeoverLinks heirs,
       AgentsByName jade,
       Set<String> provides) {
     this.deployment = new Deployment(provides);
@@ -81,7 +81,7 @@ final class Deployer {
   }
 
   /** Agents that other processes have asked for. */
-  Handing handing() {
+  MigrationReservations handing() {
     return handing;
   }
 
@@ -195,7 +195,7 @@ final class Deployer {
               .formatted(joining.name()));
     }
     // Not before: an agent that still lived would report what it has under way as failed.
-    heirs.letGo(HeirLinks.controller(joining.name()));
+    heirs.letGo(TakeoverLinks.controller(joining.name()));
   }
 
   private synchronized Optional<AgentContainer> release(
@@ -220,7 +220,7 @@ final class Deployer {
             .filter(
                 start ->
                     start.container().equals(name)
-                        || HeirLinks.controller(name).equals(heirOf.get(start.agent())))
+                        || TakeoverLinks.controller(name).equals(heirOf.get(start.agent())))
             .toList();
     handing.begin(name, asker, starts, this::controllerOf);
     for (AgentStart start : starts) {
@@ -237,7 +237,7 @@ final class Deployer {
   /** Under whose name it has called, or the one that was there before it. */
   private String controllerOf(AgentStart start) {
     if (awaited.contains(start.agent())) {
-      return HeirLinks.controller(start.container());
+      return TakeoverLinks.controller(start.container());
     }
     return heirOf.getOrDefault(start.agent(), here.link().controller());
   }

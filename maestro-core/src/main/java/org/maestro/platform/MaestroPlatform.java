@@ -21,8 +21,8 @@ import org.maestro.agents.SupervisorAgent;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.device.Host;
 import org.maestro.agents.device.Surroundings;
-import org.maestro.agents.goals.Mind;
 import org.maestro.agents.goals.Past;
+import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.pulse.Condition;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.MaestroAgent;
@@ -36,12 +36,12 @@ import org.maestro.deployment.Provision;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.home.Device;
 import org.maestro.planning.api.Planner;
+import org.maestro.platform.failover.AgentFailover;
 import org.maestro.platform.failover.FormerCallers;
-import org.maestro.platform.failover.HeirLinks;
+import org.maestro.platform.failover.HostSupervisor;
 import org.maestro.platform.failover.OtherNames;
-import org.maestro.platform.failover.Rescue;
 import org.maestro.platform.failover.SignsOfLife;
-import org.maestro.platform.failover.Starter;
+import org.maestro.platform.failover.TakeoverLinks;
 import org.maestro.platform.jade.AgentsByName;
 import org.maestro.platform.jade.ContainerEnds;
 import org.maestro.platform.jade.JadeDirectory;
@@ -69,7 +69,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private final PlatformSettings settings;
   private final AgentTime time;
   private final RatsLink link;
-  private final HeirLinks heirs;
+  private final TakeoverLinks heirs;
   private final KnowledgeBase knowledge;
   private final BiFunction<String, String, Device> describedBy;
   private final PlatformMemory memory;
@@ -79,14 +79,14 @@ public final class MaestroPlatform implements AutoCloseable {
   private final Deployer deployer;
   private final Directory directory = new Directory();
   private final PlatformTables tables;
-  private final Mind mind;
+  private final ReasoningServices mind;
   private final Past past;
   private final CentralAgent central;
   private final Principals principals;
   private final DeskAgent desk;
   private final SupervisorAgent supervisor;
-  private final Rescue rescue;
-  private final Starter starter;
+  private final AgentFailover rescue;
+  private final HostSupervisor starter;
   private final Arrivals arrivals;
   private final Departures departures;
   private final RevokedNames revokedNames;
@@ -99,7 +99,7 @@ public final class MaestroPlatform implements AutoCloseable {
       KnowledgeBase knowledge,
       Planner planner,
       RatsLink link,
-      HeirLinks heirs,
+      TakeoverLinks heirs,
       OtherNames otherNames,
       Clock clock,
       BiFunction<String, String, Device> describedBy,
@@ -118,7 +118,7 @@ public final class MaestroPlatform implements AutoCloseable {
     this.main = main;
     this.knowledge = knowledge;
     this.host = host;
-    this.mind = new Mind(knowledge, planner, settings.decisionTime());
+    this.mind = new ReasoningServices(knowledge, planner, settings.decisionTime());
     this.past = memory.past();
     Surroundings here = new Surroundings(time, link, describedBy, Optional.of(mind), stories, past);
     host.give(here);
@@ -149,14 +149,14 @@ public final class MaestroPlatform implements AutoCloseable {
     this.principals = new Principals(central);
     this.desk = new DeskAgent(time);
     this.rescue =
-        new Rescue(
-            new RescueWays(knowledge::home, deployer, this::orders, central::now),
+        new AgentFailover(
+            new FailoverWays(knowledge::home, deployer, this::orders, central::now),
             clock,
             Provision.of(settings.premises().provides()),
             link.controller(),
             otherNames::mayBeUsed);
     this.starter =
-        new Starter(
+        new HostSupervisor(
             settings.premises().hosts(),
             settings.premises().host() + ":" + settings.port(),
             settings.dataDirectory().orElseGet(files::path),
@@ -177,7 +177,7 @@ public final class MaestroPlatform implements AutoCloseable {
             clock,
             settings.heartbeats(),
             pulse ->
-                new Vigil(
+                new FailureHandler(
                     pulse,
                     shared.wires(),
                     deployer,
@@ -241,7 +241,7 @@ public final class MaestroPlatform implements AutoCloseable {
             knowledge,
             planner,
             link,
-            new HeirLinks(otherNames),
+            new TakeoverLinks(otherNames),
             otherNames,
             clock,
             describedBy,

@@ -5,16 +5,16 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.maestro.agents.pulse.Pulse;
 import org.maestro.agents.supervision.SupervisorOrders;
-import org.maestro.platform.failover.HeirLinks;
-import org.maestro.platform.failover.Rescue;
+import org.maestro.platform.failover.AgentFailover;
 import org.maestro.platform.failover.SignsOfLife;
+import org.maestro.platform.failover.TakeoverLinks;
 
 /** What the supervision has of the platform around it: those it tells, and who revives whom. */
 final class PlatformCentre implements Supervision.Centre {
   private final Arrivals arrivals;
   private final Principals principals;
   private final BooleanSupplier reviving;
-  private final Rescue rescue;
+  private final AgentFailover rescue;
   private final Supplier<SupervisorOrders> orders;
   private final SignsOfLife signs;
 
@@ -26,7 +26,7 @@ final class PlatformCentre implements Supervision.Centre {
       Arrivals arrivals,
       Principals principals,
       BooleanSupplier reviving,
-      Rescue rescue,
+      AgentFailover rescue,
       Supplier<SupervisorOrders> orders,
       SignsOfLife signs) {
     this.arrivals = arrivals;
@@ -64,7 +64,7 @@ final class PlatformCentre implements Supervision.Centre {
 
   @Override
   public void returns(String container) {
-    String controller = HeirLinks.controller(container);
+    String controller = TakeoverLinks.controller(container);
     rescue.released(controller).ifPresent(holder -> orders.get().letGo(holder, controller));
   }
 

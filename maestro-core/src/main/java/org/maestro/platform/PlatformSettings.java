@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
 import org.maestro.agents.pulse.HeartbeatSettings;
-import org.maestro.agents.runtime.Patience;
+import org.maestro.agents.runtime.ProtocolTimeouts;
 import org.maestro.platform.guard.Guard;
 import org.maestro.platform.jade.PlatformStartException;
 import org.maestro.platform.jade.Premises;
@@ -37,7 +37,7 @@ public record PlatformSettings(
     Duration decisionTime,
     Optional<Path> storyDirectory,
     Optional<Path> dataDirectory,
-    Patience patience,
+    ProtocolTimeouts patience,
     Optional<Guard> guard,
     HeartbeatSettings heartbeats,
     Premises premises) {
@@ -61,7 +61,7 @@ public record PlatformSettings(
         decisionTime,
         storyDirectory,
         dataDirectory,
-        Patience.standard(),
+        ProtocolTimeouts.standard(),
         Optional.empty(),
         HeartbeatSettings.standard(),
         Premises.usual());

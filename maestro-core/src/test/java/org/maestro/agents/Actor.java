@@ -8,7 +8,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.maestro.agents.content.AgentNames;
-import org.maestro.agents.content.BidReader;
+import org.maestro.agents.content.ProposalReader;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.AgentTime;
@@ -97,7 +97,7 @@ public final class Actor extends MaestroAgent {
 
   private void heard(ACLMessage message) {
     synchronized (heard) {
-      heard.add(BidReader.performative(message));
+      heard.add(ProposalReader.performative(message));
     }
     switch (message.getPerformative()) {
       case ACLMessage.CFP -> part.called(this, message);

@@ -23,7 +23,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.maestro.agents.runtime.Patience;
+import org.maestro.agents.runtime.ProtocolTimeouts;
 import org.maestro.platform.BareJade;
 
 /**
@@ -34,7 +34,7 @@ import org.maestro.platform.BareJade;
  */
 class ContractNetMisconductTest {
   private static final String GOAL = "(greeted Bob)";
-  private static final Patience PATIENCE = Patience.standard();
+  private static final ProtocolTimeouts PATIENCE = ProtocolTimeouts.standard();
 
   /** What deciding, messages and the greeting itself take. */
   private static final Duration WORK = Duration.ofSeconds(2);

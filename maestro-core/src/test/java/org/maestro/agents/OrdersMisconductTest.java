@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.maestro.agents.runtime.Patience;
+import org.maestro.agents.runtime.ProtocolTimeouts;
 import org.maestro.platform.BareJade;
 
 /**
@@ -27,7 +27,7 @@ import org.maestro.platform.BareJade;
  */
 class OrdersMisconductTest {
   private static final String GOAL = "(greeted Bob)";
-  private static final Patience PATIENCE = Patience.standard();
+  private static final ProtocolTimeouts PATIENCE = ProtocolTimeouts.standard();
   private static final int TRIES = 2;
 
   /** Thrice the second that greeting takes, the bus's time, and the grace for reporting. */

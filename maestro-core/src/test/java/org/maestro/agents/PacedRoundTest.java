@@ -17,13 +17,13 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.maestro.agents.negotiation.AclMarket;
+import org.maestro.agents.negotiation.AclContractNet;
 import org.maestro.agents.negotiation.Contracts;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.MaestroAgent;
-import org.maestro.agents.runtime.Patience;
+import org.maestro.agents.runtime.ProtocolTimeouts;
 import org.maestro.coordination.api.CallForPrices;
-import org.maestro.coordination.api.Market;
+import org.maestro.coordination.api.ContractNet;
 import org.maestro.platform.BareJade;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.sl.SlParser;
@@ -39,9 +39,9 @@ class PacedRoundTest {
 
   @Test
   void aSilentAgentOfJadeAloneCostsItsPatienceInWallTime() throws Exception {
-    Patience usual = Patience.standard();
-    Patience patience =
-        new Patience(
+    ProtocolTimeouts usual = ProtocolTimeouts.standard();
+    ProtocolTimeouts patience =
+        new ProtocolTimeouts(
             BID, usual.contract(), usual.offer(), usual.agreement(), usual.report(), usual.quote());
     BlockingQueue<ACLMessage> heard = new LinkedBlockingQueue<>();
     try (BareJade jade = new BareJade("paced-round", files);
@@ -52,7 +52,7 @@ class PacedRoundTest {
       Duration begin = clock.now();
       long sent = System.currentTimeMillis();
 
-      Market.Tender tender = asking.ask("usher").get(30, TimeUnit.SECONDS);
+      ContractNet.Round tender = asking.ask("usher").get(30, TimeUnit.SECONDS);
 
       assertThat(tender.bids()).hasSize(1);
       assertThat(tender.bids().get(0).refusal())
@@ -101,15 +101,15 @@ class PacedRoundTest {
       super(time);
     }
 
-    CompletableFuture<Market.Tender> ask(String member) {
-      CompletableFuture<Market.Tender> closed = new CompletableFuture<>();
-      AclMarket market =
-          new AclMarket(
+    CompletableFuture<ContractNet.Round> ask(String member) {
+      CompletableFuture<ContractNet.Round> closed = new CompletableFuture<>();
+      AclContractNet contractNet =
+          new AclContractNet(
               this, name -> Optional.of(getAID(name)), new Contracts(), (goal, sentence) -> {});
       CallForPrices call =
           new CallForPrices(
               "G1", SlParser.formula("(greeted Bob)"), Map.of(member, List.of("greet")));
-      tell(() -> market.callForPrices(call, closed::complete));
+      tell(() -> contractNet.callForPrices(call, closed::complete));
       return closed;
     }
 

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.maestro.agents.runtime.Patience;
+import org.maestro.agents.runtime.ProtocolTimeouts;
 import org.maestro.platform.BareJade;
 
 /**
@@ -26,7 +26,7 @@ import org.maestro.platform.BareJade;
  */
 class QuotesMisconductTest {
   private static final String GOAL = "(guided Bob)";
-  private static final Duration QUOTE = Patience.standard().quote();
+  private static final Duration QUOTE = ProtocolTimeouts.standard().quote();
   private static final Duration WORK = Duration.ofSeconds(3);
 
   @TempDir static Path files;

@@ -20,8 +20,8 @@ import java.util.Map;
 import java.util.function.BooleanSupplier;
 import org.awaitility.Awaitility;
 import org.maestro.agents.content.AgentNames;
-import org.maestro.agents.goals.Mind;
 import org.maestro.agents.goals.Past;
+import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.StoryEntry;
@@ -93,7 +93,8 @@ public final class Society implements AutoCloseable {
 
   /** An agent with goals of its own, for that group; it has not begun yet. */
   GroupAgent group(Group group) {
-    Mind mind = new Mind(knowledge, new OptimalPlanner(), Duration.ofMillis(20));
+    ReasoningServices mind =
+        new ReasoningServices(knowledge, new OptimalPlanner(), Duration.ofMillis(20));
     return new GroupAgent(time, mind, group, story::add, Past.none());
   }
 

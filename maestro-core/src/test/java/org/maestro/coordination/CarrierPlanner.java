@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.maestro.coordination.facts.FactsAfter;
+import org.maestro.coordination.facts.ProgressedState;
 import org.maestro.coordination.facts.Unfolding;
 import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.Planner;
@@ -135,7 +135,7 @@ final class CarrierPlanner implements Planner {
         return Optional.empty();
       }
       facts =
-          new FactsAfter(
+          new ProgressedState(
               facts, now.changes(step.feature().effect(), step.values()), task.vocabulary());
     }
     return new Evaluation(facts).truth(task.goal(), Map.of()) == Truth.TRUE

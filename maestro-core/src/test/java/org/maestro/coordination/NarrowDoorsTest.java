@@ -13,7 +13,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.api.GoalOutcome;
-import org.maestro.coordination.contention.ContentionTest;
+import org.maestro.coordination.contention.ResourceClaimsTest;
 import org.maestro.ontology.home.Home;
 
 /**
@@ -29,7 +29,7 @@ class NarrowDoorsTest {
 
   @BeforeAll
   static void loadHome() throws IOException {
-    home = ContentionTest.narrowHome();
+    home = ResourceClaimsTest.narrowHome();
   }
 
   @Test

@@ -12,16 +12,16 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.Argument;
-import org.maestro.coordination.api.Bid;
 import org.maestro.coordination.api.CallForPrices;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.GoalStatus;
-import org.maestro.coordination.api.Market;
 import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Proposal;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.coordination.api.Thinking;
 import org.maestro.knowledge.CollectiveKnowledge;
@@ -42,7 +42,7 @@ import org.maestro.sl.Term;
  * Robots in rooms with narrow doors, without devices, bus or agents. It is a strict house: two
  * robots in one door, or two things at once done by one robot, are written down as accidents.
  */
-public final class NarrowHouse implements Market, Crew {
+public final class NarrowHouse implements ContractNet, ActionDispatcher {
   private static final int MOST_SENTENCES = 4_000;
 
   public final SteppedClock clock = new SteppedClock();
@@ -143,8 +143,8 @@ public final class NarrowHouse implements Market, Crew {
   }
 
   @Override
-  public void callForPrices(CallForPrices call, Consumer<Tender> closed) {
-    List<Bid> bids = new ArrayList<>();
+  public void callForPrices(CallForPrices call, Consumer<Round> closed) {
+    List<Proposal> bids = new ArrayList<>();
     call.features()
         .forEach(
             (member, names) -> {
@@ -156,17 +156,17 @@ public final class NarrowHouse implements Market, Crew {
               }
               bids.add(
                   coordinator.isPresent(member)
-                      ? new Bid(member, prices, Optional.empty())
-                      : new Bid(member, Map.of(), Optional.of("not there")));
+                      ? new Proposal(member, prices, Optional.empty())
+                      : new Proposal(member, Map.of(), Optional.of("not there")));
             });
     clock.schedule(
         Duration.ofMillis(2),
         "market",
         () ->
             closed.accept(
-                new Tender() {
+                new Round() {
                   @Override
-                  public List<Bid> bids() {
+                  public List<Proposal> bids() {
                     return bids;
                   }
 
@@ -196,7 +196,7 @@ public final class NarrowHouse implements Market, Crew {
   }
 
   @Override
-  public Performance perform(Order order, Consumer<Report> reported) {
+  public Handle perform(Request order, Consumer<Report> reported) {
     Step step = order.step();
     String robot = step.member();
     calls.add(step.feature().procedure() + " " + robot);

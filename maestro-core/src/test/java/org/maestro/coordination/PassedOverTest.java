@@ -13,7 +13,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
@@ -33,7 +33,7 @@ class PassedOverTest {
   }
 
   private final PretendHouse house = new PretendHouse(home);
-  private final List<Crew.Order> orders = new ArrayList<>();
+  private final List<ActionDispatcher.Request> orders = new ArrayList<>();
   private final List<Duration> times = new ArrayList<>();
 
   @BeforeEach
@@ -59,7 +59,7 @@ class PassedOverTest {
 
     assertThat(outcome.reached()).as(story()).isTrue();
     assertThat(ending().call()).isEqualTo(orders.get(0).call());
-    assertThat(orders).filteredOn(Crew.Order::ends).hasSize(1);
+    assertThat(orders).filteredOn(ActionDispatcher.Request::ends).hasSize(1);
     assertThat(orders).anyMatch(order -> order.step().member().equals("butler"));
     assertThat(house.clock.now().minus(times.get(orders.indexOf(ending()))))
         .as("nobody waits for that when the goal is reached")
@@ -111,7 +111,7 @@ class PassedOverTest {
     house.made.put(
         "greet usher",
         step ->
-            orders.stream().anyMatch(Crew.Order::ends)
+            orders.stream().anyMatch(ActionDispatcher.Request::ends)
                 ? PretendHouse.succeeded(Map.of())
                 : unanswered());
     house.ordered = orders::add;
@@ -130,21 +130,21 @@ class PassedOverTest {
     GoalOutcome outcome = house.achieve("(greeted Bob)");
 
     assertThat(outcome.reached()).isFalse();
-    Crew.Order last = orders.get(orders.size() - 1);
+    ActionDispatcher.Request last = orders.get(orders.size() - 1);
     assertThat(last.step().member()).as(story()).isEqualTo("usher");
     assertThat(house.calledOff).containsExactly(last.call().orElseThrow().id());
   }
 
-  private Crew.Order ending() {
-    return orders.stream().filter(Crew.Order::ends).findFirst().orElseThrow();
+  private ActionDispatcher.Request ending() {
+    return orders.stream().filter(ActionDispatcher.Request::ends).findFirst().orElseThrow();
   }
 
   private String story() {
     return String.join("\n", house.story);
   }
 
-  private static Crew.Report unanswered() {
-    return new Crew.Report(
+  private static ActionDispatcher.Report unanswered() {
+    return new ActionDispatcher.Report(
         false,
         Map.of(),
         Optional.of("usher gave no answer in time"),
@@ -154,14 +154,14 @@ class PassedOverTest {
         true);
   }
 
-  private static Crew.Report refused() {
-    return new Crew.Report(
+  private static ActionDispatcher.Report refused() {
+    return new ActionDispatcher.Report(
         false,
         Map.of(),
         Optional.of("the butler is hoarse"),
         List.of(),
         false,
-        Optional.of(Crew.Refusal.AS_THINGS_ARE),
+        Optional.of(ActionDispatcher.Refusal.AS_THINGS_ARE),
         false);
   }
 }

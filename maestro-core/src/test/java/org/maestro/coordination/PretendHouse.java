@@ -13,16 +13,16 @@ import java.util.function.Consumer;
 import java.util.function.DoubleSupplier;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.Argument;
-import org.maestro.coordination.api.Bid;
 import org.maestro.coordination.api.CallForPrices;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
-import org.maestro.coordination.api.Market;
 import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Proposal;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Thinking;
 import org.maestro.coordination.journal.JournalImage;
@@ -45,7 +45,7 @@ import org.maestro.sl.Term;
  * Bob's home without devices, bus or agents: the ports of coordination answered from a table of
  * truths.
  */
-public final class PretendHouse implements Market, Crew {
+public final class PretendHouse implements ContractNet, ActionDispatcher {
   public final SteppedClock clock = new SteppedClock();
   public final KnowledgeBase knowledge;
   public Coordinator coordinator;
@@ -60,7 +60,7 @@ public final class PretendHouse implements Market, Crew {
   public Predicate<String> declines = feature -> false;
   public Consumer<String> beforeCall = call -> {};
 
-  Consumer<Order> ordered = order -> {};
+  Consumer<Request> ordered = order -> {};
 
   final List<String> calledOff = new ArrayList<>();
 
@@ -186,8 +186,8 @@ public final class PretendHouse implements Market, Crew {
   }
 
   @Override
-  public void callForPrices(CallForPrices call, Consumer<Tender> closed) {
-    List<Bid> bids = new ArrayList<>();
+  public void callForPrices(CallForPrices call, Consumer<Round> closed) {
+    List<Proposal> bids = new ArrayList<>();
     call.features()
         .forEach(
             (member, names) -> {
@@ -199,17 +199,17 @@ public final class PretendHouse implements Market, Crew {
               }
               bids.add(
                   coordinator.isPresent(member)
-                      ? new Bid(member, prices, Optional.empty())
-                      : new Bid(member, Map.of(), Optional.of("not there")));
+                      ? new Proposal(member, prices, Optional.empty())
+                      : new Proposal(member, Map.of(), Optional.of("not there")));
             });
     clock.schedule(
         Duration.ofMillis(2),
         "market",
         () ->
             closed.accept(
-                new Tender() {
+                new Round() {
                   @Override
-                  public List<Bid> bids() {
+                  public List<Proposal> bids() {
                     return bids;
                   }
 
@@ -262,7 +262,7 @@ public final class PretendHouse implements Market, Crew {
   }
 
   @Override
-  public Performance perform(Order order, Consumer<Report> reported) {
+  public Handle perform(Request order, Consumer<Report> reported) {
     Step step = order.step();
     boolean[] ended = new boolean[1];
     ordered.accept(order);

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.knowledge.api.Source;
@@ -83,7 +83,7 @@ class RefusalsTest {
   /** It says no more than that, and the light changes by less than sensors err. */
   @Test
   void aRefusalWithoutFactsIsNotRepeatedUntilOneOfThemHasChanged() {
-    refuse("observeObject", Crew.Refusal.AS_THINGS_ARE, List.of());
+    refuse("observeObject", ActionDispatcher.Refusal.AS_THINGS_ARE, List.of());
     house.ambientLux.put("zone-b", 80.0);
 
     GoalOutcome outcome = house.achieve("(in Cup zone-b)");
@@ -99,7 +99,7 @@ class RefusalsTest {
   /** Such as for somebody who stands in the way. */
   @Test
   void whatIsRefusedForNowIsTriedOnceMoreAfterAWhile() {
-    refuse("observeObject", Crew.Refusal.FOR_NOW, List.of());
+    refuse("observeObject", ActionDispatcher.Refusal.FOR_NOW, List.of());
     house.ambientLux.put("zone-b", 80.0);
 
     house.achieve("(in Cup zone-b)");
@@ -130,7 +130,7 @@ class RefusalsTest {
           return lux >= least
               ? report
               : refused(
-                  Crew.Refusal.FOR_NOW,
+                  ActionDispatcher.Refusal.FOR_NOW,
                   List.of(
                       new FeatureRun.Learnt(
                           "(illuminance zone-b)", new Term.Number(lux), Optional.of(need))));
@@ -140,7 +140,7 @@ class RefusalsTest {
   /** Its sentence stands inside of others, which have one full stop and say whose words it is. */
   @Test
   void whatARefusalSaysIsQuotedInOneSentence() {
-    refuse("observeObject", Crew.Refusal.AS_THINGS_ARE, List.of());
+    refuse("observeObject", ActionDispatcher.Refusal.AS_THINGS_ARE, List.of());
     house.ambientLux.put("zone-b", 80.0);
 
     house.achieve("(in Cup zone-b)");
@@ -151,15 +151,17 @@ class RefusalsTest {
         .noneMatch(told -> told.contains("No.;") || told.contains("No..") || told.contains("No.)"));
   }
 
-  private void refuse(String feature, Crew.Refusal refusal, List<FeatureRun.Learnt> refs) {
+  private void refuse(
+      String feature, ActionDispatcher.Refusal refusal, List<FeatureRun.Learnt> refs) {
     house.reporting =
         (step, report) ->
             step.feature().procedure().equals(feature) ? refused(refusal, refs) : report;
   }
 
-  private Crew.Report refused(Crew.Refusal refusal, List<FeatureRun.Learnt> refs) {
+  private ActionDispatcher.Report refused(
+      ActionDispatcher.Refusal refusal, List<FeatureRun.Learnt> refs) {
     refusals++;
-    return new Crew.Report(
+    return new ActionDispatcher.Report(
         false, Map.of(), Optional.of("No."), refs, true, Optional.of(refusal), false);
   }
 

@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.function.Function;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.HomeLoader;
@@ -152,7 +152,7 @@ class SeenNotSaidTest {
       String unsure =
           new String(turtle.readAllBytes(), StandardCharsets.UTF_8)
               + "home:gauge-1 maestro:confidence 0.4 .";
-      Map<String, Function<Step, Crew.Report>> made = house.made;
+      Map<String, Function<Step, ActionDispatcher.Report>> made = house.made;
       house = new PretendHouse(new HomeLoader().load(unsure, "workshop.ttl"));
       house.made.putAll(made);
     }

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.knowledge.api.FeatureRun;
@@ -167,7 +167,7 @@ class SizesTest {
             return report;
           }
           house.place.put("Cup", "zone-b");
-          return new Crew.Report(
+          return new ActionDispatcher.Report(
               false,
               Map.of(),
               Optional.of("Too wide."),
@@ -175,7 +175,7 @@ class SizesTest {
                   new FeatureRun.Learnt(
                       "(width Cup)", new Term.Number(0.12), Optional.of("<= 0.08"))),
               true,
-              Optional.of(Crew.Refusal.FOR_NOW),
+              Optional.of(ActionDispatcher.Refusal.FOR_NOW),
               false);
         };
   }

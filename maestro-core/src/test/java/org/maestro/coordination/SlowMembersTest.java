@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
@@ -30,7 +30,7 @@ class SlowMembersTest {
   }
 
   private final PretendHouse house = new PretendHouse(home);
-  private final List<Crew.Order> drives = new ArrayList<>();
+  private final List<ActionDispatcher.Request> drives = new ArrayList<>();
 
   @Test
   void areAskedAgainByTheSameCallAndNotCalledAnew() {
@@ -42,7 +42,9 @@ class SlowMembersTest {
     assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
     assertThat(drives).hasSize(2);
     assertThat(drives).extracting(order -> order.call().orElseThrow().id()).containsOnly(id());
-    assertThat(drives).extracting(Crew.Order::parameters).containsOnly(drives.get(0).parameters());
+    assertThat(drives)
+        .extracting(ActionDispatcher.Request::parameters)
+        .containsOnly(drives.get(0).parameters());
     assertThat(house.story)
         .anyMatch(
             told ->
@@ -96,7 +98,7 @@ class SlowMembersTest {
     house.reporting =
         (step, report) ->
             step.feature().procedure().equals("move") && drives.size() < answered
-                ? new Crew.Report(
+                ? new ActionDispatcher.Report(
                     false,
                     Map.of(),
                     Optional.of("rose gave no answer in time"),

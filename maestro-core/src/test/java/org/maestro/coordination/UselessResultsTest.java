@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
@@ -92,7 +92,7 @@ class UselessResultsTest {
     house.reporting =
         (step, report) ->
             step.feature().procedure().equals("observeObject")
-                ? new Crew.Report(
+                ? new ActionDispatcher.Report(
                     true,
                     Map.of("found", new Term.Truth(true), "pose", new Term.Text("over there")),
                     Optional.empty(),
@@ -114,7 +114,7 @@ class UselessResultsTest {
     house.reporting =
         (step, report) ->
             step.feature().procedure().equals("measureIllumination")
-                ? new Crew.Report(true, outputs, Optional.empty(), List.of())
+                ? new ActionDispatcher.Report(true, outputs, Optional.empty(), List.of())
                 : report;
   }
 

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.ReservedFeature;
@@ -20,7 +20,7 @@ class CallReporterTest {
           Runnable::run,
           new CallReporter.Listener() {
             @Override
-            public void reported(Outcome outcome, Crew.Report report) {
+            public void reported(Outcome outcome, ActionDispatcher.Report report) {
               heard.add("reported " + outcome);
             }
 

@@ -20,7 +20,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.api.Belief;
 import org.maestro.knowledge.api.FeatureRun;
@@ -297,7 +297,7 @@ abstract class CountedOnceContract {
       }
 
       @Override
-      public void reported(Outcome outcome, Crew.Report report) {
+      public void reported(Outcome outcome, ActionDispatcher.Report report) {
         heard.append(" result of ").append(conversation);
         var account =
             view.account(conversation, vat.boot + "-" + conversation, FILL, report.succeeded());

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.knowledge.api.MemberWord;
 import org.maestro.ontology.home.Device;
@@ -81,13 +81,13 @@ class SaidFactsTest {
 
   @Test
   void soAreReasonsOfAFailure() {
-    List<Crew.Report> reports = new ArrayList<>();
+    List<ActionDispatcher.Report> reports = new ArrayList<>();
     CallReporter reporter =
         new CallReporter(
             Runnable::run,
             new CallReporter.Listener() {
               @Override
-              public void reported(Outcome outcome, Crew.Report report) {
+              public void reported(Outcome outcome, ActionDispatcher.Report report) {
                 reports.add(report);
               }
 

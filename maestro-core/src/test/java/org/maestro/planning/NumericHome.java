@@ -13,8 +13,6 @@ import java.util.function.Consumer;
 import org.maestro.planning.api.PlanningTask;
 import org.maestro.planning.api.StepKey;
 import org.maestro.planning.api.Unavailable;
-import org.maestro.planning.problem.Change;
-import org.maestro.planning.problem.Deed;
 
 /**
  * A home of stocks, levels and sums that a seed gives, and all the states that it can get into, by

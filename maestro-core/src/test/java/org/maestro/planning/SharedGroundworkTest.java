@@ -21,7 +21,7 @@ import org.maestro.planning.api.PricedFeature;
 import org.maestro.planning.api.Step;
 import org.maestro.planning.api.StepKey;
 import org.maestro.planning.grounding.Grounder;
-import org.maestro.planning.grounding.Groundwork;
+import org.maestro.planning.grounding.GroundingCache;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
@@ -112,7 +112,7 @@ class SharedGroundworkTest {
     List<PricedFeature> all = List.copyOf(first.offers);
     SmallWorld world = first;
     ReplanningPlanner planner = new ReplanningPlanner(fresh);
-    Groundwork work = null;
+    GroundingCache work = null;
     Checked checked = new Checked(first.task(goals.get()).goal(), List.of(), all);
     for (int n = 0; n < GOALS; n++) {
       Facts facts = telling ? new TellingFacts(world) : world;
@@ -122,7 +122,7 @@ class SharedGroundworkTest {
               .withFacts(facts)
               .withFeatures(offered(all, random))
               .withBarred(barred(all, random));
-      work = work != null && work.suits(task) && work.renew(task) ? work : new Groundwork(task);
+      work = work != null && work.suits(task) && work.renew(task) ? work : new GroundingCache(task);
       for (double budget : BUDGETS) {
         Grounder.Grounded shared = new Grounder(work, task).ground(budget);
         Grounder.Grounded alone = new Grounder(task).ground(budget);

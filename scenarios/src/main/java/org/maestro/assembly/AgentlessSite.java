@@ -83,8 +83,8 @@ public final class AgentlessSite implements AutoCloseable {
             new Ports(
                 knowledge,
                 new ReplanningPlanner(new OptimalPlanner(MOST_STATES)),
-                new LinkMarket(deputies, link),
-                new LinkCrew(deputies, link),
+                new LinkContractNet(deputies, link),
+                new LinkActionDispatcher(deputies, link),
                 new InTurn(main),
                 main,
                 story::add,

@@ -8,7 +8,7 @@ import org.maestro.rats.broker.EmbeddedBroker;
 import org.maestro.rats.link.SiteKind;
 import org.maestro.rats.member.CallPolicy;
 import org.maestro.rats.security.SiteSecurity;
-import org.maestro.rats.transport.BrokerDoor;
+import org.maestro.rats.transport.ConnectionTester;
 import org.maestro.rats.transport.PahoTransport;
 import org.maestro.rats.transport.Transport;
 
@@ -62,7 +62,7 @@ public final class SiteBus {
    * @throws SiteException when it does not, with its reason
    */
   public void requireLetIn(String id) {
-    BrokerDoor door = new BrokerDoor(broker, ANSWER_WITHIN);
+    ConnectionTester door = new ConnectionTester(broker, ANSWER_WITHIN);
     security
         .map(files -> door.objection(files.password(id)))
         .orElseGet(door::objection)

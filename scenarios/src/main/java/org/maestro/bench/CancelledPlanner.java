@@ -11,8 +11,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import org.maestro.planning.ground.Grounder;
+import org.maestro.planning.ground.GroundingBudget;
 import org.maestro.planning.ground.LiftedTask;
-import org.maestro.planning.ground.Patience;
 import org.maestro.planning.pddl.PddlReader;
 import org.maestro.planning.search.AnytimePlanner;
 
@@ -36,7 +36,7 @@ final class CancelledPlanner {
     Thread planning =
         new Thread(
             () -> {
-              plan(task, Patience.seconds(30, cancelled::get));
+              plan(task, GroundingBudget.seconds(30, cancelled::get));
               usedInAll.complete(threads.getCurrentThreadCpuTime());
             });
     planning.start();
@@ -51,7 +51,7 @@ final class CancelledPlanner {
         used < 0 ? "ended" : String.format(Locale.ROOT, "%.2f", (usedInAll.join() - used) / 1e6));
   }
 
-  private static void plan(LiftedTask task, Patience patience) {
+  private static void plan(LiftedTask task, GroundingBudget patience) {
     try {
       new AnytimePlanner(Grounder.growing(task, patience), 500_000_000, line -> {}).solve(patience);
     } catch (CancellationException e) {

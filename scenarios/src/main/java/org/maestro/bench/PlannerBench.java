@@ -14,9 +14,9 @@ import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.planning.ground.Grounder;
+import org.maestro.planning.ground.GroundingBudget;
 import org.maestro.planning.ground.GrowingTask;
 import org.maestro.planning.ground.LiftedTask;
-import org.maestro.planning.ground.Patience;
 import org.maestro.planning.pddl.PddlReader;
 import org.maestro.planning.search.AnytimePlanner;
 import org.maestro.planning.search.Solution;
@@ -73,7 +73,7 @@ public final class PlannerBench {
     for (int i = 0; i < 20; i++) {
       for (PlanningHome.Wish wish : PlanningHome.Wish.values()) {
         LiftedTask task = read(new PlanningHome(i < 15 ? 10 : 100, i).problem(wish));
-        solve(task, Patience.seconds(0.5, () -> false));
+        solve(task, GroundingBudget.seconds(0.5, () -> false));
       }
     }
   }
@@ -82,7 +82,7 @@ public final class PlannerBench {
     return PddlReader.parse("domain", domain, "problem", problem);
   }
 
-  private static Solution solve(LiftedTask task, Patience patience) {
+  private static Solution solve(LiftedTask task, GroundingBudget patience) {
     return new AnytimePlanner(Grounder.growing(task, patience), MEMORY, line -> {}).solve(patience);
   }
 
@@ -94,8 +94,9 @@ public final class PlannerBench {
       first[run] =
           milliseconds(
               () -> {
-                GrowingTask ground = Grounder.growing(task, Patience.endless());
-                return new AnytimePlanner(ground, MEMORY, line -> {}).first(Patience.endless());
+                GrowingTask ground = Grounder.growing(task, GroundingBudget.endless());
+                return new AnytimePlanner(ground, MEMORY, line -> {})
+                    .first(GroundingBudget.endless());
               });
     }
     rows.add(BenchReport.Row.of(name + ": first plan", median(first), "ms"));
@@ -104,7 +105,7 @@ public final class PlannerBench {
     for (int run = 0; run < RUNS && (run == 0 || proofs.get(0) < 2000); run++) {
       proofs.add(
           milliseconds(
-              () -> last[0] = solve(task, Patience.seconds(deadlineSeconds, () -> false))));
+              () -> last[0] = solve(task, GroundingBudget.seconds(deadlineSeconds, () -> false))));
     }
     List<String> others = new ArrayList<>();
     OptionalDouble baseline = OptionalDouble.empty();
@@ -132,7 +133,7 @@ public final class PlannerBench {
   }
 
   private static String cost(long units, LiftedTask task) {
-    BigDecimal unit = Grounder.ground(task, Patience.endless()).unit();
+    BigDecimal unit = Grounder.ground(task, GroundingBudget.endless()).unit();
     return BigDecimal.valueOf(units).divide(unit).stripTrailingZeros().toPlainString();
   }
 

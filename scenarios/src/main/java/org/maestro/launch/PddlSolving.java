@@ -14,10 +14,10 @@ import java.util.function.Supplier;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.Grounder;
+import org.maestro.planning.ground.GroundingBudget;
 import org.maestro.planning.ground.GroundingException;
 import org.maestro.planning.ground.GrowingTask;
 import org.maestro.planning.ground.LiftedTask;
-import org.maestro.planning.ground.Patience;
 import org.maestro.planning.pddl.PddlException;
 import org.maestro.planning.pddl.PddlReader;
 import org.maestro.planning.search.AnytimePlanner;
@@ -91,7 +91,8 @@ final class PddlSolving {
    * @throws CommandException when a file cannot be read, or has what is not understood
    */
   int solve() {
-    Patience patience = Patience.seconds(asked.deadlineSeconds() - sinceStart(), () -> false);
+    GroundingBudget patience =
+        GroundingBudget.seconds(asked.deadlineSeconds() - sinceStart(), () -> false);
     try {
       LiftedTask lifted = PddlReader.read(Path.of(asked.domain()), Path.of(asked.problem()));
       tell(() -> "read");

@@ -17,7 +17,7 @@ import org.maestro.deployment.Provision;
 import org.maestro.knowledge.api.Store;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.api.Objective;
-import org.maestro.platform.failover.Duty;
+import org.maestro.platform.failover.LeaderLock;
 import org.maestro.platform.hosts.HostFile;
 import org.maestro.platform.hosts.HostStart;
 import org.maestro.platform.jade.Premises;
@@ -180,7 +180,7 @@ final class RunCommand implements Callable<Integer> {
             .withSecurity(security.files())
             .withStore(store.map(Store::parse).orElse(Store.IN_MEMORY))
             .at(premises());
-    Optional<Duty> duty = data.map(this::takeDuty);
+    Optional<LeaderLock> duty = data.map(this::takeDuty);
     LocalSite site = LocalSite.paced(settings, speed);
     directory.add(
         new RuntimeDirectory.Running(
@@ -195,8 +195,8 @@ final class RunCommand implements Callable<Integer> {
     return ExitCode.DONE;
   }
 
-  private Duty takeDuty(Path kept) {
-    Optional<Duty> now = Duty.tryToTake(kept);
+  private LeaderLock takeDuty(Path kept) {
+    Optional<LeaderLock> now = LeaderLock.tryToTake(kept);
     if (now.isPresent()) {
       return now.get();
     }
@@ -207,7 +207,7 @@ final class RunCommand implements Callable<Integer> {
     }
     PrintWriter out = spec.commandLine().getOut();
     out.println("Standing by for the platform " + name + ". Stop with Ctrl-C.");
-    Duty taken = Duty.await(kept);
+    LeaderLock taken = LeaderLock.await(kept);
     out.println("The platform " + name + " has died; this process takes over.");
     return taken;
   }
@@ -301,9 +301,9 @@ final class RunCommand implements Callable<Integer> {
     return String.join(System.lineSeparator(), runs, kept, next) + heard;
   }
 
-  private void end(RuntimeDirectory directory, LocalSite site, Optional<Duty> duty) {
+  private void end(RuntimeDirectory directory, LocalSite site, Optional<LeaderLock> duty) {
     directory.remove(name);
     site.close();
-    duty.ifPresent(Duty::close);
+    duty.ifPresent(LeaderLock::close);
   }
 }

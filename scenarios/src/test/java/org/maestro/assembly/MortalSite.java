@@ -154,8 +154,8 @@ final class MortalSite implements AutoCloseable {
               new Ports(
                   knowledge,
                   new OptimalPlanner(),
-                  new LinkMarket(deputies, link),
-                  new LinkCrew(deputies, link),
+                  new LinkContractNet(deputies, link),
+                  new LinkActionDispatcher(deputies, link),
                   new InTurn(),
                   clock,
                   story::add,

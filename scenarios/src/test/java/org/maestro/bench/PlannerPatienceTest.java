@@ -11,8 +11,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.Grounder;
+import org.maestro.planning.ground.GroundingBudget;
 import org.maestro.planning.ground.LiftedTask;
-import org.maestro.planning.ground.Patience;
 import org.maestro.planning.search.AnytimePlanner;
 import org.maestro.planning.search.Solution;
 
@@ -38,8 +38,8 @@ class PlannerPatienceTest {
   void endsAtOnceWhenCancelled(int agents, PlanningHome.Wish wish, long look) throws IOException {
     LiftedTask task = CancelledPlanner.task(agents, wish);
     AtomicLong looks = new AtomicLong();
-    Patience patience =
-        Patience.seconds(Double.POSITIVE_INFINITY, () -> looks.incrementAndGet() >= look);
+    GroundingBudget patience =
+        GroundingBudget.seconds(Double.POSITIVE_INFINITY, () -> looks.incrementAndGet() >= look);
     try {
       Solution solution =
           new AnytimePlanner(Grounder.growing(task, patience), MEMORY, line -> {}).solve(patience);
@@ -54,7 +54,7 @@ class PlannerPatienceTest {
   void tellsThePlanThatItHasWhenCancelled() throws IOException {
     LiftedTask task = CancelledPlanner.task(300, PlanningHome.Wish.THREE_TRANSPORTS);
     AtomicBoolean hasPlan = new AtomicBoolean();
-    Patience patience = Patience.seconds(Double.POSITIVE_INFINITY, hasPlan::get);
+    GroundingBudget patience = GroundingBudget.seconds(Double.POSITIVE_INFINITY, hasPlan::get);
     Solution solution =
         new AnytimePlanner(
                 Grounder.growing(task, patience),
@@ -69,8 +69,10 @@ class PlannerPatienceTest {
   void keepsItsPlanWhenMemoryIsUsedUp() throws IOException {
     GroundTask task =
         Grounder.ground(
-            CancelledPlanner.task(100, PlanningHome.Wish.THREE_TRANSPORTS), Patience.endless());
-    Solution solution = new AnytimePlanner(task, 500_000, line -> {}).solve(Patience.endless());
+            CancelledPlanner.task(100, PlanningHome.Wish.THREE_TRANSPORTS),
+            GroundingBudget.endless());
+    Solution solution =
+        new AnytimePlanner(task, 500_000, line -> {}).solve(GroundingBudget.endless());
     assertThat(solution.memoryUsedUp()).isTrue();
     assertThat(solution.verdict()).isEqualTo(Solution.Verdict.PLAN);
     assertThat(solution.lowerBound()).isPositive().isLessThan(solution.cost());

@@ -11,7 +11,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalState;
@@ -115,7 +115,7 @@ class LedgerTest {
   private static JournalEntry.Begun begun() {
     return new JournalEntry.Begun(
         "G1",
-        new Crew.Call("C1", Optional.empty()),
+        new ActionDispatcher.Call("C1", Optional.empty()),
         new StepKey("rose", "pick", Map.of()),
         1,
         4,

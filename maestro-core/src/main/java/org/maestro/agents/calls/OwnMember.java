@@ -5,11 +5,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.Argument;
-import org.maestro.coordination.api.Bid;
 import org.maestro.coordination.api.CallForPrices;
-import org.maestro.coordination.api.Crew;
-import org.maestro.coordination.api.Market;
+import org.maestro.coordination.api.ContractNet;
+import org.maestro.coordination.api.Proposal;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.planning.api.Step;
@@ -18,23 +18,22 @@ import org.maestro.planning.api.Step;
  * A generic agent's own member, as the agent's own plans use it: no messages are needed. Agent
  * thread only.
  */
-public final class OwnMember implements Market, Crew {
+public final class OwnMember implements ContractNet, ActionDispatcher {
   private final String member;
   private final MemberView view;
-  private final Performances performances;
+  private final ActionExecution actions;
   private final PriceQuestions prices;
   private int calls;
 
-  public OwnMember(
-      String member, MemberView view, Performances performances, PriceQuestions prices) {
+  public OwnMember(String member, MemberView view, ActionExecution actions, PriceQuestions prices) {
     this.member = member;
     this.view = view;
-    this.performances = performances;
+    this.actions = actions;
     this.prices = prices;
   }
 
   @Override
-  public void callForPrices(CallForPrices call, Consumer<Tender> closed) {
+  public void callForPrices(CallForPrices call, Consumer<Round> closed) {
     List<String> wanted = call.features().getOrDefault(member, List.of());
     if (wanted.isEmpty()) {
       closed.accept(new Alone(List.of()));
@@ -48,7 +47,7 @@ public final class OwnMember implements Market, Crew {
     }
     Optional<String> refusal =
         prices.isEmpty() ? Optional.of(member + " is not there") : Optional.empty();
-    closed.accept(new Alone(List.of(new Bid(member, prices, refusal))));
+    closed.accept(new Alone(List.of(new Proposal(member, prices, refusal))));
   }
 
   @Override
@@ -61,10 +60,10 @@ public final class OwnMember implements Market, Crew {
   }
 
   @Override
-  public Performance perform(Order order, Consumer<Report> reported) {
-    return performances.begin(
+  public Handle perform(Request order, Consumer<Report> reported) {
+    return actions.begin(
             "own-" + ++calls,
-            new Performances.Deed(
+            new ActionExecution.Deed(
                 order.step().feature(),
                 order.parameters(),
                 order.timeout(),
@@ -79,11 +78,11 @@ public final class OwnMember implements Market, Crew {
 
   @Override
   public void callOff(String whose, Call call) {
-    performances.callOff(call.id());
+    actions.callOff(call.id());
   }
 
   /** A round with one bidder, who needs no award. */
-  private record Alone(List<Bid> bids) implements Tender {
+  private record Alone(List<Proposal> bids) implements Round {
     @Override
     public void award(Map<String, List<Step>> parts) {
       // It is the agent's own member: it gets its orders.

@@ -10,7 +10,7 @@ import org.maestro.agents.content.Orders;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.Argument;
-import org.maestro.coordination.api.Market;
+import org.maestro.coordination.api.ContractNet;
 import org.maestro.members.JsonTerms;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.CostAnswer;
@@ -51,7 +51,7 @@ public final class PriceQuestions {
 
   /** Exact prices, for the agent's own plans. */
   void quote(
-      String feature, List<Map<String, Argument>> sets, Consumer<List<Market.Quote>> answer) {
+      String feature, List<Map<String, Argument>> sets, Consumer<List<ContractNet.Quote>> answer) {
     ask(
         feature,
         sets,
@@ -69,15 +69,15 @@ public final class PriceQuestions {
     link.cost(member, feature, parameters, answers -> agent.tell(() -> answered.accept(answers)));
   }
 
-  private static Market.Quote quote(CostAnswer answer) {
+  private static ContractNet.Quote quote(CostAnswer answer) {
     String reason = answer.reason().orElse("no reason given");
     if (answer.cost().isPresent()) {
-      return new Market.Quote.Priced(
+      return new ContractNet.Quote.Priced(
           answer.cost().get(), answer.seconds().orElse(answer.cost().get()));
     }
     return answer.answered()
-        ? new Market.Quote.Declined(reason)
-        : new Market.Quote.Unanswered(reason);
+        ? new ContractNet.Quote.Declined(reason)
+        : new ContractNet.Quote.Unanswered(reason);
   }
 
   private static Content price(CostAnswer answer) {

@@ -8,7 +8,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.maestro.agents.content.Words;
-import org.maestro.agents.device.Voice;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.Latest;
 import org.maestro.sl.Content;

@@ -8,8 +8,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.Argument;
-import org.maestro.coordination.api.Crew;
 import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.planning.api.Step;
 import org.maestro.rats.protocol.Outcome;
@@ -39,7 +39,7 @@ public final class Orders {
    * @param client for whom it orders, where that matters
    */
   public static Content order(
-      Crew.Order order, String caller, String receiver, Optional<String> client) {
+      ActionDispatcher.Request order, String caller, String receiver, Optional<String> client) {
     List<Content.Argument> arguments = new ArrayList<>();
     arguments.addAll(member(order.step().member(), receiver));
     arguments.add(Words.named("goal", Words.name(order.goalId())));
@@ -57,7 +57,8 @@ public final class Orders {
   }
 
   /** Of a call that was ordered by a coordinator before this one. */
-  public static Content callOff(Crew.Call call, String caller, String member, String receiver) {
+  public static Content callOff(
+      ActionDispatcher.Call call, String caller, String member, String receiver) {
     List<Content.Argument> arguments = new ArrayList<>(member(member, receiver));
     arguments.addAll(call(call, caller));
     return new Content("cancel", arguments);
@@ -68,7 +69,7 @@ public final class Orders {
     return member.equals(receiver) ? List.of() : List.of(Words.named("member", Words.name(member)));
   }
 
-  private static List<Content.Argument> call(Crew.Call call, String caller) {
+  private static List<Content.Argument> call(ActionDispatcher.Call call, String caller) {
     List<Content.Argument> name = new ArrayList<>();
     name.add(Words.named("call", Words.text(caller + "-" + call.id())));
     call.life().ifPresent(life -> name.add(Words.named("life", Words.text(life))));
@@ -94,7 +95,7 @@ public final class Orders {
   }
 
   /** How a step failed. */
-  public static Content failure(Outcome outcome, Crew.Report report) {
+  public static Content failure(Outcome outcome, ActionDispatcher.Report report) {
     List<Content.Argument> refs = new ArrayList<>();
     for (FeatureRun.Learnt ref : report.refs()) {
       List<Content.Argument> terms = new ArrayList<>();
@@ -116,13 +117,13 @@ public final class Orders {
   }
 
   /** How long what is refused is refused. */
-  private static String word(Crew.Refusal refusal) {
+  private static String word(ActionDispatcher.Refusal refusal) {
     return refusal.name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 
-  public static Optional<Crew.Refusal> refusal(Words words) {
+  public static Optional<ActionDispatcher.Refusal> refusal(Words words) {
     Optional<String> told = words.string("refused");
-    return Arrays.stream(Crew.Refusal.values())
+    return Arrays.stream(ActionDispatcher.Refusal.values())
         .filter(kind -> told.filter(word(kind)::equals).isPresent())
         .findFirst();
   }

@@ -14,10 +14,10 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.maestro.agents.content.Admission;
-import org.maestro.agents.content.BidReader;
+import org.maestro.agents.content.ProposalReader;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
-import org.maestro.agents.runtime.InOneGo;
+import org.maestro.agents.runtime.BatchingBehaviour;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.vocabulary.FeatureType;
@@ -85,7 +85,8 @@ public final class PriceResponder {
       message.setConversationId(agent.getLocalName() + "-call-" + ++unnamed);
     }
     return Optional.of(
-        new InOneGo(new Session(message), () -> agent.hasMailOf(message.getConversationId())));
+        new BatchingBehaviour(
+            new Session(message), () -> agent.hasMailOf(message.getConversationId())));
   }
 
   private ACLMessage answer(ACLMessage cfp) {
@@ -227,7 +228,7 @@ public final class PriceResponder {
           "{} sent {} {} in the middle of a contract net; ignored",
           Replies.sender(message),
           agent.getLocalName(),
-          BidReader.performative(message));
+          ProposalReader.performative(message));
     }
 
     @Override

@@ -3,8 +3,8 @@ package org.maestro.agents.device;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
-import org.maestro.agents.goals.Mind;
 import org.maestro.agents.goals.Past;
+import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Story;
@@ -26,7 +26,7 @@ public record Surroundings(
     AgentTime time,
     RatsLink link,
     BiFunction<String, String, Device> describedBy,
-    Optional<Mind> mind,
+    Optional<ReasoningServices> mind,
     Story story,
     Past past) {
 

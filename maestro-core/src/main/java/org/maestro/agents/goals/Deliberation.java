@@ -10,19 +10,18 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.agents.calls.OwnMember;
-import org.maestro.agents.negotiation.AclCrew;
-import org.maestro.agents.negotiation.AclMarket;
+import org.maestro.agents.negotiation.AclActionDispatcher;
+import org.maestro.agents.negotiation.AclContractNet;
 import org.maestro.agents.negotiation.Clients;
 import org.maestro.agents.negotiation.Contracts;
-import org.maestro.agents.negotiation.Misconduct;
-import org.maestro.agents.negotiation.PermittedMarket;
+import org.maestro.agents.negotiation.PermittedContractNet;
+import org.maestro.agents.negotiation.ProtocolViolations;
 import org.maestro.agents.runtime.MaestroAgent;
-import org.maestro.agents.runtime.OwnThread;
 import org.maestro.agents.runtime.PlanningThread;
 import org.maestro.coordination.Coordinator;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ActionDispatcher;
+import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.Journal;
-import org.maestro.coordination.api.Market;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.Thinking;
@@ -42,9 +41,9 @@ public final class Deliberation {
 
   private final MaestroAgent agent;
   private final Clock clock;
-  private final Mind mind;
+  private final ReasoningServices mind;
   private final Contracts contracts = new Contracts();
-  private final AclCrew crew;
+  private final AclActionDispatcher dispatcher;
   private final Coordinator coordinator;
   private final PlanningThread planning = new PlanningThread();
   private final Map<String, AID> agentByMember = new HashMap<>();
@@ -54,19 +53,21 @@ public final class Deliberation {
   public Deliberation(
       MaestroAgent agent,
       Clock clock,
-      Mind mind,
+      ReasoningServices mind,
       Story story,
       Journal journal,
-      Misconduct misconduct) {
+      ProtocolViolations misconduct) {
     this.agent = agent;
     this.clock = clock;
     this.mind = mind;
     Clients clients = new Clients(mind.knowledge(), this::requester, misconduct);
-    this.crew =
-        new AclCrew(agent, this::agentOf, this::isDoubted, contracts, misconduct, clients::of);
-    Market market =
-        new PermittedMarket(new AclMarket(agent, this::agentOf, contracts, misconduct), clients);
-    this.coordinator = new Coordinator(ports(clock, market, crew, story, journal));
+    this.dispatcher =
+        new AclActionDispatcher(
+            agent, this::agentOf, this::isDoubted, contracts, misconduct, clients::of);
+    ContractNet contractNet =
+        new PermittedContractNet(
+            new AclContractNet(agent, this::agentOf, contracts, misconduct), clients);
+    this.coordinator = new Coordinator(ports(clock, contractNet, dispatcher, story, journal));
   }
 
   /**
@@ -78,40 +79,41 @@ public final class Deliberation {
   public Deliberation(
       MaestroAgent agent,
       Clock clock,
-      Mind mind,
+      ReasoningServices mind,
       Story story,
       Journal journal,
       String prefix,
-      Misconduct misconduct,
+      ProtocolViolations misconduct,
       Optional<OwnMember> own) {
     this.agent = agent;
     this.clock = clock;
     this.mind = mind;
-    this.crew =
-        new AclCrew(
+    this.dispatcher =
+        new AclActionDispatcher(
             agent,
             this::agentOf,
             this::isDoubted,
             contracts,
             misconduct,
             goalId -> Optional.empty());
-    Market market = new AclMarket(agent, this::agentOf, contracts, misconduct);
+    ContractNet contractNet = new AclContractNet(agent, this::agentOf, contracts, misconduct);
     this.coordinator =
         new Coordinator(
             ports(
                 clock,
-                own.map(Market.class::cast).orElse(market),
-                own.map(Crew.class::cast).orElse(crew),
+                own.map(ContractNet.class::cast).orElse(contractNet),
+                own.map(ActionDispatcher.class::cast).orElse(dispatcher),
                 story,
                 journal),
             prefix);
   }
 
-  private Ports ports(Clock clock, Market market, Crew orders, Story story, Journal journal) {
+  private Ports ports(
+      Clock clock, ContractNet contractNet, ActionDispatcher orders, Story story, Journal journal) {
     return new Ports(
         mind.knowledge(),
         mind.planner(),
-        market,
+        contractNet,
         orders,
         new OwnThread(clock, Duration.ZERO),
         clock,
@@ -145,7 +147,7 @@ public final class Deliberation {
   }
 
   public int ordersUnderway() {
-    return crew.underwayCount();
+    return dispatcher.underwayCount();
   }
 
   public boolean contractsOpen() {
@@ -160,12 +162,12 @@ public final class Deliberation {
   public void memberPresent(String member, AID its, Optional<String> life) {
     agentByMember.put(member, its);
     coordinator.memberPresent(member, life);
-    crew.agentThere(member);
+    dispatcher.agentThere(member);
   }
 
   public void memberLost(String member, String reason) {
     coordinator.memberLost(member, reason);
-    crew.memberLost(member);
+    dispatcher.memberLost(member);
   }
 
   /** Its agent gives no sign of life: nothing is asked of it until it does, or is lost. */
@@ -177,7 +179,7 @@ public final class Deliberation {
   public void agentTrusted(String member) {
     if (agentByMember.containsKey(member)) {
       coordinator.memberTrusted(member);
-      crew.agentThere(member);
+      dispatcher.agentThere(member);
     }
   }
 
@@ -192,7 +194,7 @@ public final class Deliberation {
     for (String member : members) {
       agentByMember.remove(member);
       coordinator.memberDoubted(member, member + " is getting another agent");
-      crew.agentMoves(member);
+      dispatcher.agentMoves(member);
       clock.schedule(
           agent.patience(MOVE), agent.getLocalName(), () -> agent.tell(() -> hasNotCome(member)));
     }
@@ -229,7 +231,7 @@ public final class Deliberation {
     for (String member : members) {
       agentByMember.remove(member);
       coordinator.memberLost(member, reason);
-      crew.agentEnded(member);
+      dispatcher.agentEnded(member);
     }
     return members;
   }

@@ -44,7 +44,7 @@ public final class OwnGoals {
   private final MaestroAgent agent;
   private final String name;
   private final Clock clock;
-  private final Lacking lacking;
+  private final UnmetConditions lacking;
   private final Deliberation deliberation;
   private final Map<Formula, Own> goals = new LinkedHashMap<>();
   private final Journal journal;
@@ -61,7 +61,7 @@ public final class OwnGoals {
       MaestroAgent agent,
       String name,
       Clock clock,
-      Mind mind,
+      ReasoningServices mind,
       Story story,
       Past past,
       Predicate<String> scope,
@@ -74,12 +74,14 @@ public final class OwnGoals {
     this.journal = new AgentJournal(agent, clock, own.journal());
     this.recovery = own.recovery();
     this.lacking =
-        new Lacking(mind.planner(), word -> mind.knowledge().home().vocabulary().isFluent(word));
+        new UnmetConditions(
+            mind.planner(), word -> mind.knowledge().home().vocabulary().isFluent(word));
     this.deliberation =
         new Deliberation(
             agent,
             clock,
-            new Mind(new ScopedKnowledge(mind.knowledge(), scope), lacking, mind.decisionTime()),
+            new ReasoningServices(
+                new ScopedKnowledge(mind.knowledge(), scope), lacking, mind.decisionTime()),
             story,
             journal,
             prefix,
@@ -194,7 +196,7 @@ public final class OwnGoals {
   private final class Own implements Coordinator.Answer {
     private final Formula goal;
     private String id = "";
-    private Optional<Petition> petition = Optional.empty();
+    private Optional<DelegatedGoal> petition = Optional.empty();
     private int attempts;
 
     private Own(Formula goal) {
@@ -271,9 +273,9 @@ public final class OwnGoals {
       }
     }
 
-    private Petition open(Formula effect) {
-      Petition opened =
-          new Petition(
+    private DelegatedGoal open(Formula effect) {
+      DelegatedGoal opened =
+          new DelegatedGoal(
               agent,
               effect,
               petitionId -> journal.write(new JournalEntry.Asked(id, petitionId, effect)),
@@ -290,7 +292,7 @@ public final class OwnGoals {
       return attempts < MOST_ATTEMPTS ? lacking.of(goal) : goal;
     }
 
-    private void answered(Petition asked, Optional<String> problem) {
+    private void answered(DelegatedGoal asked, Optional<String> problem) {
       petition = Optional.empty();
       if (problem.isPresent()) {
         LOG.info("{} asked in vain for {}: {}", name, asked.effect(), problem.get());
@@ -312,7 +314,7 @@ public final class OwnGoals {
     }
 
     private boolean cancel(String who) {
-      petition.ifPresent(Petition::withdraw);
+      petition.ifPresent(DelegatedGoal::withdraw);
       petition = Optional.empty();
       boolean cancelled = deliberation.coordinator().cancel(id, who);
       tellCentre();

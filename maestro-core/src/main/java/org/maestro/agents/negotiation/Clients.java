@@ -18,7 +18,7 @@ import org.maestro.ontology.home.Home;
 public final class Clients {
   private final KnowledgeBase knowledge;
   private final Function<String, Optional<String>> requesterOf;
-  private final Misconduct story;
+  private final ProtocolViolations story;
   private final Once told = new Once();
 
   /**
@@ -26,7 +26,9 @@ public final class Clients {
    * @param story is told what was refused
    */
   public Clients(
-      KnowledgeBase knowledge, Function<String, Optional<String>> requesterOf, Misconduct story) {
+      KnowledgeBase knowledge,
+      Function<String, Optional<String>> requesterOf,
+      ProtocolViolations story) {
     this.knowledge = knowledge;
     this.requesterOf = requesterOf;
     this.story = story;

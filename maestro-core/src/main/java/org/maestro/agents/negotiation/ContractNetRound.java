@@ -15,15 +15,15 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Vector;
 import java.util.function.Consumer;
-import org.maestro.agents.content.BidReader;
 import org.maestro.agents.content.Orders;
+import org.maestro.agents.content.ProposalReader;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.MaestroAgent;
-import org.maestro.agents.runtime.Patience;
-import org.maestro.coordination.api.Bid;
+import org.maestro.agents.runtime.ProtocolTimeouts;
 import org.maestro.coordination.api.CallForPrices;
-import org.maestro.coordination.api.Market;
+import org.maestro.coordination.api.ContractNet;
+import org.maestro.coordination.api.Proposal;
 import org.maestro.planning.api.Step;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
@@ -45,8 +45,8 @@ final class ContractNetRound extends ContractNetInitiator {
   private final transient CallForPrices call;
   private final transient Map<String, AID> agents;
   private final transient Contracts contracts;
-  private final transient Misconduct misconduct;
-  private final transient Consumer<Market.Tender> closed;
+  private final transient ProtocolViolations misconduct;
+  private final transient Consumer<ContractNet.Round> closed;
   private final transient Map<String, ACLMessage> answers = new LinkedHashMap<>();
   private final transient Map<String, String> memberByKey = new HashMap<>();
   private final transient Map<String, Contracts.Contract> awarded = new LinkedHashMap<>();
@@ -61,8 +61,8 @@ final class ContractNetRound extends ContractNetInitiator {
       CallForPrices call,
       Map<String, AID> agents,
       Contracts contracts,
-      Misconduct misconduct,
-      Consumer<Market.Tender> closed) {
+      ProtocolViolations misconduct,
+      Consumer<ContractNet.Round> closed) {
     super(agent, null);
     this.agent = agent;
     this.call = call;
@@ -121,7 +121,7 @@ final class ContractNetRound extends ContractNetInitiator {
     }
   }
 
-  private Patience patience() {
+  private ProtocolTimeouts patience() {
     return agent.patience();
   }
 
@@ -188,7 +188,7 @@ final class ContractNetRound extends ContractNetInitiator {
             ? " has no agent any more to hold its part"
             : reply.getPerformative() == ACLMessage.FAILURE
                 ? " does not hold its part" + why
-                : " answered the award with " + BidReader.performative(reply) + why);
+                : " answered the award with " + ProposalReader.performative(reply) + why);
   }
 
   private void broken(String member, String how) {
@@ -198,7 +198,7 @@ final class ContractNetRound extends ContractNetInitiator {
 
   /** A reply that nothing was waiting for. */
   private void stray(ACLMessage reply) {
-    String what = BidReader.performative(reply);
+    String what = ProposalReader.performative(reply);
     Optional<String> member =
         agents.entrySet().stream()
             .filter(e -> e.getValue().equals(reply.getSender()))
@@ -253,8 +253,8 @@ final class ContractNetRound extends ContractNetInitiator {
     return super.onEnd();
   }
 
-  private List<Bid> readBids() {
-    List<Bid> bids = new ArrayList<>();
+  private List<Proposal> readBids() {
+    List<Proposal> bids = new ArrayList<>();
     agents
         .keySet()
         .forEach(
@@ -265,9 +265,9 @@ final class ContractNetRound extends ContractNetInitiator {
                     "did not answer the call for prices within "
                         + Replies.seconds(patience().bid());
                 misconduct.noted(call.goalId(), member + " " + silence);
-                bids.add(new Bid(member, Map.of(), Optional.of(silence)));
+                bids.add(new Proposal(member, Map.of(), Optional.of(silence)));
               } else {
-                BidReader reader = new BidReader(member, call.features().get(member));
+                ProposalReader reader = new ProposalReader(member, call.features().get(member));
                 bids.add(reader.read(answer));
                 reader.faults().forEach(fault -> misconduct.noted(call.goalId(), fault));
               }
@@ -276,10 +276,10 @@ final class ContractNetRound extends ContractNetInitiator {
   }
 
   /** Waits for the award between the last response and the acceptances. */
-  private final class Deal extends SimpleBehaviour implements Market.Tender {
+  private final class Deal extends SimpleBehaviour implements ContractNet.Round {
     private static final long serialVersionUID = 1L;
     private boolean announced;
-    private transient List<Bid> bids = List.of();
+    private transient List<Proposal> bids = List.of();
 
     @Override
     public void action() {
@@ -320,7 +320,7 @@ final class ContractNetRound extends ContractNetInitiator {
     }
 
     @Override
-    public List<Bid> bids() {
+    public List<Proposal> bids() {
       return bids;
     }
 

@@ -11,13 +11,13 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.agents.content.AccountWords;
-import org.maestro.agents.content.BidReader;
 import org.maestro.agents.content.Orders;
+import org.maestro.agents.content.ProposalReader;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.sl.Content;
 import org.maestro.sl.SlSyntaxException;
@@ -28,15 +28,15 @@ import org.maestro.sl.Term;
  * report within the step's time and a grace; one that does not is called off and reported as
  * failed. The order may be sent before the contract is settled only if there is none.
  */
-public final class OrderUnderway implements Crew.Performance {
+public final class OrderUnderway implements ActionDispatcher.Handle {
   private static final Optional<String> NO_REASON = Optional.of("no reason given");
 
   private final MaestroAgent agent;
   private final Supplier<Optional<AID>> receiver;
-  private final Crew.Order order;
+  private final ActionDispatcher.Request order;
   private final Optional<String> client;
-  private final Misconduct misconduct;
-  private Consumer<Crew.Report> reported = report -> {};
+  private final ProtocolViolations misconduct;
+  private Consumer<ActionDispatcher.Report> reported = report -> {};
   private Optional<String> conversation = Optional.empty();
   private Optional<AID> addressee = Optional.empty();
   private Optional<Duration> aliveAt = Optional.empty();
@@ -51,9 +51,9 @@ public final class OrderUnderway implements Crew.Performance {
   OrderUnderway(
       MaestroAgent agent,
       Supplier<Optional<AID>> receiver,
-      Crew.Order order,
+      ActionDispatcher.Request order,
       Optional<String> client,
-      Misconduct misconduct) {
+      ProtocolViolations misconduct) {
     this.agent = agent;
     this.receiver = receiver;
     this.order = order;
@@ -61,7 +61,7 @@ public final class OrderUnderway implements Crew.Performance {
     this.misconduct = misconduct;
   }
 
-  void reportTo(Consumer<Crew.Report> listener) {
+  void reportTo(Consumer<ActionDispatcher.Report> listener) {
     reported = listener;
   }
 
@@ -163,7 +163,7 @@ public final class OrderUnderway implements Crew.Performance {
   private void late(ACLMessage reply) {
     note(
         "sent "
-            + BidReader.performative(reply)
+            + ProposalReader.performative(reply)
             + " for "
             + feature()
             + " after that was over; ignored");
@@ -208,7 +208,7 @@ public final class OrderUnderway implements Crew.Performance {
     return order.step().feature().name();
   }
 
-  private void report(Crew.Report report) {
+  private void report(ActionDispatcher.Report report) {
     if (!over) {
       over = true;
       reported.accept(report);
@@ -238,7 +238,7 @@ public final class OrderUnderway implements Crew.Performance {
     agent.send(cancel);
   }
 
-  private Crew.Report read(ACLMessage reply) {
+  private ActionDispatcher.Report read(ACLMessage reply) {
     if (Replies.isFromPlatform(reply)) {
       return failed(member() + " has no agent any more to do " + feature(), List.of());
     }
@@ -247,10 +247,10 @@ public final class OrderUnderway implements Crew.Performance {
           Words.parse(reply.getContent()).stream().findFirst().map(Words::of).orElseThrow();
       return switch (reply.getPerformative()) {
         case ACLMessage.INFORM ->
-            new Crew.Report(true, words.termsOf("outputs"), Optional.empty(), List.of())
+            new ActionDispatcher.Report(true, words.termsOf("outputs"), Optional.empty(), List.of())
                 .with(AccountWords.account(words));
         case ACLMessage.FAILURE, ACLMessage.REFUSE ->
-            new Crew.Report(
+            new ActionDispatcher.Report(
                 false,
                 Map.of(),
                 words.string("problem").or(() -> words.string("reason")).or(() -> NO_REASON),
@@ -267,17 +267,17 @@ public final class OrderUnderway implements Crew.Performance {
     }
   }
 
-  private Crew.Report unreadable(ACLMessage reply) {
+  private ActionDispatcher.Report unreadable(ACLMessage reply) {
     String content = reply.getContent() == null ? "" : Replies.shortened(reply.getContent());
     String what = "reported " + feature() + " unreadably (" + content + ")";
     note(what);
     return failed(member() + " " + what, List.of());
   }
 
-  private Crew.Report misunderstood(ACLMessage reply) {
+  private ActionDispatcher.Report misunderstood(ACLMessage reply) {
     String why = Replies.reason(reply).map(Replies::shortened).map(r -> ": " + r).orElse("");
     String what =
-        "answered the order of " + feature() + " with " + BidReader.performative(reply) + why;
+        "answered the order of " + feature() + " with " + ProposalReader.performative(reply) + why;
     note(what);
     return failed(member() + " " + what, List.of());
   }
@@ -294,7 +294,7 @@ public final class OrderUnderway implements Crew.Performance {
     return refs;
   }
 
-  public static Crew.Report failed(String problem, List<FeatureRun.Learnt> refs) {
-    return new Crew.Report(false, Map.of(), Optional.of(problem), refs);
+  public static ActionDispatcher.Report failed(String problem, List<FeatureRun.Learnt> refs) {
+    return new ActionDispatcher.Report(false, Map.of(), Optional.of(problem), refs);
   }
 }

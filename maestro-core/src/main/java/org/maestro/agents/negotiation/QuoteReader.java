@@ -6,11 +6,11 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import org.maestro.agents.content.BidReader;
+import org.maestro.agents.content.ProposalReader;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.Conversations;
-import org.maestro.coordination.api.Market.Quote;
+import org.maestro.coordination.api.ContractNet.Quote;
 import org.maestro.sl.Content;
 import org.maestro.sl.SlSyntaxException;
 import org.maestro.sl.Term;
@@ -51,7 +51,7 @@ final class QuoteReader {
               "answered what "
                   + feature
                   + " would cost with "
-                  + BidReader.performative(reply)
+                  + ProposalReader.performative(reply)
                   + ": "
                   + reason);
     };
@@ -98,8 +98,8 @@ final class QuoteReader {
     if (numbers.size() == 2
         && numbers.get(0) instanceof Term.Number cost
         && numbers.get(1) instanceof Term.Number seconds
-        && BidReader.isPrice(cost.value())
-        && BidReader.isPrice(seconds.value())) {
+        && ProposalReader.isPrice(cost.value())
+        && ProposalReader.isPrice(seconds.value())) {
       return new Quote.Priced(cost.value(), seconds.value());
     }
     String fault =

@@ -3,19 +3,19 @@ package org.maestro.agents.negotiation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.maestro.coordination.api.Bid;
-import org.maestro.coordination.api.Market;
+import org.maestro.coordination.api.ContractNet;
+import org.maestro.coordination.api.Proposal;
 import org.maestro.planning.api.Step;
 
 /** A round with the bids of those who were not asked. */
-record WithOthers(Market.Tender round, List<Bid> others) implements Market.Tender {
+record WithOthers(ContractNet.Round round, List<Proposal> others) implements ContractNet.Round {
   WithOthers {
     others = List.copyOf(others);
   }
 
   @Override
-  public List<Bid> bids() {
-    List<Bid> all = new ArrayList<>(round.bids());
+  public List<Proposal> bids() {
+    List<Proposal> all = new ArrayList<>(round.bids());
     all.addAll(others);
     return List.copyOf(all);
   }

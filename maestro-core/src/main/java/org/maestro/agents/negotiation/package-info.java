@@ -1,6 +1,6 @@
 /**
- * The FIPA contract net and orders over ACL (M76): calls for proposals, contracts, orders and
- * their reports. Calls for prices and orders of the coordination flow in; bids, and the reason of
- * each silence and refusal, flow out. It knows no plan.
+ * The FIPA contract net and orders over ACL (M76): calls for proposals, contracts, orders and their
+ * reports. Calls for prices and orders of the coordination flow in; bids, and the reason of each
+ * silence and refusal, flow out. It knows no plan.
  */
 package org.maestro.agents.negotiation;

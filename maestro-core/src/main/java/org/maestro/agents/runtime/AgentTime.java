@@ -10,13 +10,13 @@ import org.maestro.rats.time.Clock;
  *
  * @param mail what carries their messages on a stepped clock; empty on a paced one, where JADE does
  */
-public record AgentTime(Clock clock, Optional<SteppedMail> mail, Patience patience) {
+public record AgentTime(Clock clock, Optional<SteppedMail> mail, ProtocolTimeouts patience) {
 
   public static AgentTime of(Clock clock) {
-    return of(clock, Patience.standard());
+    return of(clock, ProtocolTimeouts.standard());
   }
 
-  public static AgentTime of(Clock clock, Patience patience) {
+  public static AgentTime of(Clock clock, ProtocolTimeouts patience) {
     return new AgentTime(
         clock,
         clock.isStepped() ? Optional.of(new SteppedMail(clock)) : Optional.empty(),

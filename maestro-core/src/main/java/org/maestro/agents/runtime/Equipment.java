@@ -14,7 +14,7 @@ final class Equipment {
   final CountDownLatch started = new CountDownLatch(1);
   final IdleDetector idleDetector;
   final Conversations conversations;
-  final Protest protest;
+  final NotUnderstoodReplier protest;
   final Inbox inbox;
   final Reception reception;
 
@@ -27,7 +27,7 @@ final class Equipment {
     this.tickets = new WorkTickets(time.clock(), agent.getClass().getSimpleName());
     this.idleDetector = new IdleDetector(tickets, started::countDown);
     this.conversations = new Conversations(agent, thread, time);
-    this.protest = new Protest(agent);
+    this.protest = new NotUnderstoodReplier(agent);
     this.inbox = new Inbox(agent, thread, time.clock(), tickets, idleDetector);
     this.reception =
         new Reception(

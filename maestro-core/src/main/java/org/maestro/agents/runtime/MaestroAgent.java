@@ -104,7 +104,7 @@ public abstract class MaestroAgent extends Agent {
   }
 
   /** How long this agent waits for others. */
-  public final Patience patience() {
+  public final ProtocolTimeouts patience() {
     return equipment.time.patience();
   }
 

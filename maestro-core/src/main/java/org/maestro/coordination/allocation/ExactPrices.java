@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
-import org.maestro.coordination.api.Market.Quote;
+import org.maestro.coordination.api.ContractNet.Quote;
 import org.maestro.planning.api.PricedFeature.ExactPrice;
 import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Term;

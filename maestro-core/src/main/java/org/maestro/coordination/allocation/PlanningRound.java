@@ -13,15 +13,15 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.maestro.coordination.api.Bid;
 import org.maestro.coordination.api.CallArguments;
 import org.maestro.coordination.api.CallForPrices;
-import org.maestro.coordination.api.Market;
+import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Proposal;
 import org.maestro.coordination.api.Roster;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.facts.Confirmation;
-import org.maestro.coordination.facts.FindingOut;
+import org.maestro.coordination.facts.EpistemicGoal;
 import org.maestro.coordination.facts.Relevance;
 import org.maestro.coordination.facts.Sensing;
 import org.maestro.coordination.lessons.Experience;
@@ -60,13 +60,13 @@ public final class PlanningRound {
       String goalId, Formula goal, Optional<Confirmation> confirmation, boolean findingOut) {
     public Formula planned(Home home) {
       return findingOut
-          ? FindingOut.goal(goal, home.vocabulary())
+          ? EpistemicGoal.goal(goal, home.vocabulary())
           : confirmation.map(c -> c.goal(goal)).orElse(goal);
     }
 
     Formula relevant(Home home) {
       boolean ofPlaces = confirmation.filter(c -> !c.things().isEmpty()).isPresent();
-      return findingOut || ofPlaces ? FindingOut.relevant(goal, home.vocabulary()) : goal;
+      return findingOut || ofPlaces ? EpistemicGoal.relevant(goal, home.vocabulary()) : goal;
     }
 
     /** Whether it matters who has seen what. */
@@ -93,7 +93,7 @@ public final class PlanningRound {
    *     on
    */
   public record Ended(
-      Tenders tender,
+      CandidateProposals tender,
       PlanningResult result,
       List<PricedFeature> features,
       int questions,
@@ -103,7 +103,7 @@ public final class PlanningRound {
     /** A sentence about those who might have helped, and named no price. */
     public Optional<String> notCountedOn() {
       List<String> others = new ArrayList<>();
-      for (Bid bid : tender.bids()) {
+      for (Proposal bid : tender.bids()) {
         bid.refusal().ifPresent(reason -> others.add(bid.member() + " (" + reason + ")"));
       }
       others.addAll(unpriced);
@@ -133,7 +133,7 @@ public final class PlanningRound {
   private final Set<String> unpriced = new LinkedHashSet<>();
   private final Set<StepKey> declined = new HashSet<>();
   private final Map<StepKey, String> reasons = new HashMap<>();
-  private Tenders tenders;
+  private CandidateProposals proposals;
   private int questions;
   private int lastChances;
 
@@ -171,8 +171,8 @@ public final class PlanningRound {
     Home home = ports.knowledge().home();
     Map<String, List<String>> candidates = candidates(home);
     candidates.keySet().removeAll(without);
-    tenders = new Tenders(candidates, roster);
-    Set<String> first = tenders.atFirst();
+    proposals = new CandidateProposals(candidates, roster);
+    Set<String> first = proposals.atFirst();
     if (first.isEmpty()) {
       solve();
     } else {
@@ -196,17 +196,17 @@ public final class PlanningRound {
 
   private void call(Set<String> members, Runnable answered) {
     ports
-        .market()
+        .contractNet()
         .callForPrices(
-            new CallForPrices(subject.goalId(), subject.goal(), tenders.featuresOf(members)),
+            new CallForPrices(subject.goalId(), subject.goal(), proposals.featuresOf(members)),
             round -> {
-              tenders.add(members, round);
+              proposals.add(members, round);
               answered.run();
             });
   }
 
   private List<PricedFeature> features(Home home) {
-    return experience.reliable(tenders.features(home, exactPrices)).stream()
+    return experience.reliable(proposals.features(home, exactPrices)).stream()
         .map(feature -> subject.feature(feature, home))
         .toList();
   }
@@ -222,7 +222,7 @@ public final class PlanningRound {
         new PlanningTask(
                 subject.vocabulary(home), facts.get(), features, subject.planned(home), unusable)
             .withUnavailable(unavailable(home), Map.copyOf(reasons));
-    boolean explaining = tenders.allCalled() && !isTrial() && !subject.isOfSeeing();
+    boolean explaining = proposals.allCalled() && !isTrial() && !subject.isOfSeeing();
     ports
         .thinking()
         .think(() -> planned(task, explaining), result -> planned(task, result, home, snapshot));
@@ -235,7 +235,7 @@ public final class PlanningRound {
   /** Nothing is to be planned again when those who are called now only say what they describe. */
   private void planned(PlanningTask task, PlanningResult result, Home home, Snapshot snapshot) {
     boolean failedTrial = isTrial() && !(result instanceof PlanningResult.Found);
-    Set<String> wanted = failedTrial ? Set.of() : tenders.wantedFor(result);
+    Set<String> wanted = failedTrial ? Set.of() : proposals.wantedFor(result);
     if (wanted.isEmpty()) {
       solved(task, result, home, snapshot);
       return;
@@ -282,7 +282,7 @@ public final class PlanningRound {
         solve();
       } else {
         then.accept(
-            new Ended(tenders, result, task.features(), questions, List.copyOf(unpriced), task));
+            new Ended(proposals, result, task.features(), questions, List.copyOf(unpriced), task));
       }
       return;
     }
@@ -293,7 +293,7 @@ public final class PlanningRound {
         (memberAndFeature, steps) -> {
           questions += steps.size();
           ports
-              .market()
+              .contractNet()
               .exactPrices(
                   memberAndFeature.get(0),
                   memberAndFeature.get(1),
@@ -322,12 +322,15 @@ public final class PlanningRound {
   }
 
   private void note(
-      List<Step> steps, List<Market.Quote> quotes, Duration asked, Set<Step> trusted) {
+      List<Step> steps, List<ContractNet.Quote> quotes, Duration asked, Set<Step> trusted) {
     for (int i = 0; i < steps.size(); i++) {
       Step step = steps.get(i);
-      Market.Quote quote =
-          i < quotes.size() ? quotes.get(i) : new Market.Quote.Unanswered("named too few prices");
-      if (quote instanceof Market.Quote.Priced priced && priced.cost() < step.cost() - SAME_PRICE) {
+      ContractNet.Quote quote =
+          i < quotes.size()
+              ? quotes.get(i)
+              : new ContractNet.Quote.Unanswered("named too few prices");
+      if (quote instanceof ContractNet.Quote.Priced priced
+          && priced.cost() < step.cost() - SAME_PRICE) {
         unpriced.add(
             "%s (%s: it names %s, and had said at least %s, which counts)"
                 .formatted(
@@ -335,14 +338,14 @@ public final class PlanningRound {
                     step.feature().name(),
                     Sentences.number(priced.cost()),
                     Sentences.number(step.cost())));
-        quote = new Market.Quote.Priced(step.cost(), priced.seconds());
+        quote = new ContractNet.Quote.Priced(step.cost(), priced.seconds());
       }
-      if (quote instanceof Market.Quote.Declined declined) {
+      if (quote instanceof ContractNet.Quote.Declined declined) {
         decline(step, asked, trusted.contains(step));
         reasons.put(step.key(), "it names no price: " + declined.reason());
         unpriced.add(
             "%s (%s: %s)".formatted(step.member(), step.feature().name(), declined.reason()));
-      } else if (quote instanceof Market.Quote.Unanswered unanswered) {
+      } else if (quote instanceof ContractNet.Quote.Unanswered unanswered) {
         exactPrices.put(step.key(), quote, asked, ports.clock().now());
         reasons.put(step.key(), unanswered.reason());
         unpriced.add("%s (%s)".formatted(step.member(), unanswered.reason()));
@@ -364,7 +367,7 @@ public final class PlanningRound {
     } else {
       exactPrices.put(
           step.key(),
-          new Market.Quote.Priced(step.cost(), step.seconds()),
+          new ContractNet.Quote.Priced(step.cost(), step.seconds()),
           asked,
           ports.clock().now());
     }
@@ -378,15 +381,15 @@ public final class PlanningRound {
   /** Features that would count if their members were there, or took part. */
   private List<Unavailable> unavailable(Home home) {
     List<Unavailable> unavailable = new ArrayList<>();
-    for (Unavailable left : experience.unreliable(tenders.features(home, exactPrices))) {
+    for (Unavailable left : experience.unreliable(proposals.features(home, exactPrices))) {
       unavailable.add(new Unavailable(subject.feature(left.feature(), home), left.reason()));
     }
-    for (String member : tenders.missing()) {
+    for (String member : proposals.missing()) {
       Device device = home.devices().get(member);
       if (device != null) {
         String reason = absence(member);
         device.features().stream()
-            .filter(type -> tenders.candidateFeatures(member).contains(type.name()))
+            .filter(type -> proposals.candidateFeatures(member).contains(type.name()))
             .map(type -> new PricedFeature(member, type, type.cost(), Map.of()))
             .forEach(f -> unavailable.add(new Unavailable(subject.feature(f, home), reason)));
       }
@@ -398,7 +401,7 @@ public final class PlanningRound {
     if (!roster.isPresent(member)) {
       return roster.absence(member, ports.clock().now());
     }
-    return tenders
+    return proposals
         .bid(member)
         .map(b -> "it refuses: " + b.refusal().orElse("no reason given"))
         .orElse("it did not answer");

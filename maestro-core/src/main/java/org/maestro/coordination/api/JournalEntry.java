@@ -59,7 +59,7 @@ public sealed interface JournalEntry {
    */
   record Begun(
       String goalId,
-      Crew.Call call,
+      ActionDispatcher.Call call,
       StepKey step,
       int number,
       double seconds,
@@ -160,7 +160,7 @@ public sealed interface JournalEntry {
   /**
    * A member can be used.
    *
-   * @param life see {@link Crew.Call}
+   * @param life see {@link ActionDispatcher.Call}
    */
   record MemberCame(String member, Optional<String> life) implements JournalEntry {}
 

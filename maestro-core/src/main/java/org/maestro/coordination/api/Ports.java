@@ -14,8 +14,8 @@ import org.maestro.rats.time.Clock;
 public record Ports(
     KnowledgeBase knowledge,
     Planner planner,
-    Market market,
-    Crew crew,
+    ContractNet contractNet,
+    ActionDispatcher dispatcher,
     Thinking thinking,
     Clock clock,
     Story story,
@@ -28,38 +28,57 @@ public record Ports(
   public Ports(
       KnowledgeBase knowledge,
       Planner planner,
-      Market market,
-      Crew crew,
+      ContractNet contractNet,
+      ActionDispatcher dispatcher,
       Thinking thinking,
       Clock clock,
       Story story,
       Journal journal) {
-    this(knowledge, planner, market, crew, thinking, clock, story, journal, USUAL_COMEBACK);
+    this(
+        knowledge,
+        planner,
+        contractNet,
+        dispatcher,
+        thinking,
+        clock,
+        story,
+        journal,
+        USUAL_COMEBACK);
   }
 
   /** Of a coordinator that keeps no journal. */
   public Ports(
       KnowledgeBase knowledge,
       Planner planner,
-      Market market,
-      Crew crew,
+      ContractNet contractNet,
+      ActionDispatcher dispatcher,
       Thinking thinking,
       Clock clock,
       Story story) {
-    this(knowledge, planner, market, crew, thinking, clock, story, Journal.none());
+    this(knowledge, planner, contractNet, dispatcher, thinking, clock, story, Journal.none());
   }
 
   public Ports with(Planner other) {
-    return new Ports(knowledge, other, market, crew, thinking, clock, story, journal, comeback);
+    return new Ports(
+        knowledge, other, contractNet, dispatcher, thinking, clock, story, journal, comeback);
   }
 
-  public Ports with(Crew other) {
-    return new Ports(knowledge, planner, market, other, thinking, clock, story, journal, comeback);
+  public Ports with(ActionDispatcher other) {
+    return new Ports(
+        knowledge, planner, contractNet, other, thinking, clock, story, journal, comeback);
   }
 
   /** For work that can wait a moment. */
   public Ports patient() {
     return new Ports(
-        knowledge, planner, market, crew, thinking.patient(), clock, story, journal, comeback);
+        knowledge,
+        planner,
+        contractNet,
+        dispatcher,
+        thinking.patient(),
+        clock,
+        story,
+        journal,
+        comeback);
   }
 }

@@ -3,7 +3,6 @@ package org.maestro.coordination.api;
 import java.time.Duration;
 import java.util.List;
 import java.util.OptionalDouble;
-import org.maestro.coordination.facts.Look;
 import org.maestro.planning.api.PlanningResult.Obstacle;
 
 /**

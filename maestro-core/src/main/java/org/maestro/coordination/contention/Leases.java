@@ -16,8 +16,8 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import org.maestro.coordination.api.GoalPriority;
 import org.maestro.coordination.api.Resource;
-import org.maestro.coordination.api.Standing;
 import org.maestro.coordination.api.WaitsFor;
 
 /**
@@ -26,7 +26,7 @@ import org.maestro.coordination.api.WaitsFor;
  * each other in a circle. A step has what it uses, and the individuals it claims, while it runs.
  */
 public final class Leases {
-  private final Map<String, Standing> standings = new LinkedHashMap<>();
+  private final Map<String, GoalPriority> standings = new LinkedHashMap<>();
   private final Map<Resource, String> keepers = new TreeMap<>();
   private final Map<Resource, Run> runs = new TreeMap<>();
   private final Map<String, Wait> waits = new LinkedHashMap<>();
@@ -44,7 +44,7 @@ public final class Leases {
     this.wake = wake;
   }
 
-  void enter(String goal, Standing standing) {
+  void enter(String goal, GoalPriority standing) {
     standings.put(goal, standing);
   }
 
@@ -209,7 +209,7 @@ public final class Leases {
 
   /** The goals that stand in the queue for the resource before this one. */
   List<String> before(String goal, Resource resource) {
-    Standing mine = standing(goal);
+    GoalPriority mine = standing(goal);
     return waits.entrySet().stream()
         .filter(e -> !e.getKey().equals(goal) && e.getValue().wanted().contains(resource))
         .map(Map.Entry::getKey)
@@ -262,22 +262,22 @@ public final class Leases {
         || next != null && next.wanted().contains(edge.resource());
   }
 
-  public Standing ownStanding(String goal) {
-    return standings.getOrDefault(goal, new Standing(0, Optional.empty(), 0));
+  public GoalPriority ownStanding(String goal) {
+    return standings.getOrDefault(goal, new GoalPriority(0, Optional.empty(), 0));
   }
 
   /** A goal goes as early as the first of those that wait for it. */
-  public Standing standing(String goal) {
+  public GoalPriority standing(String goal) {
     return standing(goal, new HashSet<>());
   }
 
   /** The same, as if this one did not wait. */
-  public Standing standingWithout(String goal, String waiter) {
+  public GoalPriority standingWithout(String goal, String waiter) {
     return standing(goal, new HashSet<>(Set.of(waiter)));
   }
 
-  private Standing standing(String goal, Set<String> passed) {
-    Standing own = ownStanding(goal);
+  private GoalPriority standing(String goal, Set<String> passed) {
+    GoalPriority own = ownStanding(goal);
     int priority = own.priority();
     passed.add(goal);
     for (Map.Entry<String, Wait> wait : waits.entrySet()) {

@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
-import org.maestro.coordination.api.Crew;
-import org.maestro.coordination.facts.FactsBesideSteps;
+import org.maestro.coordination.api.ActionDispatcher;
+import org.maestro.coordination.facts.FactsMaskedByRunningSteps;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.planning.api.Step;
 import org.maestro.planning.api.StepKey;
@@ -21,14 +21,14 @@ import org.maestro.sl.Term;
  */
 public final class StepsUnderway {
   private final Map<StepKey, Underway> underway = new LinkedHashMap<>();
-  private final Map<StepKey, FactsBesideSteps.Handled> handled = new HashMap<>();
+  private final Map<StepKey, FactsMaskedByRunningSteps.Handled> handled = new HashMap<>();
   private final Set<StepKey> calledOff = new LinkedHashSet<>();
   private final Set<StepKey> offeredFor = new LinkedHashSet<>();
   private final Set<StepKey> ending = new LinkedHashSet<>();
 
-  private record Underway(Step step, Snapshot before, Crew.Performance performance) {}
+  private record Underway(Step step, Snapshot before, ActionDispatcher.Handle performance) {}
 
-  public void begun(Step step, Snapshot before, Crew.Performance performance) {
+  public void begun(Step step, Snapshot before, ActionDispatcher.Handle performance) {
     underway.put(step.key(), new Underway(step, before, performance));
   }
 
@@ -114,7 +114,7 @@ public final class StepsUnderway {
   }
 
   /** Tells what these steps are just changing. */
-  void addTo(FactsBesideSteps facts) {
+  void addTo(FactsMaskedByRunningSteps facts) {
     underway.forEach(
         (key, u) ->
             facts.add(handled.computeIfAbsent(key, k -> facts.handled(u.step(), u.before()))));

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.facts.FactsUnder;
@@ -51,14 +51,14 @@ public final class FailureMemory {
       String facts,
       String problem,
       List<FeatureRun.Learnt> taught,
-      Optional<Crew.Refusal> refusal) {
+      Optional<ActionDispatcher.Refusal> refusal) {
     Optional<JournalEntry.Failed> before =
         Optional.ofNullable(failures.get(step))
             .filter(failed -> FactsUnder.areSame(failed.facts(), facts));
     int count = before.map(failed -> failed.count() + 1).orElse(1);
     int chances = before.map(JournalEntry.Failed::chances).orElse(CHANCES);
     if (refusal.isPresent() && chances < WITH_THE_LAST) {
-      chances = refusal.get() == Crew.Refusal.FOR_NOW ? 1 : WITH_THE_LAST;
+      chances = refusal.get() == ActionDispatcher.Refusal.FOR_NOW ? 1 : WITH_THE_LAST;
       count = Math.max(count, chances);
     }
     remember(

@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
-import org.maestro.coordination.api.Crew;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
@@ -73,7 +73,7 @@ public final class FormerCalls {
   }
 
   /** The order as it was given before; only for a call without an obstacle. */
-  public Crew.Order order(Recovery.UnfinishedCall call) {
+  public ActionDispatcher.Request order(Recovery.UnfinishedCall call) {
     JournalEntry.Begun begun = call.begun();
     Step step =
         new Step(
@@ -85,7 +85,7 @@ public final class FormerCalls {
             begun.seconds(),
             true,
             Set.of());
-    return new Crew.Order(
+    return new ActionDispatcher.Request(
         begun.goalId(), step, begun.parameters(), begun.timeout(), Optional.of(begun.call()));
   }
 
@@ -95,6 +95,6 @@ public final class FormerCalls {
     ports
         .journal()
         .write(new JournalEntry.Ended(begun.goalId(), begun.call().id(), Optional.of(why)));
-    ports.crew().callOff(begun.step().member(), begun.call());
+    ports.dispatcher().callOff(begun.step().member(), begun.call());
   }
 }

@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.maestro.coordination.api.Bid;
+import org.maestro.coordination.api.Proposal;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.api.Choice;
@@ -20,7 +20,7 @@ import org.maestro.planning.explanation.ChoiceSearch;
  *
  * @param questions exact prices asked
  */
-public record Decision(PlanningTask task, Plan plan, List<Bid> bids, int questions) {
+public record Decision(PlanningTask task, Plan plan, List<Proposal> bids, int questions) {
   private static final long BYTES = 4_096;
   private static final long BYTES_OF_A_PRICE = 768;
   private static final long BYTES_OF_A_REASON = 256;
@@ -65,7 +65,7 @@ public record Decision(PlanningTask task, Plan plan, List<Bid> bids, int questio
     if (choice.others().isEmpty()) {
       told.add("Nobody else that was asked could take part in it.");
     }
-    for (Bid bid : bids) {
+    for (Proposal bid : bids) {
       bid.refusal()
           .ifPresent(
               reason ->

@@ -7,10 +7,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.maestro.coordination.api.Bid;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.JournalEntry;
+import org.maestro.coordination.api.Proposal;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.SearchReport;
 import org.maestro.coordination.api.Sentences;
@@ -40,7 +40,7 @@ public final class GoalStory {
   private final Story story;
   private final Clock clock;
   private final KnowledgeBase knowledge;
-  private final BidSentences bids = new BidSentences();
+  private final ProposalSentences bids = new ProposalSentences();
 
   public GoalStory(String goalId, Story story, Clock clock, KnowledgeBase knowledge) {
     this.goalId = goalId;
@@ -159,7 +159,7 @@ public final class GoalStory {
                 step.member(), step.number(), sentence(step), Sentences.withoutFullStop(reason)));
   }
 
-  public void bids(List<Bid> called, int notCalled, int questions, List<String> unpriced) {
+  public void bids(List<Proposal> called, int notCalled, int questions, List<String> unpriced) {
     tell(StoryEntry.Kind.BIDS, bids.of(called, notCalled, questions, unpriced));
   }
 

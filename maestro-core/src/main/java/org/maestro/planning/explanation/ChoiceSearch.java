@@ -16,7 +16,7 @@ import org.maestro.planning.api.PlanningTask;
 import org.maestro.planning.api.PricedFeature;
 import org.maestro.planning.api.Step;
 import org.maestro.planning.api.StepKey;
-import org.maestro.planning.problem.Deed;
+import org.maestro.planning.problem.EffectSignature;
 import org.maestro.planning.problem.Quantity;
 
 /**
@@ -38,7 +38,7 @@ public final class ChoiceSearch {
    * @param task for which the plan was made
    */
   public Choice of(PlanningTask task, Plan plan, Step step) {
-    Set<Deed> wanted = Deed.of(step.feature().effect());
+    Set<EffectSignature> wanted = EffectSignature.of(step.feature().effect());
     Set<String> open = new LinkedHashSet<>();
     for (PricedFeature feature : task.features()) {
       if (bringsAbout(feature.type(), wanted)) {
@@ -91,7 +91,7 @@ public final class ChoiceSearch {
 
   /** Who does a step of the kind in the new plan that it did not do in the old one. */
   private static Optional<String> newcomer(
-      Plan now, Plan before, Set<String> open, Set<Deed> wanted) {
+      Plan now, Plan before, Set<String> open, Set<EffectSignature> wanted) {
     Set<StepKey> old = new LinkedHashSet<>();
     before.steps().forEach(step -> old.add(step.key()));
     return now.steps().stream()
@@ -103,7 +103,7 @@ public final class ChoiceSearch {
   }
 
   /** Any of it: a lamp and a shutter are in each other's place for the light, not for a level. */
-  private static boolean bringsAbout(FeatureType feature, Set<Deed> wanted) {
-    return Deed.of(feature.effect()).stream().anyMatch(wanted::contains);
+  private static boolean bringsAbout(FeatureType feature, Set<EffectSignature> wanted) {
+    return EffectSignature.of(feature.effect()).stream().anyMatch(wanted::contains);
   }
 }

@@ -58,7 +58,7 @@ public final class FailureExplanation {
   private final GroundProblem base;
   private final Map<Condition, Obstacle> obstacles = new LinkedHashMap<>();
   private final Map<Condition, Double> weights = new LinkedHashMap<>();
-  private final CureSearch search;
+  private final ExcuseSearch search;
   private final NumberLimits limits;
 
   private FailureExplanation(
@@ -89,7 +89,7 @@ public final class FailureExplanation {
         weights.put(leaf, weight(leaf, obstacle) + (isGoalItself ? GOAL_ITSELF : 0));
       }
     }
-    this.search = new CureSearch(base, anyFeature, Effort.forBestPlan(mostStates));
+    this.search = new ExcuseSearch(base, anyFeature, Effort.forBestPlan(mostStates));
     this.limits = new NumberLimits(base, toBeHad);
   }
 
@@ -157,7 +157,7 @@ public final class FailureExplanation {
   private Explanation explanation() {
     Map<Condition, Double> tried = new LinkedHashMap<>(weights);
     for (int attempt = 0; attempt < MOST_ATTEMPTS; attempt++) {
-      if (!(search.run(tried, Set.of()) instanceof CureSearch.Outcome.Found found)) {
+      if (!(search.run(tried, Set.of()) instanceof ExcuseSearch.Outcome.Found found)) {
         break;
       }
       List<Obstacle> named = named(found.neededBy());
@@ -205,7 +205,7 @@ public final class FailureExplanation {
     List<Cure> cures = new ArrayList<>();
     List<Obstacle> given = others.stream().map(obstacles::get).toList();
     for (int i = 0; i < MOST_CURES; i++) {
-      if (!(search.run(open, others) instanceof CureSearch.Outcome.Found found)) {
+      if (!(search.run(open, others) instanceof ExcuseSearch.Outcome.Found found)) {
         break;
       }
       double total = found.neededBy().keySet().stream().mapToDouble(open::get).sum();

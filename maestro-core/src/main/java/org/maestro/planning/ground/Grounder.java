@@ -18,7 +18,7 @@ public final class Grounder implements GrowingTask {
   private BigDecimal unit = BigDecimal.ONE;
   private GroundTask ground;
 
-  private Grounder(LiftedTask task, Patience patience) {
+  private Grounder(LiftedTask task, GroundingBudget patience) {
     this.task = task;
     int symbols = task.predicates().size();
     changing = new boolean[symbols];
@@ -47,7 +47,7 @@ public final class Grounder implements GrowingTask {
    * @throws java.util.concurrent.CancellationException when patience is over before
    * @throws GroundingException when the task is of a kind that cannot be solved
    */
-  public static GroundTask ground(LiftedTask task, Patience patience) {
+  public static GroundTask ground(LiftedTask task, GroundingBudget patience) {
     Grounder grounder = new Grounder(task, patience);
     grounder.number(Double.POSITIVE_INFINITY, patience);
     return grounder.ground;
@@ -60,7 +60,7 @@ public final class Grounder implements GrowingTask {
    * @throws java.util.concurrent.CancellationException when patience is over before
    * @throws GroundingException when the task is of a kind that cannot be solved
    */
-  public static GrowingTask growing(LiftedTask task, Patience patience) {
+  public static GrowingTask growing(LiftedTask task, GroundingBudget patience) {
     Grounder grounder = new Grounder(task, patience);
     grounder.number(0, patience);
     return grounder;
@@ -80,13 +80,13 @@ public final class Grounder implements GrowingTask {
   }
 
   @Override
-  public void grow(long cost, Patience patience) {
+  public void grow(long cost, GroundingBudget patience) {
     if (cost > beyond()) {
       number(cost / ground.unit().doubleValue() * (1 + ROUNDING), patience);
     }
   }
 
-  private void number(double cost, Patience patience) {
+  private void number(double cost, GroundingBudget patience) {
     instances.find(cost, patience);
     Relation[] numbered = new Relation[relations.length];
     Arrays.setAll(

@@ -21,7 +21,7 @@ public interface GrowingTask {
    * @param cost every plan that costs no more, in units of the task, is to have its operators there
    * @throws java.util.concurrent.CancellationException when patience is over before
    */
-  void grow(long cost, Patience patience);
+  void grow(long cost, GroundingBudget patience);
 
   /** A task that is all there. */
   static GrowingTask whole(GroundTask task) {
@@ -37,7 +37,7 @@ public interface GrowingTask {
       }
 
       @Override
-      public void grow(long cost, Patience patience) {
+      public void grow(long cost, GroundingBudget patience) {
         patience.check();
       }
     };

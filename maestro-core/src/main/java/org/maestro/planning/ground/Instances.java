@@ -41,7 +41,7 @@ final class Instances {
 
   private final PriorityQueue<Fact> queue = new PriorityQueue<>();
   private final List<Instance> instances = new ArrayList<>();
-  private Patience patience;
+  private GroundingBudget patience;
   private long sequence;
   private double now;
   private boolean goalReached;
@@ -64,7 +64,7 @@ final class Instances {
       Relation[] relations,
       boolean[] changing,
       RelevantAtoms relevant,
-      Patience patience) {
+      GroundingBudget patience) {
     this.task = task;
     this.relations = relations;
     this.changing = changing;
@@ -123,7 +123,7 @@ final class Instances {
    * @throws java.util.concurrent.CancellationException when patience is over; then this is of no
    *     more use
    */
-  void find(double cost, Patience until) {
+  void find(double cost, GroundingBudget until) {
     patience = until;
     double most = cost;
     while (beyond() < Double.POSITIVE_INFINITY && (!goalReached || beyond() <= most)) {

@@ -22,7 +22,7 @@ final class Numbering {
   private final LiftedTask task;
   private final Relation[] relations;
   private final boolean[] changing;
-  private final Patience patience;
+  private final GroundingBudget patience;
   private final int[] firstFact;
   private final int goalFact;
   private final Map<Integer, Integer> opposites = new LinkedHashMap<>();
@@ -54,7 +54,7 @@ final class Numbering {
       Relation[] relations,
       boolean[] changing,
       BigDecimal coarsestUnit,
-      Patience patience) {
+      GroundingBudget patience) {
     this.coarsestUnit = coarsestUnit;
     this.task = task;
     this.relations = relations;

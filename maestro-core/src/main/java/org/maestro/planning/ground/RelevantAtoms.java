@@ -23,13 +23,13 @@ final class RelevantAtoms {
   private static final int MOST_FURTHER_SPLITS = 12;
 
   private final LiftedTask task;
-  private final Patience patience;
+  private final GroundingBudget patience;
   private final Relation[] statics;
 
   /** Of each predicate the tuples that may ever hold, as far as they are known; or null. */
   private final Relation[] possible;
 
-  private final Spokes spokes;
+  private final MutexGroups spokes;
   private final Patterns holding = new Patterns();
   private final Patterns lacking = new Patterns();
   private final Patterns entered = new Patterns();
@@ -46,7 +46,7 @@ final class RelevantAtoms {
    * @param statics the tuples of predicates that never change; null for the others
    * @throws java.util.concurrent.CancellationException when patience is over
    */
-  RelevantAtoms(LiftedTask task, Relation[] statics, Patience patience) {
+  RelevantAtoms(LiftedTask task, Relation[] statics, GroundingBudget patience) {
     this.patience = patience;
     this.task = task;
     this.statics = statics;
@@ -56,7 +56,7 @@ final class RelevantAtoms {
         possible[symbol] = possible(symbol);
       }
     }
-    this.spokes = new Spokes(task, patience);
+    this.spokes = new MutexGroups(task, patience);
     task.schemas().forEach(schema -> numberOf.put(schema, numberOf.size()));
     List<Atom> initiallyEntered = new ArrayList<>();
     for (Atom atom : task.initial()) {

@@ -8,9 +8,9 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.maestro.planning.problem.Aim;
 import org.maestro.planning.problem.Condition;
 import org.maestro.planning.problem.Operator;
+import org.maestro.planning.problem.VariableValue;
 
 /**
  * What a plan pays at least before it can use an operator: some step has to bring about each
@@ -25,14 +25,14 @@ final class CostAhead {
      *
      * @return the least price of an instance, by the number of the feature
      */
-    Map<Integer, Double> settingPrices(Aim aim);
+    Map<Integer, Double> settingPrices(VariableValue aim);
   }
 
   /** The cheapest step to a condition, and all features that have such steps. */
   private record Way(double cost, Set<Integer> features) {}
 
   private final Source source;
-  private final Map<Aim, Way> ways = new HashMap<>();
+  private final Map<VariableValue, Way> ways = new HashMap<>();
   private final Map<Operator, Double> known = new HashMap<>();
 
   CostAhead(Source source) {
@@ -50,7 +50,7 @@ final class CostAhead {
       if (part instanceof Condition.Literal literal
           && literal.question() == Condition.Question.IS
           && !literal.holdsFor(literal.variable().initialCode())) {
-        needed.add(way(new Aim(literal.variable(), literal.value())));
+        needed.add(way(new VariableValue(literal.variable(), literal.value())));
       }
     }
     needed.sort(Comparator.comparingDouble(Way::cost).reversed());
@@ -65,7 +65,7 @@ final class CostAhead {
     return sum;
   }
 
-  private Way way(Aim aim) {
+  private Way way(VariableValue aim) {
     Way way = ways.get(aim);
     if (way == null) {
       Map<Integer, Double> prices = source.settingPrices(aim);

@@ -18,7 +18,6 @@ import org.maestro.planning.api.PricedFeature;
 import org.maestro.planning.api.Step;
 import org.maestro.planning.api.StepKey;
 import org.maestro.planning.api.Unavailable;
-import org.maestro.planning.problem.Aim;
 import org.maestro.planning.problem.ChainCosts;
 import org.maestro.planning.problem.Condition;
 import org.maestro.planning.problem.GroundGoal;
@@ -26,6 +25,7 @@ import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.Operator;
 import org.maestro.planning.problem.Relevance;
 import org.maestro.planning.problem.StepSentence;
+import org.maestro.planning.problem.VariableValue;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 
@@ -42,7 +42,7 @@ public final class Grounder {
    */
   public record Grounded(GroundProblem problem, double beyond) {}
 
-  private final Groundwork work;
+  private final GroundingCache work;
   private final boolean usesBarred;
   private final GroundGoal goal;
   private final Set<Object> consulted = new HashSet<>();
@@ -50,15 +50,15 @@ public final class Grounder {
   private Set<StepKey> barred;
 
   public Grounder(PlanningTask task) {
-    this(new Groundwork(task), task, false);
+    this(new GroundingCache(task), task, false);
   }
 
   /** One that makes use of what other goals left. */
-  public Grounder(Groundwork work, PlanningTask task) {
+  public Grounder(GroundingCache work, PlanningTask task) {
     this(work, task, false);
   }
 
-  private Grounder(Groundwork work, PlanningTask task, boolean usesBarred) {
+  private Grounder(GroundingCache work, PlanningTask task, boolean usesBarred) {
     this.work = work;
     this.usesBarred = usesBarred;
     this.goal = work.goal(task.goal());
@@ -83,15 +83,15 @@ public final class Grounder {
       features.add(unavailable.feature());
       missing.put(unavailable.feature(), unavailable);
     }
-    Groundwork work =
-        new Groundwork(
+    GroundingCache work =
+        new GroundingCache(
             task, features, features, true, made -> withWhatIsMissing(made, task, missing));
     return new Grounder(work, task, true);
   }
 
   /** One that makes these steps only. */
   public static Grounder forSteps(PlanningTask task, List<Step> steps) {
-    return new Grounder(Groundwork.forSteps(task, steps), task, false);
+    return new Grounder(GroundingCache.forSteps(task, steps), task, false);
   }
 
   /** What the atom or fluent, that was asked before, says something of; empty when it is static. */
@@ -151,7 +151,7 @@ public final class Grounder {
     return new Grounded(GroundProblem.reduced(relevance, goal), chains.beyond());
   }
 
-  private Map<Integer, Double> settingPrices(Aim aim) {
+  private Map<Integer, Double> settingPrices(VariableValue aim) {
     Map<Integer, Double> prices = new TreeMap<>();
     for (int template : work.offers().changing(aim.variable().predicate())) {
       if (work.offers().mayBringAbout(work.offers().feature(template).type(), aim)) {
@@ -172,9 +172,9 @@ public final class Grounder {
   private double changing(Object want, double left, List<Operator> into) {
     double cheapestLeftOut = Double.POSITIVE_INFINITY;
     Offers offers = work.offers();
-    for (int template : offers.changing(Groundwork.name(want))) {
+    for (int template : offers.changing(GroundingCache.name(want))) {
       PricedFeature feature = offers.feature(template);
-      if (want instanceof Aim aim && !offers.mayBringAbout(feature.type(), aim)) {
+      if (want instanceof VariableValue aim && !offers.mayBringAbout(feature.type(), aim)) {
         continue;
       }
       double price = work.leastPrice(feature);

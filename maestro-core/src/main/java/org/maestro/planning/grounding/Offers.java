@@ -10,8 +10,8 @@ import java.util.OptionalInt;
 import java.util.Set;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.planning.api.PricedFeature;
-import org.maestro.planning.problem.Aim;
 import org.maestro.planning.problem.Signature;
+import org.maestro.planning.problem.VariableValue;
 
 /** The features of a task by number. A feature keeps its number while others come and go. */
 final class Offers {
@@ -104,7 +104,7 @@ final class Offers {
   }
 
   /** Only what is not known can be found. */
-  boolean mayBringAbout(FeatureType type, Aim aim) {
+  boolean mayBringAbout(FeatureType type, VariableValue aim) {
     return aim.isFindable()
         || removed.contains(aim.variable().predicate())
         || addedBy

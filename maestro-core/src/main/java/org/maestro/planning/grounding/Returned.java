@@ -12,7 +12,6 @@ import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.api.PricedFeature;
 import org.maestro.planning.api.Unavailable;
-import org.maestro.planning.problem.State;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;

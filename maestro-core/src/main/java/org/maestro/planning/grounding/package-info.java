@@ -1,6 +1,6 @@
 /**
- * Features bound to the things of a home, backwards from the goal: only steps that change
- * something that matters are made. A task and its facts flow in; a ground problem flows out, and
- * what was made is kept for the next goal. It searches nothing.
+ * Features bound to the things of a home, backwards from the goal: only steps that change something
+ * that matters are made. A task and its facts flow in; a ground problem flows out, and what was
+ * made is kept for the next goal. It searches nothing.
  */
 package org.maestro.planning.grounding;

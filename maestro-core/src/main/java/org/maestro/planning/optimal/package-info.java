@@ -1,6 +1,6 @@
 /**
  * The search for the cheapest or soonest plan of a ground problem, with proof: A* with landmark
- * cuts, knapsack bounds, stubborn sets. A ground problem and limits flow in; operators in order,
- * or that there are none, flow out. It knows no feature and no home.
+ * cuts, knapsack bounds, stubborn sets. A ground problem and limits flow in; operators in order, or
+ * that there are none, flow out. It knows no feature and no home.
  */
 package org.maestro.planning.optimal;

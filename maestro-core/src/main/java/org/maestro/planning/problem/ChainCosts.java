@@ -23,8 +23,8 @@ public final class ChainCosts {
   /** Makes the operators that change a variable. */
   public interface Source {
     /**
-     * All operators that bring an {@link Aim} about, or change a {@link Variable} or {@link
-     * NumberVariable}, as far as they cost no more than is left.
+     * All operators that bring an {@link VariableValue} about, or change a {@link Variable} or
+     * {@link NumberVariable}, as far as they cost no more than is left.
      *
      * @return the least cost of those that were left out because they cost more, infinite when
      *     there are none
@@ -92,7 +92,7 @@ public final class ChainCosts {
   }
 
   private static Object target(Object want) {
-    return want instanceof Aim aim ? aim.variable() : want;
+    return want instanceof VariableValue aim ? aim.variable() : want;
   }
 
   /** Whether a plan within the budget may use the operator. */
@@ -169,7 +169,7 @@ public final class ChainCosts {
     if (change instanceof Change.Adjust adjust) {
       adjust.value().forEachVariable(variable -> activate(variable, cost));
     } else if (change instanceof Change.Find find
-        && !new Aim(find.variable(), find.value()).isFindable()) {
+        && !new VariableValue(find.variable(), find.value()).isFindable()) {
       // Only what is not known can be found: something has to end what is known first.
       activate(find.variable(), cost);
     }
@@ -194,7 +194,7 @@ public final class ChainCosts {
       Variable variable = literal.variable();
       need(
           literal.question() == Condition.Question.IS
-              ? new Aim(variable, literal.value())
+              ? new VariableValue(variable, literal.value())
               : variable,
           literal.holdsFor(variable.initialCode()),
           cost);

@@ -72,7 +72,7 @@ public sealed interface Condition {
       };
     }
 
-    /** Spelled out for the reason for which those of {@link Aim} are. */
+    /** Spelled out for the reason for which those of {@link VariableValue} are. */
     @Override
     public boolean equals(Object other) {
       return other instanceof Literal literal

@@ -91,7 +91,7 @@ public record GroundProblem(
     for (Operator operator : operators) {
       for (Change change : operator.changes()) {
         if (change instanceof Change.OfVariable of && !(change instanceof Change.Remove)) {
-          add(operator, new Aim(of.variable(), of.value()), byWant);
+          add(operator, new VariableValue(of.variable(), of.value()), byWant);
         }
       }
     }

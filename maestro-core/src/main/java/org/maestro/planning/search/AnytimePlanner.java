@@ -9,8 +9,8 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
+import org.maestro.planning.ground.GroundingBudget;
 import org.maestro.planning.ground.GrowingTask;
-import org.maestro.planning.ground.Patience;
 import org.maestro.planning.search.Solution.Verdict;
 
 /**
@@ -80,7 +80,7 @@ public final class AnytimePlanner {
   /**
    * Solves the task until the cheapest plan is proven, or patience is over, or memory is used up.
    */
-  public Solution solve(Patience patience) {
+  public Solution solve(GroundingBudget patience) {
     Solution first = first(patience);
     if (!first.hasPlan()) {
       return first;
@@ -106,7 +106,7 @@ public final class AnytimePlanner {
   }
 
   /** Solves the task until a plan is found, or none can exist, or patience is over. */
-  public Solution first(Patience patience) {
+  public Solution first(GroundingBudget patience) {
     try {
       while (!isWhole() && greedy(MOST_STATES_OF_A_PART, patience) != Attempt.FOUND) {
         grow(further(), patience);
@@ -125,7 +125,7 @@ public final class AnytimePlanner {
   }
 
   /** Each search in turn for longer, as which of them finds a plan cannot be foreseen. */
-  private void firstOfWhole(Patience patience) {
+  private void firstOfWhole(GroundingBudget patience) {
     boolean mayGreedy = true;
     boolean mayStar = true;
     double seconds = 0.5;
@@ -165,7 +165,7 @@ public final class AnytimePlanner {
         : Long.MAX_VALUE;
   }
 
-  private void grow(long cost, Patience patience) {
+  private void grow(long cost, GroundingBudget patience) {
     if (cost <= growing.beyond()) {
       return;
     }
@@ -176,14 +176,14 @@ public final class AnytimePlanner {
     progress.accept(() -> "%d operators".formatted(growing.task().operators().size()));
   }
 
-  private SettledTask settled(Patience patience) {
+  private SettledTask settled(GroundingBudget patience) {
     if (settled.isEmpty()) {
       settled = Optional.of(new SettledTask(growing.task(), patience));
     }
     return settled.get();
   }
 
-  private Attempt greedy(int mostStates, Patience patience) {
+  private Attempt greedy(int mostStates, GroundingBudget patience) {
     try {
       GroundTask task = Reduction.reduced(settled(patience).task(), patience);
       SearchTask reduced = new SearchTask(task, task.operators(), patience);
@@ -203,13 +203,13 @@ public final class AnytimePlanner {
     }
   }
 
-  private RelaxedPlan relaxedPlan(SearchTask task, Patience patience) {
+  private RelaxedPlan relaxedPlan(SearchTask task, GroundingBudget patience) {
     long[] costs = Arrays.stream(task.cost).map(cost -> cost + one()).toArray();
     return new RelaxedPlan(task, costs, patience);
   }
 
   private Attempt greedy(
-      SearchTask task, RelaxedPlan heuristic, int mostStates, Patience patience) {
+      SearchTask task, RelaxedPlan heuristic, int mostStates, GroundingBudget patience) {
     LazyGreedySearch search = new LazyGreedySearch(task, heuristic, patience, memory, mostStates);
     Optional<List<Integer>> plan = search.run(0, Long.MAX_VALUE);
     plan.ifPresent(found -> keep(task, found));
@@ -220,7 +220,7 @@ public final class AnytimePlanner {
   }
 
   /** Whether what is there of the task was searched to its end. */
-  private boolean star(int weight, Patience patience) {
+  private boolean star(int weight, GroundingBudget patience) {
     if (best.verdict() == Verdict.OPTIMAL) {
       return true;
     }
@@ -246,7 +246,7 @@ public final class AnytimePlanner {
                       reduced.facts,
                       leaves.stream().map(leaf -> leaf.space.size()).toList()));
       return star(
-          new StarSearch(
+          new DecoupledSearch(
               reduced, leaves, below, weight, memory, patience, plan -> keep(reduced, plan)));
     } catch (CancellationException e) {
       progress.accept(() -> "weight %d: stopped".formatted(weight));
@@ -254,15 +254,15 @@ public final class AnytimePlanner {
     }
   }
 
-  private boolean star(StarSearch search) {
+  private boolean star(DecoupledSearch search) {
     try {
-      StarSearch.End end = search.run();
-      if (end == StarSearch.End.OUT_OF_MEMORY) {
+      DecoupledSearch.End end = search.run();
+      if (end == DecoupledSearch.End.OUT_OF_MEMORY) {
         best = best.afterMemoryWasUsedUp();
       } else if (!best.hasPlan() && isWhole()) {
         best = Solution.without(Verdict.UNSOLVABLE, 0);
       }
-      return end == StarSearch.End.EXHAUSTED;
+      return end == DecoupledSearch.End.EXHAUSTED;
     } finally {
       progress.accept(
           () ->

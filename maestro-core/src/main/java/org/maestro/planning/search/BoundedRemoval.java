@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 
 /**
  * Removes operators that no plan cheaper than one that is known can have: the lower bound of all
@@ -26,7 +26,7 @@ final class BoundedRemoval {
    * @param below every plan that costs less than this keeps its operators
    * @throws java.util.concurrent.CancellationException when patience is over
    */
-  static Result remove(GroundTask task, long below, Patience patience) {
+  static Result remove(GroundTask task, long below, GroundingBudget patience) {
     GroundTask now = Reduction.reduced(task, patience);
     long bound = 0;
     while (true) {

@@ -8,7 +8,7 @@ import java.util.TreeMap;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import org.maestro.planning.ground.GroundTask.Bound;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 
 /** The operators of a task that are of no leaf, and what they ask of each leaf. */
 final class CentreOperators {
@@ -32,7 +32,7 @@ final class CentreOperators {
   /**
    * @throws java.util.concurrent.CancellationException when patience is over
    */
-  CentreOperators(SearchTask task, Leaf[] leaves, Patience patience) {
+  CentreOperators(SearchTask task, Leaf[] leaves, GroundingBudget patience) {
     this.task = task;
     facts = new BitSet();
     facts.set(0, task.facts);

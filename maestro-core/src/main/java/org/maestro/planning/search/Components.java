@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
 import org.maestro.planning.ground.GroundOperator;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 
 /**
  * The facts and sums of a task in groups such that every operator changes those of one group only:
@@ -30,7 +30,7 @@ final class Components {
   /**
    * @throws java.util.concurrent.CancellationException when patience is over
    */
-  Components(SearchTask task, Patience patience) {
+  Components(SearchTask task, GroundingBudget patience) {
     this.task = task;
     int things = task.facts + task.origin.sums().length;
     leader = new int[things];

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 import org.maestro.planning.search.Components.Component;
 
 /**
@@ -22,11 +22,11 @@ final class Factoring {
   private static final int MOST_STATES = 4000;
 
   private final SearchTask task;
-  private final Patience patience;
+  private final GroundingBudget patience;
   private final Components components;
   private final List<Set<Integer>> neighbours = new ArrayList<>();
 
-  private Factoring(SearchTask task, Patience patience) {
+  private Factoring(SearchTask task, GroundingBudget patience) {
     this.task = task;
     this.patience = patience;
     components = new Components(task, patience);
@@ -46,7 +46,7 @@ final class Factoring {
    *
    * @param below plans that cost this much or more do not matter
    */
-  static List<Leaf> leaves(SearchTask task, long below, Patience patience) {
+  static List<Leaf> leaves(SearchTask task, long below, GroundingBudget patience) {
     return new Factoring(task, patience).choose(below);
   }
 

@@ -1,7 +1,7 @@
 package org.maestro.planning.search;
 
 import java.util.Arrays;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 
 /**
  * The landmark-cut lower bound (Helmert and Domshlak 2009) over a {@link SearchTask}, with costs in
@@ -14,7 +14,7 @@ final class LandmarkCuts {
 
   private final SearchTask task;
   private final long[] costs;
-  private final Patience patience;
+  private final GroundingBudget patience;
   private final int operators;
   private final int truth;
   private final int goal;
@@ -46,7 +46,7 @@ final class LandmarkCuts {
   /**
    * @param costs of the task's operators, perhaps only a part of each
    */
-  LandmarkCuts(SearchTask task, long[] costs, Patience patience) {
+  LandmarkCuts(SearchTask task, long[] costs, GroundingBudget patience) {
     this.task = task;
     this.costs = costs;
     this.patience = patience;

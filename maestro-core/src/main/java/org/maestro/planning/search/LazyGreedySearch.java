@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 
 /**
  * Lazy best-first search with preferred operators: a state is estimated when it is its turn, and
@@ -17,7 +17,7 @@ final class LazyGreedySearch {
 
   private final SearchTask task;
   private final RelaxedPlan heuristic;
-  private final Patience patience;
+  private final GroundingBudget patience;
   private final long memory;
   private final int mostStates;
   private final StateTable table;
@@ -42,7 +42,11 @@ final class LazyGreedySearch {
    * @param mostStates with so many the search ends too, as if memory was used up
    */
   LazyGreedySearch(
-      SearchTask task, RelaxedPlan heuristic, Patience patience, long memory, int mostStates) {
+      SearchTask task,
+      RelaxedPlan heuristic,
+      GroundingBudget patience,
+      long memory,
+      int mostStates) {
     this.mostStates = mostStates;
     this.task = task;
     this.heuristic = heuristic;

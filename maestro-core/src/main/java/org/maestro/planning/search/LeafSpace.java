@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask.Bound;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 
 /**
  * All states of one component whose operators look at nothing but itself and the centre: the places
@@ -51,12 +51,12 @@ final class LeafSpace {
       Components.Component component,
       long below,
       int mostStates,
-      Patience patience) {
+      GroundingBudget patience) {
     LeafSpace space = new LeafSpace(task, component);
     return space.explore(below, mostStates, patience) ? Optional.of(space) : Optional.empty();
   }
 
-  private boolean explore(long below, int mostStates, Patience patience) {
+  private boolean explore(long below, int mostStates, GroundingBudget patience) {
     int first = table.number(projection(task.initial));
     List<Long> prices = new ArrayList<>();
     prices.add(0L);

@@ -8,7 +8,7 @@ import java.util.Deque;
 import java.util.List;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 
 /**
  * Leaves out of a task what no plan needs, without changing what plans it has or what they cost.
@@ -22,7 +22,7 @@ final class Reduction {
    *
    * @throws java.util.concurrent.CancellationException when patience is over
    */
-  static GroundTask reduced(GroundTask task, Patience patience) {
+  static GroundTask reduced(GroundTask task, GroundingBudget patience) {
     GroundTask before = task;
     while (true) {
       GroundTask reachable = withoutUnreachable(withoutConstants(before, patience), patience);
@@ -34,7 +34,7 @@ final class Reduction {
     }
   }
 
-  private static GroundTask withoutConstants(GroundTask task, Patience patience) {
+  private static GroundTask withoutConstants(GroundTask task, GroundingBudget patience) {
     BitSet constant = new BitSet(task.facts());
     Arrays.stream(task.initial()).forEach(constant::set);
     for (GroundOperator operator : task.operators()) {
@@ -88,7 +88,7 @@ final class Reduction {
     return list;
   }
 
-  private static GroundTask withoutUnreachable(GroundTask task, Patience patience) {
+  private static GroundTask withoutUnreachable(GroundTask task, GroundingBudget patience) {
     patience.refuseIfOver();
     List<GroundOperator> operators = task.operators();
     int[][] needed = operators.stream().map(GroundOperator::needed).toArray(int[][]::new);
@@ -138,7 +138,7 @@ final class Reduction {
     return task.withOperators(kept.stream().mapToObj(task.operators()::get).toList());
   }
 
-  private static GroundTask withoutIrrelevant(GroundTask task, Patience patience) {
+  private static GroundTask withoutIrrelevant(GroundTask task, GroundingBudget patience) {
     patience.refuseIfOver();
     List<GroundOperator> operators = task.operators();
     int[][] added = operators.stream().map(GroundOperator::added).toArray(int[][]::new);

@@ -1,7 +1,7 @@
 package org.maestro.planning.search;
 
 import java.util.Arrays;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 
 /**
  * The FF heuristic: the cost of a plan that ignores what operators delete, made of the supporters
@@ -15,7 +15,7 @@ final class RelaxedPlan {
 
   private final SearchTask task;
   private final long[] costs;
-  private final Patience patience;
+  private final GroundingBudget patience;
   private final long[] value;
   private final int[] supporter;
   private final boolean[] closed;
@@ -35,7 +35,7 @@ final class RelaxedPlan {
   /**
    * @param costs of operators, as the heuristic is to see them
    */
-  RelaxedPlan(SearchTask task, long[] costs, Patience patience) {
+  RelaxedPlan(SearchTask task, long[] costs, GroundingBudget patience) {
     this.task = task;
     this.costs = costs;
     this.patience = patience;

@@ -7,7 +7,7 @@ import java.util.List;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.GroundTask.Bound;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 
 /**
  * A ground task with its facts numbered anew without gaps, in arrays that searches run over. A
@@ -40,7 +40,7 @@ final class SearchTask {
   /**
    * @throws java.util.concurrent.CancellationException when patience is over
    */
-  SearchTask(GroundTask origin, List<GroundOperator> operators, Patience patience) {
+  SearchTask(GroundTask origin, List<GroundOperator> operators, GroundingBudget patience) {
     this.origin = origin;
     this.operators = operators;
     BitSet used = new BitSet(origin.facts());

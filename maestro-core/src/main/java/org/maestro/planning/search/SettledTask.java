@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.GroundTask.Bound;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 
 /**
  * Replaces the operators that add to a sum, as lamps and shutters do, by one that settles it for
@@ -30,7 +30,7 @@ final class SettledTask {
   private static final int SETTLING = -1;
 
   private final List<List<GroundOperator>> meanings = new ArrayList<>();
-  private final Patience patience;
+  private final GroundingBudget patience;
   private GroundTask task;
 
   /** A position of one lamp: what it adds, what it costs, and how it is reached. */
@@ -49,7 +49,7 @@ final class SettledTask {
   /**
    * @throws java.util.concurrent.CancellationException when patience is over
    */
-  SettledTask(GroundTask origin, Patience patience) {
+  SettledTask(GroundTask origin, GroundingBudget patience) {
     this.patience = patience;
     task = origin.sums().length == 0 ? origin : Reduction.reduced(origin, patience);
     for (int sum = 0; sum < origin.sums().length; sum++) {

@@ -6,7 +6,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 
 /**
  * One option of each group, such that the sum of gains lies between two values at the least cost:
@@ -43,7 +43,7 @@ public final class TwoSidedKnapsack {
    * @throws java.util.concurrent.CancellationException when patience is over
    */
   public static Optional<Choice> solve(
-      List<List<Option>> groups, long least, long most, Patience patience) {
+      List<List<Option>> groups, long least, long most, GroundingBudget patience) {
     if (!isSmallEnough(groups)) {
       throw new IllegalArgumentException("There are too many options for an exact answer.");
     }
@@ -121,7 +121,7 @@ public final class TwoSidedKnapsack {
 
   /** All combinations of some groups, by ascending gain; of equal gains only the cheapest. */
   private record Half(long[] gains, long[] costs, int[] codes) {
-    private static Half of(List<List<Option>> groups, Patience patience) {
+    private static Half of(List<List<Option>> groups, GroundingBudget patience) {
       Half all = new Half(new long[] {0}, new long[] {0}, new int[] {0});
       for (List<Option> group : groups) {
         Half extended = new Half(new long[0], new long[0], new int[0]);
@@ -140,7 +140,7 @@ public final class TwoSidedKnapsack {
           Arrays.stream(codes).map(code -> code * options + number).toArray());
     }
 
-    private Half merged(Half other, Patience patience) {
+    private Half merged(Half other, GroundingBudget patience) {
       int most = gains.length + other.gains.length;
       Half into = new Half(new long[most], new long[most], new int[most]);
       int size = 0;

@@ -277,7 +277,7 @@ public final class ExpectedCostSearch {
   }
 
   private Optional<Candidate> candidate(Map<Sought, Integer> chosen) {
-    GroundProblem smaller = new Supposition(chosen).appliedTo(problem);
+    GroundProblem smaller = new MostLikelyState(chosen).appliedTo(problem);
     return solver
         .solve(smaller)
         .map(found -> new Candidate(found, PlanBuilder.plan(smaller.placed(), found)));

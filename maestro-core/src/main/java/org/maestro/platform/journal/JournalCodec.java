@@ -17,8 +17,8 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Predicate;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.Argument;
-import org.maestro.coordination.api.Crew;
 import org.maestro.coordination.api.GoalEffort;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
@@ -243,7 +243,7 @@ final class JournalCodec {
         .forEach(entry -> parameters.put(entry.getKey(), readArgument(entry.getValue())));
     return new JournalEntry.Begun(
         goal,
-        new Crew.Call(call, text(line, "life")),
+        new ActionDispatcher.Call(call, text(line, "life")),
         readStep(line),
         line.path("step").asInt(),
         line.path("seconds").asDouble(),

@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.maestro.coordination.api.GoalPriority;
 import org.maestro.coordination.api.Resource;
-import org.maestro.coordination.api.Standing;
 import org.maestro.coordination.api.WaitsFor;
 
 class LeasesTest {
@@ -22,9 +22,9 @@ class LeasesTest {
 
   @BeforeEach
   void enterGoals() {
-    leases.enter("G1", new Standing(0, Optional.empty(), 1));
-    leases.enter("G2", new Standing(0, Optional.empty(), 2));
-    leases.enter("G3", new Standing(5, Optional.empty(), 3));
+    leases.enter("G1", new GoalPriority(0, Optional.empty(), 1));
+    leases.enter("G2", new GoalPriority(0, Optional.empty(), 2));
+    leases.enter("G3", new GoalPriority(5, Optional.empty(), 3));
   }
 
   @Test

@@ -14,6 +14,8 @@ import java.util.Set;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.PretendHouse;
+import org.maestro.coordination.achievement.SearchLog;
+import org.maestro.coordination.achievement.SearchReview;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.Journal;

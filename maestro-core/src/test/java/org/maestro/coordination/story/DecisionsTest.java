@@ -14,7 +14,7 @@ import java.util.Set;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.PretendHouse;
-import org.maestro.coordination.api.Bid;
+import org.maestro.coordination.api.Proposal;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.planning.api.Plan;
@@ -22,7 +22,8 @@ import org.maestro.planning.api.PlanningTask;
 import org.maestro.sl.SlParser;
 
 class DecisionsTest {
-  private static final Bid REFUSED = new Bid("rose", Map.of(), Optional.of("no hand is free"));
+  private static final Proposal REFUSED =
+      new Proposal("rose", Map.of(), Optional.of("no hand is free"));
 
   private static Home home;
 

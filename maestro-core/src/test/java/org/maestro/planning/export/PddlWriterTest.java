@@ -16,7 +16,7 @@ import org.maestro.planning.SmallWorld;
 import org.maestro.planning.api.PlanningResult;
 import org.maestro.planning.api.PlanningTask;
 import org.maestro.planning.ground.GroundTask;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 import org.maestro.planning.pddl.PddlReader;
 import org.maestro.planning.search.AnytimePlanner;
 import org.maestro.planning.search.Solution;
@@ -92,10 +92,10 @@ class PddlWriterTest {
     GroundTask ground =
         org.maestro.planning.ground.Grounder.ground(
             PddlReader.parse("domain", texts.domain(), "problem", texts.problem()),
-            Patience.endless());
+            GroundingBudget.endless());
     Solution solution =
         new AnytimePlanner(ground, 200_000_000, line -> {})
-            .solve(Patience.seconds(20, () -> false));
+            .solve(GroundingBudget.seconds(20, () -> false));
     if (result instanceof PlanningResult.Found found) {
       assertThat(solution.verdict()).isEqualTo(Solution.Verdict.OPTIMAL);
       assertThat(BigDecimal.valueOf(solution.cost()).divide(ground.unit()).doubleValue())

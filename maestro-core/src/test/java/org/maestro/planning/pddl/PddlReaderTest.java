@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.Grounder;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 import org.maestro.planning.search.AnytimePlanner;
 import org.maestro.planning.search.Solution;
 
@@ -104,10 +104,13 @@ class PddlReaderTest {
       delimiter = '|',
       value = {
         "(in a r) | (in r a) | p:3:14: in takes an object of the type lamp here, and r is none.",
-        "(= (lux s) 0) | (= (lux b) 0) | p:3:80: lux takes an object of the type room here, and b is none.",
-        "(other r ?x) | (other c ?x) | p:5:37: other takes an object of the type room here, and c is none.",
+        "(= (lux s) 0) | (= (lux b) 0) | p:3:80: lux takes an object of the type room here, and b"
+            + " is none.",
+        "(other r ?x) | (other c ?x) | p:5:37: other takes an object of the type room here, and c"
+            + " is none.",
         "(:domain lamps) | '' | p:1:1: The problem does not name its (:domain lamps).",
-        "(:domain lamps) | (:domain lights) | p:1:30: The problem is of the domain lights, not of lamps."
+        "(:domain lamps) | (:domain lights) | p:1:30: The problem is of the domain lights, not of"
+            + " lamps."
       })
   void refusesWhatIsSaidOfTheWrongThings(String from, String to, String refusal) {
     assertThatThrownBy(() -> PddlReader.parse("d", DOMAIN, "p", PROBLEM.replace(from, to)))
@@ -230,11 +233,11 @@ class PddlReaderTest {
   }
 
   private static GroundTask ground(String domain, String problem) {
-    return Grounder.ground(PddlReader.parse("d", domain, "p", problem), Patience.endless());
+    return Grounder.ground(PddlReader.parse("d", domain, "p", problem), GroundingBudget.endless());
   }
 
   private static Solution solve(GroundTask task) {
-    return new AnytimePlanner(task, 200_000_000, line -> {}).solve(Patience.endless());
+    return new AnytimePlanner(task, 200_000_000, line -> {}).solve(GroundingBudget.endless());
   }
 
   private static String resource(String name) throws IOException {

@@ -12,8 +12,8 @@ import net.jqwik.api.Property;
 import net.jqwik.api.statistics.Statistics;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.Grounder;
+import org.maestro.planning.ground.GroundingBudget;
 import org.maestro.planning.ground.GrowingTask;
-import org.maestro.planning.ground.Patience;
 import org.maestro.planning.search.AnytimePlanner;
 import org.maestro.planning.search.Solution;
 import org.maestro.planning.search.Solution.Verdict;
@@ -38,9 +38,9 @@ class RandomPddlTest {
       return;
     }
     GrowingTask growing =
-        Grounder.growing(PddlReader.parse("d", domain, "p", problem), Patience.endless());
+        Grounder.growing(PddlReader.parse("d", domain, "p", problem), GroundingBudget.endless());
     Solution solution =
-        new AnytimePlanner(growing, 100_000_000, line -> {}).solve(Patience.endless());
+        new AnytimePlanner(growing, 100_000_000, line -> {}).solve(GroundingBudget.endless());
     GroundTask task = growing.task();
     if (expected.isEmpty()) {
       assertThat(solution.verdict()).isEqualTo(Verdict.UNSOLVABLE);

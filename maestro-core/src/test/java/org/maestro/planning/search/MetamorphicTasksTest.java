@@ -12,7 +12,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.LongRange;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 
 /** What has to become of the cheapest plan's cost when a task is changed in known ways. */
 class MetamorphicTasksTest {
@@ -56,7 +56,8 @@ class MetamorphicTasksTest {
   }
 
   private static long cost(GroundTask task) {
-    Solution solution = new AnytimePlanner(task, 200_000_000, line -> {}).solve(Patience.endless());
+    Solution solution =
+        new AnytimePlanner(task, 200_000_000, line -> {}).solve(GroundingBudget.endless());
     return solution.hasPlan() ? solution.cost() : NO_PLAN;
   }
 }

@@ -18,7 +18,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.LongRange;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 import org.maestro.planning.search.Solution.Verdict;
 
 /** What the planner says of small random tasks is what exhaustive search says. */
@@ -29,7 +29,8 @@ class RandomTasksTest {
   void costsWhatExhaustiveSearchSays(@ForAll @LongRange(min = 0, max = 1_000_000) long seed) {
     GroundTask task = task(new Random(seed), seed % 3 == 0);
     OptionalLong least = leastCost(task);
-    Solution solution = new AnytimePlanner(task, MEMORY, line -> {}).solve(Patience.endless());
+    Solution solution =
+        new AnytimePlanner(task, MEMORY, line -> {}).solve(GroundingBudget.endless());
     if (least.isEmpty()) {
       assertThat(solution.verdict()).isEqualTo(Verdict.UNSOLVABLE);
     } else {
@@ -45,10 +46,11 @@ class RandomTasksTest {
       @ForAll @LongRange(min = 0, max = 1_000_000) long seed) {
     GroundTask task = task(new Random(seed), true);
     OptionalLong least = leastCost(task);
-    SearchTask search = new SearchTask(task, task.operators(), Patience.endless());
-    long bound = new LandmarkCuts(search, search.cost, Patience.endless()).estimate(search.initial);
+    SearchTask search = new SearchTask(task, task.operators(), GroundingBudget.endless());
+    long bound =
+        new LandmarkCuts(search, search.cost, GroundingBudget.endless()).estimate(search.initial);
     assertThat(bound).isLessThanOrEqualTo(least.orElse(LandmarkCuts.INFINITE));
-    Solution first = new AnytimePlanner(task, MEMORY, line -> {}).first(Patience.endless());
+    Solution first = new AnytimePlanner(task, MEMORY, line -> {}).first(GroundingBudget.endless());
     assertThat(first.hasPlan()).isEqualTo(least.isPresent());
     if (first.hasPlan()) {
       assertThat(costWhenRun(task, first.operators())).isEqualTo(first.cost());
@@ -59,7 +61,8 @@ class RandomTasksTest {
   void settlesSumsOfLampsAtLeastCost(@ForAll @LongRange(min = 0, max = 1_000_000) long seed) {
     GroundTask task = lamps(new Random(seed));
     OptionalLong least = leastCost(task);
-    Solution solution = new AnytimePlanner(task, MEMORY, line -> {}).solve(Patience.endless());
+    Solution solution =
+        new AnytimePlanner(task, MEMORY, line -> {}).solve(GroundingBudget.endless());
     assertThat(solution.hasPlan()).isEqualTo(least.isPresent());
     if (least.isPresent()) {
       assertThat(solution.verdict()).isEqualTo(Verdict.OPTIMAL);

@@ -10,7 +10,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.LongRange;
 import org.maestro.planning.ground.GroundTask;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 import org.maestro.planning.search.Solution.Verdict;
 
 /** Whenever planning is stopped, what it says is true. */
@@ -24,7 +24,7 @@ class StoppedPlanningTest {
     GroundTask task = RandomTasksTest.task(new Random(seed), seed % 3 == 0);
     OptionalLong least = RandomTasksTest.leastCost(task);
     AtomicInteger left = new AtomicInteger(asked);
-    Patience patience = Patience.seconds(1000, () -> left.decrementAndGet() < 0);
+    GroundingBudget patience = GroundingBudget.seconds(1000, () -> left.decrementAndGet() < 0);
     Solution solution = new AnytimePlanner(task, MEMORY, line -> {}).solve(patience);
     if (solution.verdict() == Verdict.UNSOLVABLE) {
       assertThat(least).isEmpty();
@@ -40,7 +40,7 @@ class StoppedPlanningTest {
     GroundTask task = RandomTasksTest.task(new Random(seed), seed % 3 == 0);
     OptionalLong least = RandomTasksTest.leastCost(task);
     Solution solution =
-        new AnytimePlanner(task, 200 + seed % 3000, line -> {}).solve(Patience.endless());
+        new AnytimePlanner(task, 200 + seed % 3000, line -> {}).solve(GroundingBudget.endless());
     if (solution.hasPlan()) {
       assertThat(least.getAsLong()).isBetween(solution.lowerBound(), solution.cost());
     } else {

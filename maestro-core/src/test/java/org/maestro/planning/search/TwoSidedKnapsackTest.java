@@ -10,7 +10,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
-import org.maestro.planning.ground.Patience;
+import org.maestro.planning.ground.GroundingBudget;
 import org.maestro.planning.search.TwoSidedKnapsack.Choice;
 import org.maestro.planning.search.TwoSidedKnapsack.Option;
 
@@ -21,7 +21,8 @@ class TwoSidedKnapsackTest {
     List<List<Option>> groups = groups(random, random.nextInt(8), 12);
     long least = random.nextInt(40) - 5;
     long most = least + random.nextInt(12);
-    Optional<Choice> choice = TwoSidedKnapsack.solve(groups, least, most, Patience.endless());
+    Optional<Choice> choice =
+        TwoSidedKnapsack.solve(groups, least, most, GroundingBudget.endless());
     long expected = byTrying(groups, 0, 0, 0, least, most);
     assertThat(choice.map(Choice::cost).orElse(Long.MAX_VALUE)).isEqualTo(expected);
     choice.ifPresent(
@@ -39,7 +40,7 @@ class TwoSidedKnapsackTest {
     List<List<Option>> groups = groups(new Random(7), 30, 100_000);
     long most = groups.stream().mapToLong(group -> group.get(1).gain()).sum();
     Optional<Choice> choice =
-        TwoSidedKnapsack.solve(groups, most / 3, most / 3 + 3, Patience.endless());
+        TwoSidedKnapsack.solve(groups, most / 3, most / 3 + 3, GroundingBudget.endless());
     assertThat(choice).isPresent();
   }
 

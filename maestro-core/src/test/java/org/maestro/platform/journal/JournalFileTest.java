@@ -19,8 +19,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.Argument;
-import org.maestro.coordination.api.Crew;
 import org.maestro.coordination.api.GoalEffort;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
@@ -64,7 +64,7 @@ class JournalFileTest {
   private static JournalEntry.Begun begun(String goal, int number) {
     return new JournalEntry.Begun(
         goal,
-        new Crew.Call(goal + "-x-" + number, Optional.of("boot@maestro")),
+        new ActionDispatcher.Call(goal + "-x-" + number, Optional.of("boot@maestro")),
         new StepKey("rose", "pick", Map.of("object", new Term.Name("Cup"))),
         number,
         2.5,

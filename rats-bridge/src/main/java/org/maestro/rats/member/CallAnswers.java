@@ -38,14 +38,14 @@ final class CallAnswers {
   }
 
   private final String member;
-  private final MemberVoice voice;
+  private final MemberPublisher voice;
   private final MemberCondition condition;
   private final Clock clock;
   private final Map<Key, Remembered> deeds = new LinkedHashMap<>();
   private final Map<Key, Remembered> questions = new LinkedHashMap<>();
   private Duration nextForgetting = Duration.ZERO;
 
-  CallAnswers(String member, MemberVoice voice, MemberCondition condition, Clock clock) {
+  CallAnswers(String member, MemberPublisher voice, MemberCondition condition, Clock clock) {
     this.member = member;
     this.voice = voice;
     this.condition = condition;

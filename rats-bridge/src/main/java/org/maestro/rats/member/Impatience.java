@@ -36,7 +36,7 @@ final class Impatience {
 
   private final MemberProfile profile;
   private final CallPolicy policy;
-  private final MemberVoice voice;
+  private final MemberPublisher voice;
   private final MemberCondition condition;
   private final TaskQueue tasks;
   private final Clock clock;
@@ -47,7 +47,7 @@ final class Impatience {
   Impatience(
       MemberProfile profile,
       CallPolicy policy,
-      MemberVoice voice,
+      MemberPublisher voice,
       MemberCondition condition,
       TaskQueue tasks,
       Clock clock) {

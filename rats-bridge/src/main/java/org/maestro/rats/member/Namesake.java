@@ -65,7 +65,7 @@ final class Namesake {
 
   private final String id;
   private final String boot;
-  private final MemberVoice voice;
+  private final MemberPublisher voice;
   private final Transport transport;
   private final Complaints complaints;
   private final Watcher watcher;
@@ -82,7 +82,7 @@ final class Namesake {
   Namesake(
       String id,
       String boot,
-      MemberVoice voice,
+      MemberPublisher voice,
       Transport transport,
       Complaints complaints,
       Watcher watcher,

@@ -36,7 +36,7 @@ public final class RatsMember implements AutoCloseable {
   private final Clock clock;
   private final String boot;
   private final WireFormat wire = new WireFormat();
-  private final MemberVoice voice;
+  private final MemberPublisher voice;
   private final MemberCondition condition;
   private final Reception reception;
   private final Impatience impatience;
@@ -64,7 +64,7 @@ public final class RatsMember implements AutoCloseable {
     this.clock = clock;
     this.boot = bootId(clock.instant());
     this.restedIn = "";
-    this.voice = new MemberVoice(profile, boot, topics, transport);
+    this.voice = new MemberPublisher(profile, boot, topics, transport);
     this.condition = new MemberCondition(profile, boot, values);
     CallAnswers answers = new CallAnswers(profile.id(), voice, condition, clock);
     TaskQueue tasks =

@@ -29,7 +29,7 @@ final class TaskQueue implements Task.Keeper {
   private static final int MOST_WAITING = 64;
 
   private final String member;
-  private final MemberVoice voice;
+  private final MemberPublisher voice;
   private final MemberCondition condition;
   private final CallAnswers answers;
   private final Runnable conditionChanged;
@@ -43,7 +43,7 @@ final class TaskQueue implements Task.Keeper {
 
   TaskQueue(
       MemberProfile profile,
-      MemberVoice voice,
+      MemberPublisher voice,
       MemberCondition condition,
       CallAnswers answers,
       Runnable conditionChanged,

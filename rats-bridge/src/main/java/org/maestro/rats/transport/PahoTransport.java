@@ -32,7 +32,7 @@ public final class PahoTransport implements Transport {
   private final Optional<Credentials> credentials;
   private final Duration keepAlive;
   private final ScheduledThreadPoolExecutor timers;
-  private final OneAtATime work = new OneAtATime();
+  private final SerialExecutor work = new SerialExecutor();
   private final Events events = new Events();
   private List<PahoSubscription> subscriptions = List.of();
   private final PublishQueue queue = new PublishQueue();

@@ -35,7 +35,7 @@ import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Result;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.protocol.WireFormat;
-import org.maestro.rats.transport.BrokerDoor;
+import org.maestro.rats.transport.ConnectionTester;
 import org.maestro.rats.transport.Credentials;
 import org.maestro.rats.transport.PahoTransport;
 import org.maestro.rats.transport.Publication;
@@ -72,7 +72,7 @@ abstract class SecuredBusContract {
     Path files = SecuredSite.files(directory);
     SiteSecurity other = SiteSecurity.open(SecuredSite.files(directory.resolve("other")));
     try (SecuredSite site = new SecuredSite(files, byPassword(files))) {
-      BrokerDoor door = new BrokerDoor(site.uri(), Duration.ofSeconds(20));
+      ConnectionTester door = new ConnectionTester(site.uri(), Duration.ofSeconds(20));
       Credentials right = site.security.password("cca");
       Credentials guessed = new Credentials("cca", Optional.of("guessed"), right.tls());
 

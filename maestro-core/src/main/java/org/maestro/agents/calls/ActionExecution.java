@@ -1,0 +1,406 @@
+package org.maestro.agents.calls;
+
+import jade.core.AID;
+import jade.lang.acl.ACLMessage;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import org.maestro.agents.content.AccountWords;
+import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.Orders;
+import org.maestro.agents.content.Replies;
+import org.maestro.agents.content.Words;
+import org.maestro.agents.negotiation.OrderUnderway;
+import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.coordination.api.ActionDispatcher;
+import org.maestro.coordination.api.Argument;
+import org.maestro.knowledge.api.MemberWord;
+import org.maestro.members.CallReporter;
+import org.maestro.members.JsonTerms;
+import org.maestro.members.MemberNews;
+import org.maestro.members.MemberView;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.Call;
+import org.maestro.rats.protocol.Offer;
+import org.maestro.rats.protocol.Outcome;
+import org.maestro.sl.Content;
+import org.maestro.sl.Term;
+
+/**
+ * What a generic agent's member is asked to do: calls over the bus, turned into messages to who
+ * asked. Agent thread only.
+ */
+public final class ActionExecution {
+  private static final int MOST_RECENT = 256;
+
+  private final MaestroAgent agent;
+  private final String member;
+  private final RatsLink link;
+  private final MemberView view;
+  private final MemberNews news;
+  private final FormerCalls formerCalls;
+  private final Consumer<MemberWord> say;
+  private final Map<String, RatsLink.CallHandle> handles = new TreeMap<>();
+  private final Map<String, Runnable> abandoned = new TreeMap<>();
+
+  /** Of calls, also for some time after their end. */
+  private final Map<String, String> recentGoals =
+      new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, String> eldest) {
+          return size() > MOST_RECENT;
+        }
+      };
+
+  /**
+   * @param formerCalls what is known of calls before the agent came here
+   * @param say tells the collective knowledge what the member says of itself
+   */
+  public ActionExecution(
+      MaestroAgent agent,
+      String member,
+      RatsLink link,
+      MemberView view,
+      MemberNews news,
+      FormerCalls formerCalls,
+      Consumer<MemberWord> say) {
+    this.agent = agent;
+    this.member = member;
+    this.link = link;
+    this.view = view;
+    this.news = news;
+    this.formerCalls = formerCalls;
+    this.say = say;
+  }
+
+  /** A call is known again only in the same life of the member, from the same caller. */
+  public String life() {
+    return news.boot() + "@" + link.controller();
+  }
+
+  public void perform(ACLMessage message, Words words) {
+    if (agent.isCutOff()) {
+      agent.reply(
+          message,
+          ACLMessage.FAILURE,
+          Words.content(
+              "inform",
+              Words.named("outcome", Words.name("rejected")),
+              Words.named("begun", Words.name("false")),
+              Words.named(
+                  "problem",
+                  Words.text(
+                      "the agent of "
+                          + member
+                          + " was cut off from the platform, and begins nothing any more"))));
+      return;
+    }
+    String name = words.string("feature").orElse("");
+    Optional<FeatureType> feature = view.feature(name);
+    if (!view.isReady() || feature.isEmpty()) {
+      agent.refuse(
+          message, ACLMessage.REFUSE, view.isReady() ? unknown(name) : member + " is not there");
+      return;
+    }
+    if (!isOfThisLife(words)) {
+      agent.refuse(message, ACLMessage.REFUSE, member + " was started again since it was asked");
+      return;
+    }
+    Map<String, Argument> arguments =
+        words.find("parameters").map(Orders::arguments).orElse(Map.of());
+    if (words.string("goal").isEmpty() && Pointers.areMissing(feature.get(), arguments)) {
+      new Pointers(agent, member)
+          .complete(
+              feature.get(),
+              arguments,
+              complete -> agreed(message, words, feature.get(), complete),
+              problem -> agent.refuse(message, ACLMessage.REFUSE, problem));
+    } else {
+      agreed(message, words, feature.get(), arguments);
+    }
+  }
+
+  private boolean isOfThisLife(Words words) {
+    String life = words.string("life").orElse(life());
+    return life.equals(life())
+        || words.string("call").filter(c -> formerCalls.mayBegin(life, news.boot(), c)).isPresent();
+  }
+
+  private void agreed(
+      ACLMessage message, Words words, FeatureType feature, Map<String, Argument> arguments) {
+    agent.reply(
+        message,
+        ACLMessage.AGREE,
+        Words.content("perform", Words.named("feature", Words.name(feature.name()))));
+    Deed deed =
+        new Deed(
+            feature,
+            arguments,
+            Duration.ofMillis((long) words.number("timeout", 30_000)),
+            words.string("call"),
+            words.string("goal"),
+            expected(words),
+            words.string("ends").isPresent());
+    String conversation = conversation(message);
+    abandoned.put(
+        conversation,
+        () ->
+            answer(
+                message,
+                Outcome.FAILED,
+                OrderUnderway.failed(
+                    "the agent of " + member + " was moved while it was at it", List.of())));
+    begin(
+        conversation,
+        deed,
+        Optional.of(message.getSender()),
+        (outcome, report) -> answer(message, outcome, report));
+  }
+
+  /** What who orders it counts on. */
+  private static Optional<Call.Expectation> expected(Words words) {
+    double cost = words.number("cost", -1);
+    double seconds = words.number("seconds", -1);
+    return cost < 0 || seconds < 0
+        ? Optional.empty()
+        : Optional.of(new Call.Expectation(cost, seconds));
+  }
+
+  /**
+   * The agent leaves without waiting: what runs is called off, and reported as failed to who
+   * ordered it.
+   */
+  public void abandon() {
+    Map.copyOf(handles).values().forEach(RatsLink.CallHandle::cancel);
+    List.copyOf(abandoned.values()).forEach(Runnable::run);
+    abandoned.clear();
+    handles.clear();
+  }
+
+  /** Whether the member does anything that this agent is to report. */
+  public boolean isIdle() {
+    return handles.isEmpty();
+  }
+
+  /** What is to be done, or to end. */
+  record Deed(
+      FeatureType feature,
+      Map<String, Argument> arguments,
+      Duration timeout,
+      Optional<String> call,
+      Optional<String> goal,
+      Optional<Call.Expectation> expects,
+      boolean ends) {}
+
+  /**
+   * Has the member do it.
+   *
+   * @param conversation names it here
+   * @param holder of the contract, who hears of offers to do it better, and when it is given back
+   * @param reported told once
+   */
+  RatsLink.CallHandle begin(
+      String conversation,
+      Deed deed,
+      Optional<AID> holder,
+      BiConsumer<Outcome, ActionDispatcher.Report> reported) {
+    Map<String, Object> parameters = new TreeMap<>();
+    Map<String, Term> bindings = new TreeMap<>();
+    deed.arguments()
+        .forEach(
+            (key, argument) -> {
+              parameters.put(key, JsonTerms.json(argument));
+              bindings.put(key, argument.value());
+            });
+    view.begun(conversation, bindings);
+    deed.call().ifPresent(formerCalls::begun);
+    RatsLink.Order order =
+        new RatsLink.Order(
+            deed.call(),
+            member,
+            Optional.of(news.boot()),
+            deed.feature().name(),
+            parameters,
+            deed.timeout(),
+            deed.goal(),
+            deed.expects());
+    CallReporter reporter =
+        new CallReporter(agent::tell, new Reporter(conversation, deed, holder, reported));
+    RatsLink.CallHandle handle =
+        deed.ends() ? link.end(order, reporter) : link.call(order, reporter);
+    handles.put(conversation, handle);
+    deed.goal().ifPresent(goal -> recentGoals.put(handle.callId(), goal));
+    return handle;
+  }
+
+  private String unknown(String name) {
+    return name.isEmpty()
+        ? "An order names a feature, such as (perform (:feature "
+            + view.device()
+                .flatMap(device -> device.features().stream().findFirst())
+                .map(FeatureType::name)
+                .orElse("...")
+            + "))."
+        : member + " has no feature " + Replies.shortened(name);
+  }
+
+  void callOff(String call) {
+    link.cancel(member, news.boot(), call);
+  }
+
+  private static String conversation(ACLMessage message) {
+    return Optional.ofNullable(message.getConversationId()).orElse("none");
+  }
+
+  public void cancel(Words words) {
+    words.string("order").map(handles::get).ifPresent(RatsLink.CallHandle::cancel);
+    Optional<String> life = words.string("life").filter(this::isOfThisBoot);
+    life.flatMap(its -> words.string("call")).ifPresent(this::callOff);
+  }
+
+  /** A member may be asked to end what another has called, but not what it did in another life. */
+  private boolean isOfThisBoot(String life) {
+    return life.startsWith(news.boot() + "@");
+  }
+
+  private void answer(ACLMessage order, Outcome outcome, ActionDispatcher.Report report) {
+    if (report.succeeded()) {
+      agent.reply(
+          order,
+          ACLMessage.INFORM,
+          Words.content(
+              "inform",
+              Stream.concat(
+                      Stream.of(Words.terms("outputs", report.outputs())),
+                      report.account().map(AccountWords::of).stream())
+                  .toArray(Content.Argument[]::new)));
+      return;
+    }
+    agent.reply(order, ACLMessage.FAILURE, Orders.failure(outcome, report));
+  }
+
+  /** The member raises an alarm: the coordinator is told, for people to hear. */
+  private void alarm(Optional<String> goal, String message) {
+    agent.send(
+        agent.message(
+            ACLMessage.INFORM,
+            agent.getAID(AgentNames.COORDINATOR),
+            Words.content(
+                "inform",
+                Words.named("member", Words.name(member)),
+                Words.named("alert", Words.text(message)),
+                Words.named("goal", Words.name(goal.orElse("none"))))));
+  }
+
+  /**
+   * An alarm after its call's end, or of no call at all.
+   *
+   * @param call its id
+   */
+  public void alarmed(String call, String message) {
+    alarm(Optional.ofNullable(recentGoals.get(call)), message);
+  }
+
+  /** Tells on what becomes of one call. */
+  private final class Reporter implements CallReporter.Listener {
+    private final String conversation;
+    private final Deed deed;
+    private final Optional<AID> holder;
+    private final BiConsumer<Outcome, ActionDispatcher.Report> reported;
+    private Duration toldAlive = agent.clock().now();
+
+    Reporter(
+        String conversation,
+        Deed deed,
+        Optional<AID> holder,
+        BiConsumer<Outcome, ActionDispatcher.Report> reported) {
+      this.conversation = conversation;
+      this.deed = deed;
+      this.holder = holder;
+      this.reported = reported;
+    }
+
+    @Override
+    public void reported(Outcome outcome, ActionDispatcher.Report report) {
+      String call =
+          Optional.ofNullable(handles.get(conversation))
+              .map(RatsLink.CallHandle::callId)
+              .orElse("");
+      reported.accept(
+          outcome,
+          report.with(view.account(conversation, call, deed.feature(), report.succeeded())));
+      view.over().ifPresent(say);
+    }
+
+    @Override
+    public void learnt(Map<String, Term> outputs) {
+      agent.send(
+          agent.message(
+              ACLMessage.INFORM,
+              agent.getAID(AgentNames.KNOWLEDGE),
+              Words.content(
+                  "inform",
+                  Words.named("member", Words.name(member)),
+                  Words.named("feature", Words.name(deed.feature().name())),
+                  Words.terms("bindings", view.bindings(conversation)),
+                  Words.terms("outputs", outputs))));
+    }
+
+    /** Of who is at it for long only: those who wait need no other sign. */
+    @Override
+    public void alive() {
+      Duration now = agent.clock().now();
+      if (now.minus(toldAlive).compareTo(deed.timeout().dividedBy(2)) >= 0) {
+        toldAlive = now;
+        tellHolder(Words.named("alive", Words.name("true")));
+      }
+    }
+
+    @Override
+    public void alerted(String message) {
+      alarm(deed.goal(), message);
+    }
+
+    @Override
+    public void offered(String by, Offer offer) {
+      tellHolder(
+          Words.named("offer", Words.name(by)),
+          Words.named("cost", Words.number(offer.cost())),
+          Words.named("seconds", Words.number(offer.seconds())));
+    }
+
+    @Override
+    public void released(String reason) {
+      tellHolder(Words.named("release", Words.text(reason)));
+    }
+
+    private void tellHolder(Content.Argument... news) {
+      if (holder.isEmpty() || deed.goal().isEmpty()) {
+        return;
+      }
+      List<Content.Argument> arguments = new ArrayList<>();
+      arguments.add(Words.named("member", Words.name(member)));
+      arguments.add(Words.named("feature", Words.name(deed.feature().name())));
+      arguments.add(Words.named("goal", Words.name(deed.goal().get())));
+      arguments.addAll(List.of(news));
+      agent.send(agent.message(ACLMessage.INFORM, holder.get(), new Content("inform", arguments)));
+    }
+
+    @Override
+    public void over() {
+      handles.remove(conversation);
+      abandoned.remove(conversation);
+      view.forget(conversation);
+    }
+  }
+}

@@ -1,0 +1,253 @@
+package org.maestro.agents.device;
+
+import jade.lang.acl.ACLMessage;
+import java.time.Duration;
+import java.util.Optional;
+import org.maestro.agents.calls.ActionExecution;
+import org.maestro.agents.calls.FormerCalls;
+import org.maestro.agents.calls.OwnMember;
+import org.maestro.agents.calls.PriceQuestions;
+import org.maestro.agents.content.AccountWords;
+import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.Words;
+import org.maestro.agents.goals.OwnGoals;
+import org.maestro.agents.runtime.Conversations;
+import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.deployment.Charge;
+import org.maestro.knowledge.api.MemberWord;
+import org.maestro.members.MemberNews;
+import org.maestro.members.MemberView;
+import org.maestro.ontology.home.Device;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.sl.Content;
+import org.maestro.sl.Self;
+import org.maestro.sl.Substitution;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * What a generic agent is for one of its members: it hears what the member tells, makes it known,
+ * and has it do what is ordered. Agent thread only.
+ */
+public final class MemberProxy implements MemberNews.Listener {
+  private static final Logger LOG = LoggerFactory.getLogger(MemberProxy.class);
+
+  /** Whom the agent tells that a member can be used, or can be used no longer. */
+  public interface Announcements {
+    void announce(Content news);
+
+    /** What the agent's members offer is not what it was. */
+    void offeringChanged();
+  }
+
+  private static final Duration ANSWER_WITHIN = Duration.ofSeconds(30);
+
+  private final MaestroAgent agent;
+  private final Announcements announcements;
+  private final String member;
+  private final Surroundings here;
+  private final MemberView view;
+  private final MemberNews news;
+  private final ActionExecution actions;
+  private final PriceQuestions prices;
+  private final Optional<OwnGoals> goals;
+  private Optional<String> configured;
+  private Rights rights = Rights.UNKNOWN;
+  private boolean announced;
+  private boolean hasSpoken;
+  private Runnable unwatch = () -> {};
+
+  public MemberProxy(
+      MaestroAgent agent,
+      Announcements announcements,
+      Charge charge,
+      Surroundings here,
+      FormerCalls formerCalls) {
+    this.agent = agent;
+    this.announcements = announcements;
+    this.member = charge.member();
+    this.configured = charge.description();
+    this.here = here;
+    this.view =
+        new MemberView(
+            "%s of %s since %d"
+                .formatted(
+                    member, here.link().controller(), here.time().clock().instant().toEpochMilli()),
+            () -> here.link().describe(member));
+    this.news = new MemberNews(member, view, this::read, this);
+    this.actions =
+        new ActionExecution(agent, member, here.link(), view, news, formerCalls, this::say);
+    this.prices = new PriceQuestions(agent, member, here.link());
+    OwnMember own = new OwnMember(member, view, actions, prices);
+    this.goals =
+        here.mind()
+            .map(
+                mind ->
+                    new OwnGoals(
+                        agent,
+                        member,
+                        here.time().clock(),
+                        mind,
+                        here.story(),
+                        here.past(),
+                        member::equals,
+                        Optional.of(own)));
+  }
+
+  /** What the agent is configured with goes before what the member says of itself. */
+  private Device read(String description, String speaker) {
+    return here.describedBy().apply(configured.orElse(description), speaker);
+  }
+
+  public void begin() {
+    goals.ifPresent(OwnGoals::begin);
+    unwatch = here.link().watch(member, new Ear());
+  }
+
+  public void end() {
+    unwatch.run();
+    goals.ifPresent(OwnGoals::end);
+  }
+
+  /**
+   * Is configured otherwise from now on.
+   *
+   * @throws RuntimeException with one sentence when the description is faulty
+   */
+  public void configure(Optional<String> description) {
+    description.ifPresent(text -> here.describedBy().apply(text, member));
+    configured = description;
+    news.readAgain();
+  }
+
+  public String member() {
+    return member;
+  }
+
+  public MemberView view() {
+    return view;
+  }
+
+  public ActionExecution actions() {
+    return actions;
+  }
+
+  public PriceQuestions prices() {
+    return prices;
+  }
+
+  public Optional<OwnGoals> goals() {
+    return goals;
+  }
+
+  /** Whether it has goals of its own, which only an agent that reaches the knowledge can have. */
+  public boolean pursues() {
+    return view.device().filter(device -> !device.pursues().isEmpty()).isPresent();
+  }
+
+  /** Why who asks may not ask for the feature. */
+  Optional<String> objection(ACLMessage message, Words words, String feature) {
+    return rights.objection(message, words, member, feature);
+  }
+
+  @Override
+  public void described(String description) {
+    announcements.offeringChanged();
+    introduce(description);
+  }
+
+  @Override
+  public void said(MemberWord word) {
+    say(word);
+  }
+
+  @Override
+  public void lost(String reason) {
+    announced = false;
+    goals.ifPresent(own -> own.memberLost(member, reason));
+    announcements.announce(presence("lost", reason));
+    announcements.offeringChanged();
+  }
+
+  /** Told on the link's thread. */
+  private final class Ear implements RatsLink.MemberListener {
+    @Override
+    public void changed(RatsLink.Member now) {
+      agent.tell(() -> news.changed(now));
+    }
+
+    @Override
+    public void alerted(String speaker, String callId, String message) {
+      agent.tell(() -> actions.alarmed(callId, message));
+    }
+  }
+
+  /** Tells the knowledge agent, and tells it again while it is too busy to answer in time. */
+  private void introduce(String description) {
+    agent.ask(
+        agent.message(
+            ACLMessage.REQUEST,
+            agent.getAID(AgentNames.KNOWLEDGE),
+            Words.content(
+                "inform",
+                Words.named("member", Words.name(member)),
+                Words.named("description", Words.text(configured.orElse(description))))),
+        ANSWER_WITHIN,
+        reply -> {
+          if (reply.getPerformative() == ACLMessage.INFORM && view.isReady()) {
+            rights = Rights.read(Words.of(Words.parse(reply.getContent()).get(0)));
+            announced = true;
+            announcements.announce(presence("ready", "described"));
+            pursue();
+          } else if (Conversations.isOverdue(reply)) {
+            if (view.isReady() && news.isCurrent(description)) {
+              introduce(description);
+            }
+          } else if (reply.getPerformative() != ACLMessage.AGREE
+              && reply.getPerformative() != ACLMessage.INFORM) {
+            LOG.warn("{} is not used: {}", member, reply.getContent());
+          }
+        });
+  }
+
+  /** The goals of its own that the member's description states. */
+  private void pursue() {
+    goals.ifPresent(
+        own -> {
+          own.memberPresent(member, agent.getAID(), Optional.of(actions.life()));
+          Substitution self = new Substitution(Self.is(member));
+          own.pursueOnly(view.device().orElseThrow().pursues().stream().map(self::apply).toList());
+        });
+  }
+
+  /** That the member can be used, if it can. */
+  public Optional<Content> presence() {
+    return announced ? Optional.of(presence("ready", "described")) : Optional.empty();
+  }
+
+  private Content presence(String phase, String reason) {
+    return Words.content(
+        "inform",
+        Words.named("member", Words.name(member)),
+        Words.named("phase", Words.name(phase)),
+        Words.named("life", Words.text(actions.life())),
+        Words.named("reason", Words.text(reason)));
+  }
+
+  /** Of one that never says anything of itself there is nothing to withdraw. */
+  private void say(MemberWord word) {
+    hasSpoken |= !word.facts().isEmpty();
+    if (hasSpoken) {
+      agent.send(
+          agent.message(
+              ACLMessage.INFORM,
+              agent.getAID(AgentNames.KNOWLEDGE),
+              Words.content(
+                  "inform",
+                  Words.named("source", Words.name(member)),
+                  Words.named("listener", Words.text(word.moment().listener())),
+                  Words.named("said", Words.number(word.moment().number())),
+                  AccountWords.facts(word))));
+    }
+  }
+}

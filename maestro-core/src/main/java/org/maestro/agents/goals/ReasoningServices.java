@@ -1,0 +1,12 @@
+package org.maestro.agents.goals;
+
+import java.time.Duration;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.planning.api.Planner;
+
+/**
+ * What an agent needs to pursue goals itself.
+ *
+ * @param decisionTime simulated time that a decision takes; zero on a paced clock
+ */
+public record ReasoningServices(KnowledgeBase knowledge, Planner planner, Duration decisionTime) {}

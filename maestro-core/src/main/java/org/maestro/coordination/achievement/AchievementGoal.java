@@ -1,0 +1,271 @@
+package org.maestro.coordination.achievement;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.maestro.coordination.allocation.ExactPrices;
+import org.maestro.coordination.allocation.PlanningRound;
+import org.maestro.coordination.api.ContractNet;
+import org.maestro.coordination.api.GoalOutcome;
+import org.maestro.coordination.api.GoalRequest;
+import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.api.GoalStatus;
+import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Recovery;
+import org.maestro.coordination.api.Roster;
+import org.maestro.coordination.api.Takeover;
+import org.maestro.coordination.contention.ActiveGoal;
+import org.maestro.coordination.contention.ActiveGoals;
+import org.maestro.coordination.contention.StepsUnderway;
+import org.maestro.coordination.facts.FactFilter;
+import org.maestro.coordination.recovery.FormerCalls;
+import org.maestro.coordination.recovery.FormerLessons;
+import org.maestro.coordination.story.Decisions;
+import org.maestro.coordination.story.GoalLife;
+import org.maestro.coordination.story.GoalStory;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Snapshot;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.Step;
+import org.maestro.sl.Change;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+
+/**
+ * A goal that is reached once: planned ({@link GoalPlanning}), its plan followed ({@link
+ * PlanFollowing}), seen, ended ({@link GoalEnding}). The coordinator's thread only.
+ */
+public final class AchievementGoal implements ActiveGoal, GoalTransitions {
+  private final PursuitParts parts;
+  private final GoalLife life;
+  private final GoalPlanning planning;
+  private final PlanFollowing following;
+  private final GoalEnding ending;
+
+  public AchievementGoal(
+      String id,
+      GoalRequest request,
+      Ports ports,
+      Roster roster,
+      ActiveGoals activeGoals,
+      ExactPrices exactPrices,
+      Consumer<GoalOutcome> ended) {
+    GoalStory story = new GoalStory(id, ports.story(), ports.clock(), ports.knowledge());
+    this.life = new GoalLife(id, request, ports, story, ended);
+    this.parts = PursuitParts.of(life, story, ports, roster, activeGoals, exactPrices);
+    this.planning = new GoalPlanning(parts, this);
+    this.following = new PlanFollowing(parts, this);
+    this.ending = new GoalEnding(parts, following::release, this);
+  }
+
+  @Override
+  public void start() {
+    if (!life.isOver()) {
+      parts.story().submitted(life.request());
+      makePlan(Optional.empty());
+    }
+  }
+
+  @Override
+  public void prepareToTakeUp(Recovery.UnfinishedGoal goal, String awaited) {
+    life.takeUp(goal);
+    parts.resourceClaims().takeUp(goal.keeps());
+    parts.monitor().takeUp(goal.memory());
+    life.become(GoalState.WAITING, awaited);
+  }
+
+  @Override
+  public void takeUp(Recovery.UnfinishedGoal goal, FormerCalls former) {
+    if (life.isOver()) {
+      goal.calls().forEach(call -> former.giveUp(call, "its goal is over"));
+      return;
+    }
+    parts.story().takenUp(goal);
+    new FormerLessons(parts.ports().knowledge(), parts.activeGoals().experience())
+        .learnAgain(goal.memory().failures());
+    for (Recovery.UnfinishedCall call : goal.calls()) {
+      Optional<String> obstacle = former.obstacle(call);
+      parts.story().takenUp(call, obstacle);
+      if (obstacle.isPresent()) {
+        former.giveUp(call, obstacle.get());
+      } else {
+        following.takeUp(former.order(call));
+      }
+    }
+    if (parts.underway().isEmpty()) {
+      makePlan(
+          goal.effort().plans() == 0
+              ? Optional.empty()
+              : Optional.of("the coordinator was started again"));
+    } else {
+      life.become(GoalState.WAITING, "what was under way before the restart has to end first");
+    }
+  }
+
+  @Override
+  public void cancel(String who) {
+    if (!life.isOver()) {
+      ending.end(GoalState.CANCELLED, List.of("Cancelled by " + who + "."));
+    }
+  }
+
+  @Override
+  public void deadlinePassed() {
+    if (!life.isOver()) {
+      ending.end(
+          GoalState.FAILED, List.of("Its deadline has passed" + life.standingInWords() + "."));
+    }
+  }
+
+  @Override
+  public void knowledgeChanged(KnowledgeBase.Change change, FactFilter changed) {
+    planning.knowledgeChanged(change, changed);
+    following.knowledgeChanged(change, changed);
+    ending.knowledgeChanged();
+  }
+
+  @Override
+  public void memberPresent(String member) {
+    ending.memberPresent(member);
+  }
+
+  @Override
+  public void memberLost(String member) {
+    following.memberLost(member);
+  }
+
+  @Override
+  public void offered(Takeover offer) {
+    following.offered(offer);
+  }
+
+  @Override
+  public void givenBack(String member, String feature, String reason) {
+    following.givenBack(member, feature, reason);
+  }
+
+  @Override
+  public void doubtOver(String member) {
+    ending.doubtOver(member);
+  }
+
+  @Override
+  public void makePlan(Optional<String> why) {
+    planning.makePlan(why);
+  }
+
+  @Override
+  public boolean isPlanning() {
+    return planning.isPlanning();
+  }
+
+  @Override
+  public void makePlanAgain(String why) {
+    planning.makePlanAgain(why);
+  }
+
+  @Override
+  public void adopt(Plan found, ContractNet.Round tender) {
+    following.adopt(found, tender);
+  }
+
+  @Override
+  public void noPlan(PlanningRound.Ended round) {
+    ending.noPlan(round);
+  }
+
+  @Override
+  public void noPlanToSeeIt() {
+    ending.noPlanToSeeIt();
+  }
+
+  @Override
+  public void advance() {
+    following.advance();
+  }
+
+  @Override
+  public void settle(Map<String, Term> binding) {
+    ending.settle(binding);
+  }
+
+  @Override
+  public void giveUp(List<String> reasons) {
+    ending.giveUp(reasons);
+  }
+
+  @Override
+  public String id() {
+    return life.id();
+  }
+
+  @Override
+  public int priority() {
+    return life.request().priority();
+  }
+
+  @Override
+  public GoalStatus status() {
+    return life.status(parts.activeGoals().leases().waitsOf(life.id()));
+  }
+
+  @Override
+  public Decisions decisions() {
+    return planning.decisions();
+  }
+
+  @Override
+  public StepsUnderway underway() {
+    return parts.underway();
+  }
+
+  @Override
+  public boolean isHolding() {
+    return life.state() == GoalState.HOLDING;
+  }
+
+  @Override
+  public Optional<Formula> countsOn(List<Change> changes, Snapshot now, String other) {
+    if (life.isOver() || life.state() == GoalState.SUSPENDED) {
+      return Optional.empty();
+    }
+    return parts
+        .resourceClaims()
+        .spoiledBy(
+            changes,
+            now,
+            isHolding(),
+            !parts.preemption().isAwaited() && parts.activeGoals().leases().isBefore(id(), other));
+  }
+
+  @Override
+  public boolean isTied(String member) {
+    return parts.resourceClaims().isTied(member);
+  }
+
+  @Override
+  public double remainingSeconds() {
+    return parts.plan().remaining().stream().mapToDouble(Step::seconds).sum();
+  }
+
+  @Override
+  public double secondsOfRunningSteps() {
+    return parts.underway().steps().stream().mapToDouble(Step::seconds).max().orElse(0);
+  }
+
+  @Override
+  public void giveWayTo(String other) {
+    parts.preemption().giveWay(other);
+  }
+
+  @Override
+  public void standBackFor(String other) {
+    parts.preemption().standBackFor(other);
+  }
+
+  @Override
+  public void stepBackFor(String other) {
+    parts.preemption().stepBackFor(other);
+  }
+}

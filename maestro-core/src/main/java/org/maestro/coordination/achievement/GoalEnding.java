@@ -1,0 +1,261 @@
+package org.maestro.coordination.achievement;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.maestro.coordination.allocation.PlanningRound;
+import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.api.SearchReport;
+import org.maestro.coordination.facts.Confirmation;
+import org.maestro.coordination.story.GoalLife;
+import org.maestro.coordination.story.GoalStory;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.sl.Term;
+
+/**
+ * How one goal comes to its end: reached and seen, reached as far as is known, or given up with the
+ * reasons. The coordinator's thread only.
+ */
+final class GoalEnding {
+  /** A way that is blocked now is no proof; nobody knows for how long. */
+  static final String NOT_PROVEN =
+      "It is given up, and not proven to be impossible: what was refused or failed now may be"
+          + " possible later.";
+
+  /** How far things are from each other is in no effect. */
+  private static final String NOT_DESCRIBED =
+      "It is given up, and not proven to be impossible: who moves things may bring it about.";
+
+  private final PursuitParts parts;
+  private final GoalMonitor monitor;
+  private final GoalLife life;
+  private final GoalStory story;
+  private final LastTry lastTry;
+  private final AwaitedMembers awaited;
+  private final Runnable release;
+  private final GoalTransitions course;
+  private List<String> whyNot = List.of();
+  private Optional<PlanningRound.Ended> hopeless = Optional.empty();
+  private boolean awaitsCertainty;
+  private boolean hasListened;
+
+  /**
+   * @param release of all that runs for the goal
+   */
+  GoalEnding(PursuitParts parts, Runnable release, GoalTransitions course) {
+    this.parts = parts;
+    this.monitor = parts.monitor();
+    this.life = parts.life();
+    this.story = parts.story();
+    this.lastTry = new LastTry(parts.ports(), parts.activeGoals(), monitor, parts.exactPrices());
+    this.awaited =
+        new AwaitedMembers(parts.ports(), parts.roster(), parts.activeGoals(), monitor.goalId());
+    this.release = release;
+    this.course = course;
+  }
+
+  void end(GoalState how, List<String> reasons) {
+    end(how, false, Map.of(), reasons);
+  }
+
+  private void end(
+      GoalState how, boolean confirmed, Map<String, Term> binding, List<String> reasons) {
+    awaited.forget();
+    release.run();
+    life.end(how, confirmed, binding, reasons);
+    parts.activeGoals().leave(life.id());
+  }
+
+  void settle(Map<String, Term> binding) {
+    Optional<Confirmation> needed = monitor.toBeSeen(binding);
+    if (needed.isEmpty()) {
+      story.confirmed(life.request().goal(), binding);
+      end(GoalState.ACHIEVED, true, binding, List.of());
+    } else if (!monitor.isConfirming()) {
+      monitor.confirm(needed);
+      parts.plan().drop();
+      story.confirming(needed.get());
+      course.makePlan(Optional.empty());
+    } else if (parts.underway().isEmpty() && parts.plan().remaining().isEmpty()) {
+      if (needed.get().isOnlyDisputed() || !needed.get().denials().isEmpty()) {
+        listenOrEndUnseen(needed.get(), binding);
+        return;
+      }
+      monitor.confirm(needed);
+      course.makePlan(Optional.of("it was not seen"));
+    } else if (parts.underway().isEmpty()
+        && monitor.blocked(parts.plan().remaining()).isPresent()) {
+      course.makePlan(Optional.of("it could not be seen so"));
+    } else {
+      course.advance();
+    }
+  }
+
+  void noPlan(PlanningRound.Ended round) {
+    awaited.forget();
+    parts.plan().drop();
+    parts.resourceClaims().letGo();
+    if (!parts.underway().isEmpty()) {
+      life.become(GoalState.WAITING, "what is under way has to end first");
+    } else if (!parts.roster().doubts().isEmpty()) {
+      awaitsCertainty = true;
+      String doubts = String.join("; ", parts.roster().doubts().values());
+      life.become(GoalState.WAITING, doubts);
+      story.awaitsCertainty(doubts);
+    } else if (monitor.isConfirming()) {
+      noPlanToSeeIt();
+    } else if (!monitor.isFindingOut() && lastTry.isLeft(round)) {
+      life.become(GoalState.WAITING, "what failed or was not priced is tried once more");
+      story.triesOnceMore(lastTry.pause(), round.result());
+      lastTry.afterPause(this::tryOnceMore);
+    } else if (monitor.isFindingOut()) {
+      awaitOrGiveUp();
+    } else {
+      whyNot = reasons(round);
+      hopeless = Optional.of(round);
+      if (monitor.canFindOut()) {
+        monitor.findOut();
+        course.makePlan(Optional.of("nobody can make it so, but it may be so already"));
+      } else {
+        awaitOrGiveUp();
+      }
+    }
+  }
+
+  private void awaitOrGiveUp() {
+    PlanningResult result = hopeless.orElseThrow().result();
+    Set<String> missed = awaited.missed(result);
+    if (missed.isEmpty()) {
+      giveUp(whyNot);
+      return;
+    }
+    Duration atMost = awaited.await(missed, result, () -> goOn("nobody has come back"));
+    String members =
+        missed.stream()
+            .map(
+                member ->
+                    "for %s to come back (%s)".formatted(member, parts.roster().absence(member)))
+            .collect(Collectors.joining(", "));
+    life.become(GoalState.WAITING, members);
+    story.awaits(members, atMost);
+  }
+
+  private void goOn(String why) {
+    if (awaited.isAny() && !life.isOver()) {
+      awaited.forget();
+      course.makePlan(Optional.of(why));
+    }
+  }
+
+  /** It may be one that is waited for, or one that can stand in for it. */
+  void memberPresent(String member) {
+    if (awaited.isAny() && monitor.isCandidate(member)) {
+      goOn(member + " is there");
+    }
+  }
+
+  void knowledgeChanged() {
+    if (awaited.isAny() && (awaited.isHelped() || monitor.holds().isPresent())) {
+      goOn("things have changed while it waited");
+    }
+  }
+
+  /** Nobody is given up for want of one who may be there; now one of them is, or is lost. */
+  void doubtOver(String member) {
+    if (awaitsCertainty && !life.isOver()) {
+      awaitsCertainty = false;
+      course.makePlan(
+          Optional.of(
+              parts.roster().isPresent(member)
+                  ? member + " is there again"
+                  : member + " is lost (" + parts.roster().absence(member) + ")"));
+    }
+  }
+
+  private List<String> reasons(PlanningRound.Ended round) {
+    List<String> reasons = new ArrayList<>(monitor.reasonsOfLeavingAlone());
+    reasons.addAll(story.reasons(round.result()));
+    reasons.addAll(awaited.perhapsWithTheLost(round.result()));
+    round.notCountedOn().ifPresent(reasons::add);
+    if (monitor.restsOnRefusals(round.result())) {
+      reasons.add(NOT_PROVEN);
+    } else if (monitor.restsOnPlaces()) {
+      reasons.add(NOT_DESCRIBED);
+    }
+    return reasons;
+  }
+
+  private void tryOnceMore() {
+    if (!life.isOver()) {
+      monitor.trustEarlierSteps();
+      course.makePlan(Optional.of("what failed or was not priced may be possible now"));
+    }
+  }
+
+  void noPlanToSeeIt() {
+    Optional<Plan> reached = monitor.holds();
+    if (reached.isPresent()) {
+      Map<String, Term> binding = reached.get().goalBinding();
+      monitor
+          .toBeSeen(binding)
+          .ifPresentOrElse(needed -> listenOrEndUnseen(needed, binding), () -> settle(binding));
+    } else {
+      monitor.confirm(Optional.empty());
+      course.makePlan(Optional.of("it cannot be seen any more that the goal is reached"));
+    }
+  }
+
+  /** Who tells of it of its own accord has some time to do so. */
+  private void listenOrEndUnseen(Confirmation needed, Map<String, Term> binding) {
+    if (hasListened || needed.tellers().isEmpty()) {
+      endUnseen(needed, binding);
+      return;
+    }
+    hasListened = true;
+    String tellers = String.join(", ", needed.tellers());
+    life.become(GoalState.WAITING, "for what " + tellers + " may tell");
+    story.listens(tellers, LastTry.PAUSE);
+    lastTry.afterPause(
+        () -> {
+          if (!life.isOver()) {
+            course.makePlan(Optional.of(tellers + " had time to tell"));
+          }
+        });
+  }
+
+  /** Whoever did it is believed where nobody can look, and not against who has looked. */
+  private void endUnseen(Confirmation needed, Map<String, Term> binding) {
+    if (needed.denials().isEmpty()) {
+      end(GoalState.ACHIEVED, false, binding, List.of(story.unconfirmed(needed)));
+    } else {
+      giveUp(List.of(story.denied(needed), NOT_PROVEN));
+    }
+  }
+
+  /** Ends it, with what was looked at in vain and what could not be looked at. */
+  void giveUp(List<String> reasons) {
+    SearchReview review = monitor.searchReview(parts.roster());
+    parts
+        .ports()
+        .thinking()
+        .patient()
+        .think(
+            () -> review.reports(life.request().goal()),
+            reports -> parts.activeGoals().run(() -> gaveUp(reasons, reports)));
+  }
+
+  private void gaveUp(List<String> reasons, List<SearchReport> reports) {
+    if (!life.isOver()) {
+      List<String> all = new ArrayList<>(reasons);
+      reports.forEach(report -> all.addAll(story.searched(report)));
+      release.run();
+      life.end(GoalState.FAILED, false, Map.of(), all, reports);
+      parts.activeGoals().leave(life.id());
+    }
+  }
+}

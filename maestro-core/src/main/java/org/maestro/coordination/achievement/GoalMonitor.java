@@ -1,0 +1,420 @@
+package org.maestro.coordination.achievement;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.maestro.coordination.allocation.PlanningRound;
+import org.maestro.coordination.api.GoalRequest;
+import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Recovery;
+import org.maestro.coordination.api.Roster;
+import org.maestro.coordination.api.Sentences;
+import org.maestro.coordination.contention.ActiveGoal;
+import org.maestro.coordination.contention.ActiveGoals;
+import org.maestro.coordination.facts.Assured;
+import org.maestro.coordination.facts.Confirmation;
+import org.maestro.coordination.facts.EpistemicGoal;
+import org.maestro.coordination.facts.FactFilter;
+import org.maestro.coordination.facts.FactsMaskedByRunningSteps;
+import org.maestro.coordination.facts.FactsUnder;
+import org.maestro.coordination.facts.KnowledgeVersion;
+import org.maestro.coordination.facts.PlanCheck;
+import org.maestro.coordination.facts.ReckonedFromPlaces;
+import org.maestro.coordination.facts.Relevance;
+import org.maestro.coordination.facts.ReplanTriggers;
+import org.maestro.coordination.facts.Sensing;
+import org.maestro.coordination.lessons.FailureMemory;
+import org.maestro.coordination.lessons.Insistence;
+import org.maestro.coordination.lessons.VainDeeds;
+import org.maestro.knowledge.api.FeatureRun;
+import org.maestro.knowledge.api.Snapshot;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.PlanningResult;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.PricedFeature;
+import org.maestro.planning.api.Step;
+import org.maestro.planning.api.StepKey;
+import org.maestro.sl.Evaluation;
+import org.maestro.sl.Facts;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
+
+/** What is known now, as it looks to one goal: whether it holds, and whether steps lead to it. */
+final class GoalMonitor {
+  /** Each look in vain takes one; more looks than places and things together are of no use. */
+  private static final int MOST_FINDING_OUT = 20;
+
+  /**
+   * What was observed longer ago is observed again before the goal is called reached: as long as a
+   * thing in view stays in view without a word. At more than wall speed messages take longer.
+   */
+  private static final Duration LATELY = Duration.ofSeconds(2);
+
+  private final String goalId;
+  private final Formula goal;
+  private final Ports ports;
+  private final ActiveGoals activeGoals;
+  private final PlanCheck check;
+  private final FailureMemory failures;
+  private final SearchLog searches;
+  private final VainDeeds deeds = new VainDeeds();
+  private final Map<StepKey, String> leftAlone = new LinkedHashMap<>();
+  private final Map<StepKey, String> tooLate = new LinkedHashMap<>();
+
+  /** What became of it when a step failed, nobody knew. */
+  private final FactFilter leftOpen;
+
+  private List<PricedFeature> features = List.of();
+  private Optional<Confirmation> confirmation = Optional.empty();
+  private Instant confirmedSince = Instant.MIN;
+  private boolean findingOut;
+  private boolean findOutNext;
+  private boolean trusting;
+  private boolean trustNext;
+  private int timesFoundOut;
+
+  GoalMonitor(String goalId, GoalRequest request, Ports ports, ActiveGoals activeGoals) {
+    this.goalId = goalId;
+    this.goal = Assured.of(request.goal(), ports.knowledge().home().vocabulary());
+    this.ports = ports;
+    this.activeGoals = activeGoals;
+    this.failures = new FailureMemory(goalId, ports.journal());
+    this.searches = new SearchLog(goalId, ports.journal());
+    this.leftOpen = new FactFilter(vocabulary());
+    this.check = new PlanCheck(ports.planner());
+  }
+
+  String goalId() {
+    return goalId;
+  }
+
+  /** What was learnt before a restart. */
+  void takeUp(Recovery.GoalMemory former) {
+    failures.takeUp(former.failures());
+    searches.takeUp(former.looks());
+  }
+
+  /** Features at the prices of the latest round. */
+  void offered(List<PricedFeature> offered) {
+    features = offered;
+  }
+
+  boolean isConfirming() {
+    return confirmation.isPresent();
+  }
+
+  /** What has to be seen from now on, besides the goal itself. */
+  void confirm(Optional<Confirmation> needed) {
+    if (needed.isPresent() && confirmation.isEmpty()) {
+      confirmedSince = lately();
+    }
+    confirmation = needed;
+  }
+
+  private Instant lately() {
+    long millis = (long) (LATELY.toMillis() * Math.max(1, ports.clock().speed()));
+    return ports.clock().instant().minusMillis(millis);
+  }
+
+  /** What would have to be seen if the goal were called reached with these values. */
+  Optional<Confirmation> toBeSeen(Map<String, Term> binding) {
+    return Confirmation.needed(
+        goal,
+        binding,
+        ports.knowledge().snapshot(),
+        ports.knowledge().home(),
+        isConfirming() ? confirmedSince : lately());
+  }
+
+  /** The goal itself, by what is known now, without what would have to be seen. */
+  Optional<Plan> holds() {
+    return check.holds(
+        new PlanningTask(
+            ports.knowledge().home().vocabulary(),
+            ports.knowledge().snapshot(),
+            features,
+            goal,
+            Set.of()));
+  }
+
+  /** Whether the steps lead to the goal, at no higher cost than planned. */
+  boolean isGood(List<Step> steps) {
+    return check.isGood(task(), steps);
+  }
+
+  /** The first of the steps that cannot be done any more. */
+  Optional<Step> blocked(List<Step> steps) {
+    return check.blocked(task(), steps);
+  }
+
+  /** What must not change for these steps to remain the right ones. */
+  ReplanTriggers concern(List<Step> steps) {
+    return new ReplanTriggers(goal, steps, ports.knowledge().home().vocabulary(), presentFacts());
+  }
+
+  PlanningRound.Subject subject() {
+    return new PlanningRound.Subject(goalId, goal, confirmation, findingOut);
+  }
+
+  /** Whether the member offers anything that could be part of a plan for the goal. */
+  boolean isCandidate(String member) {
+    return Relevance.candidates(goal, ports.knowledge().home()).containsKey(member);
+  }
+
+  /** Whether looks may show that it is so already, though nobody can make it so. */
+  boolean canFindOut() {
+    return timesFoundOut < MOST_FINDING_OUT
+        && EpistemicGoal.helps(goal, ports.knowledge().snapshot(), vocabulary());
+  }
+
+  /** The next plan is to show whether it is so already. */
+  void findOut() {
+    timesFoundOut++;
+    findOutNext = true;
+  }
+
+  boolean isFindingOut() {
+    return findingOut;
+  }
+
+  /** A plan is to be made now. */
+  void planBegins() {
+    findingOut = findOutNext;
+    findOutNext = false;
+    trusting = trustNext;
+    trustNext = false;
+  }
+
+  /**
+   * In the next plan, a step that its member declines now counts as possible after steps that
+   * change the world before it: they may clear its way.
+   */
+  void trustEarlierSteps() {
+    trustNext = true;
+  }
+
+  boolean isTrusting() {
+    return trusting;
+  }
+
+  Facts factsForPlans() {
+    return findingOut
+        ? EpistemicGoal.withWhatIsSeen(presentFacts(), ports.knowledge().snapshot())
+        : presentFacts();
+  }
+
+  private Vocabulary vocabulary() {
+    return ports.knowledge().home().vocabulary();
+  }
+
+  /** What is known now. */
+  KnowledgeVersion look() {
+    return new KnowledgeVersion(ports.knowledge().snapshot().version(), presentFacts());
+  }
+
+  FactsMaskedByRunningSteps presentFacts() {
+    return activeGoals.factsBesideSteps(
+        ports.knowledge().snapshot(), ports.knowledge().home().vocabulary());
+  }
+
+  /** Returns what is known only now of the conditions on which the step's member insists. */
+  List<Insistence> failed(StepEnd ended, String problem) {
+    StepKey step = ended.step().key();
+    List<FeatureRun.Learnt> refs = ended.report().refs();
+    Set<Formula.Atom> taught = Insistence.facts(refs);
+    Snapshot now = ports.knowledge().snapshot();
+    String after = FactsUnder.with(factsUnder(step), taught, now);
+    List<Insistence> news =
+        describedFeature(step)
+            .map(type -> activeGoals.experience().refused(step, type, refs, now))
+            .orElse(List.of());
+    failures.note(
+        step,
+        FactsUnder.asTaught(ended.factsBefore(), after, taught),
+        Sentences.withoutFullStop(problem),
+        refs,
+        ended.report().refusal().filter(refusal -> !isKnownToLackSomething(step, now)));
+    List<String> lost =
+        ended.change().facts().stream().filter(fact -> fact.startsWith("(unknown ")).toList();
+    leftOpen.addAll(FactFilter.of(lost, vocabulary()));
+    return news;
+  }
+
+  /** Then plans bring that about first, and need not leave the step alone. */
+  private boolean isKnownToLackSomething(StepKey step, Snapshot now) {
+    return describedFeature(step)
+        .map(type -> activeGoals.experience().condition(step.member(), type))
+        .map(condition -> new Evaluation(now).truth(condition, step.values()))
+        .filter(Truth.FALSE::equals)
+        .isPresent();
+  }
+
+  /** Returns whether any barred step had no last chance before. */
+  boolean giveLastChances() {
+    boolean any = failures.giveLastChances(this::factsUnder) || !tooLate.isEmpty();
+    tooLate.clear();
+    return any;
+  }
+
+  /** The member offers to do the feature: what failed before says nothing any more. */
+  void offersAgain(String member, String feature) {
+    failures.pardon(member, feature);
+    tooLate
+        .keySet()
+        .removeIf(step -> step.member().equals(member) && step.feature().equals(feature));
+  }
+
+  /** Its member takes so much longer than it said that others are preferred as long as any can. */
+  void tooLate(Step step, String why) {
+    tooLate.put(step.key(), why);
+  }
+
+  /** The step would end what another goal keeps for good; as long as it does, nobody does it. */
+  void leaveAlone(Step step, String keeper) {
+    leftAlone.put(step.key(), keeper);
+  }
+
+  List<String> reasonsOfLeavingAlone() {
+    return leftAlone.values().stream()
+        .distinct()
+        .flatMap(keeper -> activeGoals.find(keeper).stream())
+        .filter(ActiveGoal::isHolding)
+        .map(
+            keeper ->
+                "It would end what %s keeps, %s; cancel that one, or give this one a higher priority."
+                    .formatted(keeper.id(), keeper.status().goal()))
+        .toList();
+  }
+
+  /**
+   * Steps that failed too often with facts as they are, and those that would end what others keep,
+   * each with its reason.
+   */
+  Map<StepKey, String> barred() {
+    leftAlone
+        .values()
+        .removeIf(keeper -> activeGoals.find(keeper).filter(ActiveGoal::isHolding).isEmpty());
+    Map<StepKey, String> barred = new LinkedHashMap<>(failures.barred(this::factsUnder));
+    barred.putAll(tooLate);
+    leftAlone.forEach((step, keeper) -> barred.put(step, "it would end what " + keeper + " keeps"));
+    if (!isConfirming()) {
+      // How often it is looked whether it is done, is counted by itself.
+      searches
+          .spent()
+          .forEach(step -> barred.put(step, "it was in vain " + SearchLog.ROUNDS + " times"));
+    }
+    return barred;
+  }
+
+  /**
+   * Whether there would be a plan if somebody did what was refused now, or failed, or if that were
+   * so which a step that failed left open.
+   */
+  boolean restsOnRefusals(PlanningResult result) {
+    return result instanceof PlanningResult.Impossible impossible
+        && (impossible.explanation().obstacles().stream().anyMatch(this::isOrWouldDoInstead)
+            || features.stream().anyMatch(this::isInsistedOn));
+  }
+
+  /**
+   * Whether the goal speaks of what changes with the places of things, though no effect says so.
+   */
+  boolean restsOnPlaces() {
+    return new ReckonedFromPlaces(vocabulary()).isIn(goal, ports.knowledge().snapshot());
+  }
+
+  private boolean isOrWouldDoInstead(PlanningResult.Obstacle obstacle) {
+    return mayBeOvercome(obstacle)
+        || obstacle.cures().stream()
+            .anyMatch(c -> c.conditions().stream().allMatch(this::mayBeOvercome));
+  }
+
+  private boolean mayBeOvercome(PlanningResult.Obstacle obstacle) {
+    return isRefusal(obstacle) || isLeftOpen(obstacle) || isOfUselessResults(obstacle);
+  }
+
+  /** That it insists on the same elsewhere is not what it said. */
+  private boolean isInsistedOn(PricedFeature feature) {
+    return activeGoals.experience().isInsistedOn(feature.member(), feature.type().name());
+  }
+
+  private boolean isOfUselessResults(PlanningResult.Obstacle obstacle) {
+    return obstacle.kind() == PlanningResult.Obstacle.Kind.MEMBER
+        && activeGoals.experience().isDoubted(obstacle.condition());
+  }
+
+  private boolean isLeftOpen(PlanningResult.Obstacle obstacle) {
+    return obstacle.kind() == PlanningResult.Obstacle.Kind.UNKNOWN
+        && leftOpen.speaksOf(obstacle.condition());
+  }
+
+  private boolean isRefusal(PlanningResult.Obstacle obstacle) {
+    return obstacle.kind() == PlanningResult.Obstacle.Kind.STEP
+        && obstacle.subject().filter(step -> !leftAlone.containsKey(step)).isPresent();
+  }
+
+  /**
+   * A step succeeded, and what it found is known. What is said to be done again and again, and has
+   * to be, counts as a failure from the second time on.
+   *
+   * @param factsBefore under its precondition
+   */
+  void done(Step step, String factsBefore, Map<String, Term> outputs) {
+    if (!Sensing.isIn(step.feature().effect()) && deeds.isVain(step.key(), factsBefore)) {
+      failures.note(
+          step.key(),
+          factsBefore,
+          "it was said to be done, and is needed again",
+          List.of(),
+          Optional.empty());
+    }
+    searches.done(
+        step,
+        outputs,
+        ports.knowledge().snapshot(),
+        ports.clock().now(),
+        ports.knowledge().home().vocabulary());
+  }
+
+  /** What became of the goal's searches. */
+  SearchReview searchReview(Roster roster) {
+    return SearchReview.of(goal, ports, roster, features, barred().keySet(), searches);
+  }
+
+  /** The facts on which the step's precondition rests, as text to be compared. */
+  String factsUnder(StepKey key) {
+    return describedFeature(key)
+        .map(
+            feature -> {
+              Snapshot now = ports.knowledge().snapshot();
+              return FactsUnder.with(
+                  FactsUnder.of(feature.precondition(), key.values(), now),
+                  failures.taught(key),
+                  now);
+            })
+        .orElse("");
+  }
+
+  private Optional<FeatureType> describedFeature(StepKey key) {
+    return Optional.ofNullable(ports.knowledge().home().devices().get(key.member())).stream()
+        .flatMap(device -> device.features().stream())
+        .filter(feature -> feature.name().equals(key.feature()))
+        .findFirst();
+  }
+
+  private PlanningTask task() {
+    return new PlanningTask(
+        subject().vocabulary(ports.knowledge().home()),
+        factsForPlans(),
+        features,
+        subject().planned(ports.knowledge().home()),
+        barred().keySet());
+  }
+}

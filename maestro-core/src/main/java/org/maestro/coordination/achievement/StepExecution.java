@@ -1,0 +1,225 @@
+package org.maestro.coordination.achievement;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.maestro.coordination.allocation.ExactPrices;
+import org.maestro.coordination.api.ActionDispatcher;
+import org.maestro.coordination.api.Argument;
+import org.maestro.coordination.api.CallArguments;
+import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Resource;
+import org.maestro.coordination.contention.ActiveGoals;
+import org.maestro.coordination.contention.ResourceClaims;
+import org.maestro.coordination.contention.StepsUnderway;
+import org.maestro.coordination.facts.NextPlace;
+import org.maestro.coordination.facts.Sensing;
+import org.maestro.coordination.lessons.Experience;
+import org.maestro.coordination.story.GoalStory;
+import org.maestro.knowledge.api.FeatureRun;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Snapshot;
+import org.maestro.knowledge.api.StepAccount;
+import org.maestro.knowledge.learning.ResultCheck;
+import org.maestro.planning.api.Step;
+import org.maestro.planning.api.StepKey;
+import org.maestro.sl.Term;
+
+/** Has one goal's steps done: takes what they occupy, orders them, learns from their reports. */
+final class StepExecution {
+  private final String goalId;
+  private final Ports ports;
+  private final ActiveGoals activeGoals;
+  private final ResourceClaims resourceClaims;
+  private final ExactPrices exactPrices;
+  private final GoalStory story;
+  private final StepsUnderway underway;
+  private final GoalMonitor monitor;
+  private final Consumer<StepEnd> ended;
+  private final List<ActionDispatcher.Handle> established = new ArrayList<>();
+  private boolean goalOver;
+
+  StepExecution(PursuitParts parts, Consumer<StepEnd> ended) {
+    this.goalId = parts.id();
+    this.ports = parts.ports();
+    this.activeGoals = parts.activeGoals();
+    this.resourceClaims = parts.resourceClaims();
+    this.exactPrices = parts.exactPrices();
+    this.story = parts.story();
+    this.underway = parts.underway();
+    this.monitor = parts.monitor();
+    this.ended = ended;
+  }
+
+  /**
+   * @param planned what is left of the plan
+   */
+  void begin(Step step, List<Step> planned) {
+    Set<Resource> used = resourceClaims.begin(step);
+    Snapshot before = ports.knowledge().snapshot();
+    CallArguments known = new CallArguments(ports.knowledge().home(), before);
+    Map<String, Argument> arguments = known.of(step.feature(), step.bindings());
+    arguments.putAll(new NextPlace(known).of(step, planned));
+    ActionDispatcher.Request order =
+        new ActionDispatcher.Request(goalId, step, arguments, timeout(step));
+    boolean isAskedAgain = ports.dispatcher().isOwed(goalId, step.key());
+    Optional<Snapshot> lately = Optional.of(before).filter(b -> !isAskedAgain);
+    perform(order, used, before, report -> run(step, lately, report));
+  }
+
+  /**
+   * A step that was begun before this coordinator was there, in its former words. What its member
+   * says of itself may have been said before the step or after it.
+   */
+  void takeUp(ActionDispatcher.Request order) {
+    perform(
+        order,
+        resourceClaims.begin(order.step()),
+        ports.knowledge().snapshot(),
+        report ->
+            run(
+                order.step(),
+                Optional.empty(),
+                report.with(report.account().map(StepAccount::begunLongAgo))));
+  }
+
+  private void perform(
+      ActionDispatcher.Request order,
+      Set<Resource> used,
+      Snapshot before,
+      Function<ActionDispatcher.Report, FeatureRun> teaches) {
+    Step step = order.step();
+    ActionDispatcher.Handle[] performance = new ActionDispatcher.Handle[1];
+    AwaitedReport awaited =
+        new AwaitedReport(
+            ports,
+            report ->
+                activeGoals.run(
+                    () ->
+                        reported(
+                            step, used, before, report, teaches.apply(report), performance[0])));
+    performance[0] = ports.dispatcher().perform(order, awaited::arrived);
+    underway.begun(step, before, performance[0]);
+    awaited.until(
+        order.timeout().plus(busTime().multipliedBy(2)),
+        step.member(),
+        () -> performance[0].aliveAt());
+  }
+
+  /**
+   * Steps under way that the new plan does not want are called off, and so is what has no answer.
+   */
+  void callOffAllBut(List<Step> wanted) {
+    Set<StepKey> keys = wanted.stream().map(Step::key).collect(Collectors.toSet());
+    underway.callOffAllBut(keys, story::cancelled);
+    ports.dispatcher().giveUpOwed(goalId, keys).forEach(this::end);
+  }
+
+  /** Its member may be at it still; what it says now of what it did counts all the same. */
+  private void end(ActionDispatcher.Request order) {
+    Step step = order.step();
+    story.ends(step);
+    perform(
+        order,
+        resourceClaims.begin(step),
+        ports.knowledge().snapshot(),
+        report -> run(step, Optional.empty(), report));
+    underway.isEnding(step);
+  }
+
+  /** The goal is over: nothing that runs for it goes on. */
+  void release() {
+    goalOver = true;
+    underway.callOffAllBut(Set.of(), step -> {});
+    established.forEach(ActionDispatcher.Handle::cancel);
+  }
+
+  /** Thrice the expected time, and what the bus may take, which no fast clock makes shorter. */
+  private Duration timeout(Step step) {
+    return Duration.ofMillis((long) (step.seconds() * 3_000)).plus(busTime());
+  }
+
+  private Duration busTime() {
+    return Duration.ofMillis((long) (15_000 * Math.max(1, ports.clock().speed())));
+  }
+
+  private void reported(
+      Step step,
+      Set<Resource> used,
+      Snapshot before,
+      ActionDispatcher.Report report,
+      FeatureRun run,
+      ActionDispatcher.Handle performance) {
+    boolean calledOff = underway.ended(step);
+    resourceClaims.ended(step, used);
+    exactPrices.forget(step.member());
+    String factsBefore = monitor.factsUnder(step.key());
+    KnowledgeBase.Change change = ports.knowledge().learn(run);
+    ActionDispatcher.Report judged = judged(step, report, performance);
+    if (goalOver) {
+      return;
+    }
+    if (judged.succeeded()) {
+      resourceClaims.done(step, before);
+      if (step.feature().continuous()) {
+        keepOrEnd(step, performance);
+      }
+    }
+    ended.accept(new StepEnd(step, judged, calledOff, factsBefore, change));
+  }
+
+  /** A result that teaches nothing is none; what was sound in it is known all the same. */
+  private ActionDispatcher.Report judged(
+      Step step, ActionDispatcher.Report report, ActionDispatcher.Handle performance) {
+    if (!report.succeeded()) {
+      return report;
+    }
+    Experience experience = activeGoals.experience();
+    Optional<String> objection = objection(step, report);
+    if (objection.isEmpty()) {
+      experience.taught(step.member(), step.feature().name());
+      return report;
+    }
+    String problem = step.member() + " reports a result that teaches nothing: " + objection.get();
+    experience.taughtNothing(step.member(), step.feature().name(), problem);
+    if (step.feature().continuous()) {
+      performance.cancel();
+    }
+    return new ActionDispatcher.Report(false, Map.of(), Optional.of(problem + "."), List.of());
+  }
+
+  private Optional<String> objection(Step step, ActionDispatcher.Report report) {
+    return ResultCheck.objection(step.feature(), report.outputs())
+        .or(() -> EmptyResult.of(step, ports.knowledge()));
+  }
+
+  /** Sight is kept until the goal ends; one reading of a number is enough while it is valid. */
+  private void keepOrEnd(Step step, ActionDispatcher.Handle performance) {
+    if (Sensing.isOfAtoms(step.feature().effect())) {
+      established.add(performance);
+    } else {
+      performance.cancel();
+    }
+  }
+
+  private static FeatureRun run(
+      Step step, Optional<Snapshot> before, ActionDispatcher.Report report) {
+    Map<String, Term> bindings = step.values();
+    return new FeatureRun(
+        step.member(),
+        step.feature(),
+        bindings,
+        report.succeeded(),
+        report.outputs(),
+        report.refs(),
+        before,
+        report.begun(),
+        report.account());
+  }
+}

@@ -1,0 +1,6 @@
+/**
+ * A goal that is to be reached once: planned, its steps done, their results learnt from, seen,
+ * ended. Knowledge, reports and the turns of other goals flow in; orders, plans made again and an
+ * outcome flow out. It knows nothing of goals that are held.
+ */
+package org.maestro.coordination.achievement;

@@ -1,0 +1,146 @@
+package org.maestro.coordination.contention;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import org.maestro.coordination.api.GoalPriority;
+import org.maestro.coordination.api.Resource;
+import org.maestro.coordination.api.Thinking;
+import org.maestro.coordination.api.WaitsFor;
+import org.maestro.coordination.facts.FactsMaskedByRunningSteps;
+import org.maestro.coordination.lessons.Experience;
+import org.maestro.knowledge.api.Snapshot;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.rats.time.Clock;
+
+/**
+ * The goals under way beside each other, what they have of what all of them want, and whose turn it
+ * is. A goal that may go on is looked at when the one at work has come to the end of what it does:
+ * no goal's decision is made in the middle of another's.
+ */
+public final class ActiveGoals {
+  private final Leases leases = new Leases(this::wake);
+  private final Map<String, ActiveGoal> pursuits = new LinkedHashMap<>();
+  private final Deque<Runnable> errands = new ArrayDeque<>();
+  private final Set<String> woken = new LinkedHashSet<>();
+  private final Rush rush;
+  private final Experience experience = new Experience();
+  private boolean atWork;
+
+  public ActiveGoals(Clock clock, Thinking thinking) {
+    rush = new Rush(clock, thinking, this::wake);
+  }
+
+  public Leases leases() {
+    return leases;
+  }
+
+  public Rush rush() {
+    return rush;
+  }
+
+  /** What the steps of all of them have shown of members. */
+  public Experience experience() {
+    return experience;
+  }
+
+  public void enter(ActiveGoal pursuit, GoalPriority standing) {
+    pursuits.put(pursuit.id(), pursuit);
+    leases.enter(pursuit.id(), standing);
+  }
+
+  /** It is over. */
+  public void leave(String goal) {
+    pursuits.remove(goal);
+    leases.leave(goal);
+  }
+
+  public Optional<ActiveGoal> find(String goal) {
+    return Optional.ofNullable(pursuits.get(goal));
+  }
+
+  /** Those that are not over, oldest first. */
+  public List<ActiveGoal> all() {
+    return new ArrayList<>(pursuits.values());
+  }
+
+  List<ActiveGoal> others(String goal) {
+    return pursuits.values().stream().filter(p -> !p.id().equals(goal)).toList();
+  }
+
+  /** What is known, without what any step under way is just changing. */
+  public FactsMaskedByRunningSteps factsBesideSteps(Snapshot now, Vocabulary vocabulary) {
+    FactsMaskedByRunningSteps facts = new FactsMaskedByRunningSteps(now, vocabulary);
+    pursuits.values().forEach(pursuit -> pursuit.underway().addTo(facts));
+    return facts;
+  }
+
+  /** Members of whom other goals have something, or come first in asking for it. */
+  public Set<String> busyMembers(String goal) {
+    return leases.takenFrom(goal).stream()
+        .map(Resource::owner)
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /**
+   * How long it may take until all of this is free: what its holders have yet to do, and those who
+   * come before. Who goes first waits only until a step ends.
+   */
+  public double secondsUntilFree(String goal, List<WaitsFor> obstacles) {
+    double longest = 0;
+    for (WaitsFor obstacle : obstacles) {
+      double seconds =
+          find(obstacle.holder()).map(holder -> secondsOf(goal, holder, obstacle)).orElse(0.0);
+      for (String other : leases.before(goal, obstacle.resource())) {
+        if (!other.equals(obstacle.holder())) {
+          seconds += find(other).map(ActiveGoal::remainingSeconds).orElse(0.0);
+        }
+      }
+      longest = Math.max(longest, seconds);
+    }
+    return longest;
+  }
+
+  private double secondsOf(String goal, ActiveGoal holder, WaitsFor obstacle) {
+    boolean givesWay =
+        leases.standing(goal).priority() > leases.standing(holder.id()).priority()
+            && !holder.isTied(obstacle.resource().owner());
+    return givesWay ? holder.secondsOfRunningSteps() : holder.remainingSeconds();
+  }
+
+  /** Does the work, and then all that it makes possible. */
+  public void run(Runnable work) {
+    errands.addLast(work);
+    if (atWork) {
+      return;
+    }
+    atWork = true;
+    try {
+      while (!errands.isEmpty()) {
+        errands.removeFirst().run();
+      }
+    } finally {
+      atWork = false;
+      errands.clear();
+      woken.clear();
+    }
+  }
+
+  private void wake(String goal) {
+    if (woken.add(goal)) {
+      run(
+          () -> {
+            woken.remove(goal);
+            find(goal).ifPresent(ActiveGoal::advance);
+          });
+    }
+  }
+}

@@ -1,0 +1,118 @@
+package org.maestro.coordination.maintenance;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.function.Consumer;
+import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.api.HeldNews;
+import org.maestro.coordination.story.GoalLife;
+import org.maestro.rats.time.Clock;
+import org.maestro.sl.Formula;
+
+/** Whether a goal holds, and what is told when that changes. The coordinator's thread only. */
+final class Holding {
+  private final Formula condition;
+  private final GoalLife life;
+  private final HeldStory story;
+  private final Clock clock;
+  private final Consumer<HeldNews> news;
+  private final RetryBackoff patience = new RetryBackoff();
+  private boolean holding;
+  private boolean everHeld;
+  private String lastReasons = "";
+
+  Holding(Formula condition, GoalLife life, HeldStory story, Clock clock, Consumer<HeldNews> news) {
+    this.condition = condition;
+    this.life = life;
+    this.story = story;
+    this.clock = clock;
+    this.news = news;
+  }
+
+  /**
+   * @param before whether it was so before a restart
+   */
+  void takeUp(boolean before) {
+    everHeld = before;
+  }
+
+  boolean isSo() {
+    return holding;
+  }
+
+  boolean everWas() {
+    return everHeld;
+  }
+
+  /** Whether it was tried in vain since it held last. */
+  boolean isDespaired() {
+    return !lastReasons.isEmpty();
+  }
+
+  /** How long it is to be waited before it is tried again. */
+  Duration pause() {
+    return patience.left(clock.now());
+  }
+
+  /** Who takes part is not as it was. */
+  void renewed() {
+    patience.renewed(clock.now());
+  }
+
+  /**
+   * It is so.
+   *
+   * @param unobserved by what is known only
+   * @param confirmed not only by the word of who did it
+   */
+  void begins(boolean unobserved, boolean confirmed) {
+    if (!holding) {
+      holding = true;
+      patience.held(clock.now());
+      lastReasons = "";
+      story.holds(condition, everHeld, unobserved, confirmed);
+      tell(everHeld ? HeldNews.Kind.HELD_AGAIN : HeldNews.Kind.HELD, confirmed, List.of());
+      everHeld = true;
+    }
+    become(GoalState.HOLDING, unobserved ? "nobody can observe it all the time" : "");
+  }
+
+  void ceases() {
+    if (holding) {
+      holding = false;
+      patience.lost(clock.now());
+      story.lost(condition);
+      tell(HeldNews.Kind.LOST, false, List.of());
+    }
+  }
+
+  /** It could not be brought about. */
+  void failed(List<String> reasons) {
+    patience.failed(clock.now());
+    String text = String.join(" ", reasons);
+    if (!text.equals(lastReasons)) {
+      lastReasons = text;
+      story.cannotBeHeld(reasons);
+      tell(HeldNews.Kind.LOST, false, reasons);
+    }
+    awaits();
+  }
+
+  void awaits() {
+    become(GoalState.WAITING, lastReasons.isEmpty() ? "it is tried again soon" : lastReasons);
+  }
+
+  void suspended(String why) {
+    become(GoalState.SUSPENDED, why);
+  }
+
+  private void become(GoalState next, String why) {
+    if (life.state() != next || !life.detail().equals(why)) {
+      life.become(next, why);
+    }
+  }
+
+  private void tell(HeldNews.Kind kind, boolean confirmed, List<String> reasons) {
+    news.accept(new HeldNews(life.id(), kind, confirmed, reasons));
+  }
+}

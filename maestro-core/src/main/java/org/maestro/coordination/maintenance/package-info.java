@@ -1,0 +1,6 @@
+/**
+ * A goal that is held until it is cancelled (M5, M91): observed, brought about again when it is
+ * lost, and held by cheaper settings. Each bringing about is a goal of its own, made by whoever
+ * opens it. It does not know how that one is reached.
+ */
+package org.maestro.coordination.maintenance;

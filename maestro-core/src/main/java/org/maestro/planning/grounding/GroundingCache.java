@@ -1,0 +1,363 @@
+package org.maestro.planning.grounding;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.PricedFeature;
+import org.maestro.planning.api.Step;
+import org.maestro.planning.api.StepKey;
+import org.maestro.planning.problem.Change;
+import org.maestro.planning.problem.ConditionCompiler;
+import org.maestro.planning.problem.EffectCompiler;
+import org.maestro.planning.problem.GroundGoal;
+import org.maestro.planning.problem.LeastPrice;
+import org.maestro.planning.problem.NumberExpression;
+import org.maestro.planning.problem.NumberVariable;
+import org.maestro.planning.problem.Operator;
+import org.maestro.planning.problem.Signature;
+import org.maestro.planning.problem.StaticFacts;
+import org.maestro.planning.problem.StepPrice;
+import org.maestro.planning.problem.Variable;
+import org.maestro.planning.problem.VariableValue;
+import org.maestro.planning.problem.Variables;
+import org.maestro.sl.Facts;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+
+/**
+ * What grounding makes that no goal changes: variables, feature instances with their prices, and
+ * which of them bring something about. Goals that are planned for one after the other share it, as
+ * long as the same can be changed and all is so that cannot; members, prices and what steps can
+ * change may be otherwise each time. For one thread at a time.
+ */
+public final class GroundingCache {
+  /** Features that went; of each some ten kilobytes are kept. */
+  private static final int SMALLEST_WASTE = 200;
+
+  private static final int SIZE_OF_A_TEMPLATE = 4;
+
+  private final PlanningTask origin;
+  private final Signature signature;
+  private final StaticFacts facts;
+  private final Variables variables;
+  private final Offers offers;
+  private final ConditionCompiler conditions;
+  private final ConditionCompiler preconditions;
+  private final EffectCompiler effects;
+  private final OperatorFactory factory;
+  private final Chances chances;
+  private final UnaryOperator<Operator> finish;
+  private final Map<Formula, Map<List<Term>, Boolean>> staticAnswers = new HashMap<>();
+  private final Map<Integer, FeatureTemplate> templates = new HashMap<>();
+  private final LeastPrice leastPrice;
+  private final Map<PricedFeature, Double> leastPrices = new IdentityHashMap<>();
+  private final Map<Integer, Map<List<Term>, List<Operator>>> made = new HashMap<>();
+  private final Map<Operator, Integer> templateOf = new IdentityHashMap<>();
+  private final Map<Object, Map<Integer, List<Operator>>> changing = new HashMap<>();
+  private final Map<VariableValue, Map<Integer, OptionalDouble>> settingPrices = new HashMap<>();
+  private final ChangeLog changes = new ChangeLog();
+  private int generation;
+
+  /** For the features of a task. */
+  public GroundingCache(PlanningTask task) {
+    this(task, task.features(), task.features(), false, operator -> operator);
+  }
+
+  /**
+   * @param changing features that tell what may change at all
+   * @param offered those of which instances are made
+   * @param keepingFailed whether instances that are impossible by what is stated are made too, with
+   *     conditions that say what is wrong
+   * @param finish what is done to each operator that was made
+   */
+  public GroundingCache(
+      PlanningTask task,
+      List<PricedFeature> changing,
+      List<PricedFeature> offered,
+      boolean keepingFailed,
+      UnaryOperator<Operator> finish) {
+    this.origin = task;
+    this.finish = finish;
+    this.signature = new Signature(task.vocabulary(), changing);
+    this.offers = new Offers(offered);
+    this.facts = new StaticFacts(task.facts());
+    this.variables = new Variables(signature, facts);
+    this.conditions = new ConditionCompiler(signature, facts, variables);
+    this.preconditions = keepingFailed ? conditions.keepingFailed() : conditions;
+    this.effects = new EffectCompiler(conditions, variables);
+    this.factory = new OperatorFactory(conditions, preconditions, effects);
+    this.chances = new Chances(signature, facts, conditions);
+    this.leastPrice = new LeastPrice(facts, signature);
+  }
+
+  /** Whether the same words mean the same, and the same can be changed, there. */
+  public boolean suits(PlanningTask next) {
+    return next.vocabulary().equals(origin.vocabulary())
+        && signature.changesTheSameAs(new Signature(next.vocabulary(), next.features()));
+  }
+
+  /** Whether going over to these facts costs no more than asking what may be otherwise. */
+  public boolean isNear(PlanningTask next) {
+    return facts.isNear(next.facts());
+  }
+
+  /**
+   * Goes over to another task that this suits. What steps can change may be otherwise there; where
+   * what they cannot is, all instances are forgotten.
+   *
+   * @return false when there are others in the home, and then this is of no more use
+   */
+  public boolean renew(PlanningTask next) {
+    boolean renewed = takeFacts(next.facts()).isPresent();
+    if (renewed) {
+      offers.become(next.features());
+    }
+    return renewed;
+  }
+
+  /**
+   * Goes over to other facts.
+   *
+   * @return whether anything that was asked is otherwise in them; empty when there are others in
+   *     the home, and then this is of no more use
+   */
+  public Optional<Boolean> takeFacts(Facts next) {
+    Optional<StaticFacts.Difference> difference = facts.renew(next, signature);
+    difference.ifPresent(
+        found -> {
+          if (found.ofWhatStays()) {
+            forget();
+          }
+          variables.renew(found.changed());
+          changes.add(found.changed());
+        });
+    return difference.map(found -> found.ofWhatStays() || !found.changed().isEmpty());
+  }
+
+  private void forget() {
+    generation++;
+    conditions.forget();
+    preconditions.forget();
+    effects.forget();
+    staticAnswers.clear();
+    templates.clear();
+    leastPrices.clear();
+    made.clear();
+    templateOf.clear();
+    changing.clear();
+    settingPrices.clear();
+  }
+
+  /** Grows whenever all instances are forgotten: what was made of them is of no more use. */
+  public int generation() {
+    return generation;
+  }
+
+  /** What changes from task to task. */
+  public ChangeLog changes() {
+    return changes;
+  }
+
+  /** How much memory it takes, counted in instances. */
+  public int size() {
+    return templateOf.size() + SIZE_OF_A_TEMPLATE * templates.size() + facts.size() / 4;
+  }
+
+  /** Whether most of what is kept is of features that went. */
+  public boolean isWorn() {
+    return offers.numbers() > SMALLEST_WASTE + 4 * offers.there().size();
+  }
+
+  GroundGoal goal(Formula goal) {
+    return GroundGoal.of(goal, signature, facts, preconditions);
+  }
+
+  Offers offers() {
+    return offers;
+  }
+
+  Variables variables() {
+    return variables;
+  }
+
+  Chances chances() {
+    return chances;
+  }
+
+  /** The number of the feature of which the operator is an instance. */
+  int templateOf(Operator operator) {
+    return templateOf.get(operator);
+  }
+
+  /** What the operator costs at least, in any state. */
+  double leastCost(Operator operator) {
+    return leastCost(operator.price(), operator.feature());
+  }
+
+  private double leastCost(StepPrice price, PricedFeature feature) {
+    return price.cost() instanceof NumberExpression.Constant constant
+        ? constant.number()
+        : leastPrice(feature);
+  }
+
+  /** What an instance of the feature costs at least, in any state. */
+  double leastPrice(PricedFeature feature) {
+    return leastPrices.computeIfAbsent(feature, leastPrice::of);
+  }
+
+  /** What an instance costs at least that may bring it about; empty when there is none. */
+  OptionalDouble settingPrice(VariableValue aim, int template) {
+    return settingPrices
+        .computeIfAbsent(aim, absent -> new HashMap<>())
+        .computeIfAbsent(template, absent -> leastSettingPrice(aim, template));
+  }
+
+  private OptionalDouble leastSettingPrice(VariableValue aim, int template) {
+    PricedFeature feature = offers.feature(template);
+    double[] least = {Double.NaN};
+    forEachInstance(
+        template,
+        aim,
+        bindings -> {
+          double price = leastCost(factory.price(feature, bindings), feature);
+          least[0] = Double.isNaN(least[0]) ? price : Math.min(least[0], price);
+        });
+    return Double.isNaN(least[0]) ? OptionalDouble.empty() : OptionalDouble.of(least[0]);
+  }
+
+  /** The operators of one feature that bring about or change what is wanted. */
+  List<Operator> changing(Object want, int template) {
+    Map<Integer, List<Operator>> byTemplate =
+        changing.computeIfAbsent(want, absent -> new HashMap<>());
+    List<Operator> known = byTemplate.get(template);
+    if (known == null) {
+      Set<Operator> found = new LinkedHashSet<>();
+      forEachInstance(
+          template,
+          want,
+          bindings ->
+              made(template, bindings).stream()
+                  .filter(operator -> changes(operator, want))
+                  .forEach(found::add));
+      known = List.copyOf(found);
+      byTemplate.put(template, known);
+    }
+    return known;
+  }
+
+  private static boolean changes(Operator operator, Object want) {
+    List<Change> changes = operator.changes();
+    for (int i = 0; i < changes.size(); i++) {
+      if (want instanceof VariableValue aim
+          ? aim.isReachedBy(changes.get(i))
+          : changes.get(i).target() == want) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** The operators of a given feature instance; empty when it is not offered or impossible. */
+  List<Operator> instances(StepKey key) {
+    for (int i = 0; i < offers.numbers(); i++) {
+      PricedFeature feature = offers.feature(i);
+      if (offers.isThere(i)
+          && feature.member().equals(key.member())
+          && feature.type().name().equals(key.feature())
+          && template(i).accepts(key.bindings())) {
+        return made(i, key.bindings());
+      }
+    }
+    return List.of();
+  }
+
+  private List<Operator> made(int template, Map<String, Term> bindings) {
+    Map<List<Term>, List<Operator>> byValues =
+        made.computeIfAbsent(template, absent -> new HashMap<>());
+    List<Term> values = template(template).values(bindings);
+    List<Operator> known = byValues.get(values);
+    if (known == null) {
+      known = madeAnew(template, bindings, values);
+      known.forEach(operator -> templateOf.put(operator, template));
+      byValues.put(values, known);
+    }
+    return known;
+  }
+
+  private List<Operator> madeAnew(int template, Map<String, Term> bindings, List<Term> values) {
+    PricedFeature feature = offers.feature(template);
+    OptionalInt kin = offers.kin(template);
+    List<Operator> alike =
+        kin.isPresent()
+            ? made.getOrDefault(kin.getAsInt(), Map.of()).getOrDefault(values, List.of())
+            : List.of();
+    return alike.isEmpty()
+        ? factory.operators(feature, bindings).stream().map(finish).toList()
+        : factory.repriced(alike.get(0), feature);
+  }
+
+  private FeatureTemplate template(int index) {
+    FeatureTemplate known = templates.get(index);
+    if (known == null) {
+      known =
+          new FeatureTemplate(
+              offers.feature(index), signature, facts, preconditions, effects, staticAnswers);
+      templates.put(index, known);
+    }
+    return known;
+  }
+
+  /** The instances that may bring about or change what is wanted. */
+  private void forEachInstance(int template, Object want, Consumer<Map<String, Term>> consumer) {
+    Object target = target(want);
+    String name = name(target);
+    List<Term> arguments =
+        new ArrayList<>(
+            target instanceof Variable variable
+                ? variable.arguments()
+                : ((NumberVariable) target).fluent().arguments());
+    if (want instanceof VariableValue aim && aim.variable().functional()) {
+      arguments.add(aim.variable().value(aim.value()));
+    }
+    template(template).forEachInstanceChanging(name, arguments, isSymmetric(name), consumer);
+  }
+
+  private static Object target(Object want) {
+    return want instanceof VariableValue aim ? aim.variable() : want;
+  }
+
+  /** The predicate or fluent of a want. */
+  static String name(Object want) {
+    Object target = target(want);
+    return target instanceof Variable variable
+        ? variable.predicate()
+        : ((NumberVariable) target).fluent().name();
+  }
+
+  private boolean isSymmetric(String name) {
+    return signature.declaration(name).map(PredicateDeclaration::symmetric).orElse(false);
+  }
+
+  /** For the steps only, whatever else is offered. */
+  public static GroundingCache forSteps(PlanningTask task, List<Step> steps) {
+    Set<List<String>> used = new HashSet<>();
+    steps.forEach(step -> used.add(List.of(step.member(), step.feature().name())));
+    List<PricedFeature> offered =
+        task.features().stream()
+            .filter(feature -> used.contains(List.of(feature.member(), feature.type().name())))
+            .toList();
+    return new GroundingCache(task, task.features(), offered, false, operator -> operator);
+  }
+}

@@ -1,0 +1,93 @@
+package org.maestro.platform;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.pulse.Condition;
+import org.maestro.agents.pulse.Pulse;
+import org.maestro.agents.pulse.Watcher;
+import org.maestro.platform.wires.Wires;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * What is done when containers and agents fall silent: nothing is asked of whoever is suspected; a
+ * container that is lost is cut off, whereupon JADE tells of its agents' ends as if it had been
+ * killed.
+ */
+final class FailureHandler implements Watcher {
+  private static final Logger LOG = LoggerFactory.getLogger(FailureHandler.class);
+
+  private final Pulse pulse;
+  private final Wires wires;
+  private final Deployer deployer;
+  private final Supplier<CoordinatorAgent> coordinator;
+  private final Consumer<String> hung;
+
+  /**
+   * @param hung is told of agents that do nothing any more; it must not wait
+   */
+  FailureHandler(
+      Pulse pulse,
+      Wires wires,
+      Deployer deployer,
+      Supplier<CoordinatorAgent> coordinator,
+      Consumer<String> hung) {
+    this.hung = hung;
+    this.pulse = pulse;
+    this.wires = wires;
+    this.deployer = deployer;
+    this.coordinator = coordinator;
+  }
+
+  @Override
+  public void container(String name, Condition now, Duration silence) {
+    switch (now) {
+      case ALIVE -> {
+        LOG.info("The container {} gives signs of life again", name);
+        agentsIn(name).forEach(coordinator.get()::agentTrusted);
+      }
+      case SUSPECTED -> {
+        String reason =
+            "the container %s has given no sign of life for %s".formatted(name, seconds(silence));
+        LOG.warn("Nothing is asked of the agents there until it does: {}", reason);
+        agentsIn(name).forEach(agent -> coordinator.get().agentDoubted(agent, reason));
+      }
+      case LOST -> {
+        LOG.warn(
+            "The container {} is lost: it has given no sign of life for {}",
+            name,
+            seconds(silence));
+        pulse.addresses(name).forEach(wires::cut);
+      }
+    }
+  }
+
+  @Override
+  public void agent(String agent, Condition now, Duration silence) {
+    switch (now) {
+      case ALIVE -> coordinator.get().agentTrusted(agent);
+      case LOST -> hung.accept(agent);
+      case SUSPECTED -> {
+        String reason =
+            "the agent of %s has done nothing for %s".formatted(agent, seconds(silence));
+        LOG.warn("Nothing is asked of it until it does: {}", reason);
+        coordinator.get().agentDoubted(agent, reason);
+      }
+    }
+  }
+
+  private List<String> agentsIn(String container) {
+    return deployer.containers().entrySet().stream()
+        .filter(place -> place.getValue().equals(container))
+        .map(Map.Entry::getKey)
+        .toList();
+  }
+
+  private static String seconds(Duration silence) {
+    return "%.1f s".formatted(silence.toMillis() / 1000.0);
+  }
+}
