@@ -56,7 +56,7 @@ class StageLifeTest {
 
   @Test
   void nothingIsLeftBehind() {
-    Set<Thread> before = threadsOfJade();
+    Set<Thread> before = threads();
     try (EmbeddedBroker broker = EmbeddedBroker.start()) {
       List<WeakReference<World>> worlds = closedWorlds(broker);
 
@@ -65,8 +65,7 @@ class StageLifeTest {
           .atMost(Duration.ofSeconds(20))
           .untilAsserted(
               () -> {
-                assertThat(ourThreads()).isEmpty();
-                assertThat(threadsOfJade()).isSubsetOf(before);
+                assertThat(threads()).isSubsetOf(before);
                 System.gc();
                 assertThat(worlds).as("memory").allMatch(world -> world.get() == null);
               });
@@ -82,9 +81,9 @@ class StageLifeTest {
     }
   }
 
-  private static Set<Thread> threadsOfJade() {
+  private static Set<Thread> threads() {
     return Thread.getAllStackTraces().keySet().stream()
-        .filter(thread -> OF_JADE.contains(thread.getName()))
+        .filter(thread -> OF_JADE.contains(thread.getName()) || isOurs(thread.getName()))
         .collect(Collectors.toSet());
   }
 
@@ -92,12 +91,14 @@ class StageLifeTest {
   private static Set<String> ourThreads() {
     return Thread.getAllStackTraces().keySet().stream()
         .map(Thread::getName)
-        .filter(
-            name ->
-                AGENTS.contains(name)
-                    || name.toLowerCase(Locale.ROOT).contains("maestro")
-                    || name.contains("paceddark"))
+        .filter(StageLifeTest::isOurs)
         .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  private static boolean isOurs(String thread) {
+    return AGENTS.contains(thread)
+        || thread.toLowerCase(Locale.ROOT).contains("maestro")
+        || thread.contains("paceddark");
   }
 
   private static String story() {

@@ -84,7 +84,9 @@ public final class JadeRuntime {
                     .createMainContainer(new WiredProfile(properties, shared.wires())));
     if (container == null) {
       throw new PlatformStartException(
-          "JADE could not start on port " + port + "; choose another with --port.");
+          Sockets.isFree(premises.host(), port)
+              ? "JADE could not start, though its port " + port + " is free; the log says why."
+              : "Port " + port + " was taken just now; choose another with --port.");
     }
     return container;
   }

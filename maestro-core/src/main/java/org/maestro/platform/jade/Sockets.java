@@ -79,6 +79,10 @@ public final class Sockets {
             .formatted(host, last.map(IOException::getMessage).orElse("none was tried")));
   }
 
+  static boolean isFree(String host, int port) {
+    return whyNotFree(host, port).isEmpty();
+  }
+
   private static Optional<IOException> whyNotFree(String host, int port) {
     try {
       new ServerSocket(port, 1, InetAddress.getByName(host)).close();
