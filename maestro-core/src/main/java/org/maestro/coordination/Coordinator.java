@@ -85,7 +85,7 @@ public final class Coordinator {
         new JournaledDispatcher(
             ports.dispatcher(), ports.journal(), roster, ports.clock().instant());
     this.ports = ports.with(dispatcher);
-    this.activeGoals = new ActiveGoals(ports.clock(), ports.thinking());
+    this.activeGoals = new ActiveGoals(ports.clock(), ports.owner());
   }
 
   /** Takes a goal on, of which only the end is wanted to be known. */
@@ -127,8 +127,7 @@ public final class Coordinator {
               ActiveGoal pursuit = pursuit(id, request, number, news, ended);
               answer.accepted(id);
               comeback.afterwards(
-                  () ->
-                      ports.thinking().think(() -> id, started -> activeGoals.run(pursuit::start)));
+                  () -> ports.owner().execute(() -> activeGoals.run(pursuit::start)));
             },
             answer::refused);
     return id;
@@ -227,10 +226,7 @@ public final class Coordinator {
     FormerCalls former = new FormerCalls(ports, roster);
     comeback.afterwards(() -> activeGoals.run(() -> takeUp(recovery, former)));
     Clock clock = ports.clock();
-    clock.schedule(
-        patience,
-        "comeback",
-        () -> ports.thinking().think(() -> patience, passed -> comeback.giveUp()));
+    clock.schedule(patience, "comeback", () -> ports.owner().execute(comeback::giveUp));
   }
 
   /** Goals with something under way go first: what their steps use is theirs. */
@@ -251,10 +247,7 @@ public final class Coordinator {
         clock.schedule(
             deadline.minus(clock.now()),
             pursuit.id(),
-            () ->
-                ports
-                    .thinking()
-                    .think(pursuit::id, passed -> activeGoals.run(pursuit::deadlinePassed)));
+            () -> ports.owner().execute(() -> activeGoals.run(pursuit::deadlinePassed)));
     deadlines.put(pursuit.id(), timer);
   }
 

@@ -80,6 +80,7 @@ public final class NarrowHouse implements ContractNet, ActionDispatcher {
                         Duration.ofMillis(20), "planning", () -> then.accept(work.get()));
                   }
                 },
+                action -> clock.schedule(Duration.ZERO, "owner", action),
                 clock,
                 this::note));
     knowledge.watch(

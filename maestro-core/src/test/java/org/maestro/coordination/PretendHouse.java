@@ -46,6 +46,8 @@ import org.maestro.sl.Term;
  * truths.
  */
 public final class PretendHouse implements ContractNet, ActionDispatcher {
+  private static final Duration USUAL_PLANNING = Duration.ofMillis(20);
+
   public final SteppedClock clock = new SteppedClock();
   public final KnowledgeBase knowledge;
   public Coordinator coordinator;
@@ -68,6 +70,15 @@ public final class PretendHouse implements ContractNet, ActionDispatcher {
   BiFunction<Step, Report, Report> reporting = (step, report) -> report;
 
   public Duration stepTakes = Duration.ofMillis(500);
+
+  /** Of one plan; plans that take longer than usual are made one after the other. */
+  Duration planningTakes = USUAL_PLANNING;
+
+  private Duration plannerIsFree = Duration.ZERO;
+
+  /** Members of which nobody hears what became of their steps. */
+  final Set<String> mute = new TreeSet<>();
+
   DoubleSupplier noise = () -> 1;
 
   /** What becomes of a step by its member and procedure, where it is none of Bob's home. */
@@ -114,7 +125,7 @@ public final class PretendHouse implements ContractNet, ActionDispatcher {
               @Override
               public <T> void think(java.util.function.Supplier<T> work, Consumer<T> then) {
                 clock.schedule(
-                    Duration.ofMillis(20),
+                    untilPlanned(),
                     "planning",
                     () -> {
                       if (life == lives) {
@@ -123,6 +134,15 @@ public final class PretendHouse implements ContractNet, ActionDispatcher {
                     });
               }
             },
+            action ->
+                clock.schedule(
+                    Duration.ZERO,
+                    "owner",
+                    () -> {
+                      if (life == lives) {
+                        action.run();
+                      }
+                    }),
             clock,
             entry -> story.add(entry.at() + " " + entry.text()),
             new Journal() {
@@ -138,6 +158,15 @@ public final class PretendHouse implements ContractNet, ActionDispatcher {
                 action.run();
               }
             }));
+  }
+
+  private Duration untilPlanned() {
+    if (planningTakes.equals(USUAL_PLANNING)) {
+      return USUAL_PLANNING;
+    }
+    Duration now = clock.now();
+    plannerIsFree = (plannerIsFree.compareTo(now) > 0 ? plannerIsFree : now).plus(planningTakes);
+    return plannerIsFree.minus(now);
   }
 
   Recovery recovery() {
@@ -272,6 +301,9 @@ public final class PretendHouse implements ContractNet, ActionDispatcher {
         step.member(),
         () -> {
           beforeCall.accept(step.feature().procedure() + " " + step.member());
+          if (mute.contains(step.member())) {
+            return;
+          }
           reported.accept(
               dead.contains(step.member())
                   ? failed(step.member() + " does not answer", List.of())

@@ -86,6 +86,7 @@ public final class AgentlessSite implements AutoCloseable {
                 new LinkContractNet(deputies, link),
                 new LinkActionDispatcher(deputies, link),
                 new InTurn(main),
+                action -> main.schedule(Duration.ZERO, CONTROLLER, action),
                 main,
                 story::add,
                 journals.apply(main)));

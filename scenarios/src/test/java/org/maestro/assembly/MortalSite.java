@@ -157,6 +157,7 @@ final class MortalSite implements AutoCloseable {
                   new LinkContractNet(deputies, link),
                   new LinkActionDispatcher(deputies, link),
                   new InTurn(),
+                  action -> clock.schedule(Duration.ZERO, CONTROLLER, () -> unlessDead(action)),
                   clock,
                   story::add,
                   journal));
@@ -169,11 +170,13 @@ final class MortalSite implements AutoCloseable {
               clock.schedule(
                   Duration.ZERO,
                   CONTROLLER,
-                  () -> {
-                    if (!dead) {
-                      coordinator.knowledgeChanged(change);
-                    }
-                  }));
+                  () -> unlessDead(() -> coordinator.knowledgeChanged(change))));
+    }
+
+    private void unlessDead(Runnable action) {
+      if (!dead) {
+        action.run();
+      }
     }
 
     private void die() {
@@ -210,14 +213,7 @@ final class MortalSite implements AutoCloseable {
             () -> {
               if (!dead) {
                 T result = work.get();
-                clock.schedule(
-                    DECISION,
-                    CONTROLLER,
-                    () -> {
-                      if (!dead) {
-                        then.accept(result);
-                      }
-                    });
+                clock.schedule(DECISION, CONTROLLER, () -> unlessDead(() -> then.accept(result)));
               }
             });
       }

@@ -115,7 +115,8 @@ public final class Deliberation {
         mind.planner(),
         contractNet,
         orders,
-        new OwnThread(clock, Duration.ZERO),
+        new BesideTheAgent(clock, Duration.ZERO),
+        action -> agent.tell(() -> unlessEnded(action)),
         clock,
         story,
         journal);
@@ -254,19 +255,25 @@ public final class Deliberation {
         : Optional.empty();
   }
 
+  private void unlessEnded(Runnable action) {
+    if (!ended) {
+      action.run();
+    }
+  }
+
   /** Plans beside the agent, and hands the result back through the clock. */
-  private final class OwnThread implements Thinking {
+  private final class BesideTheAgent implements Thinking {
     private final Clock clock;
     private final Duration patience;
 
-    private OwnThread(Clock clock, Duration patience) {
+    private BesideTheAgent(Clock clock, Duration patience) {
       this.clock = clock;
       this.patience = patience;
     }
 
     @Override
     public Thinking patient() {
-      return new OwnThread(clock, PATIENCE);
+      return new BesideTheAgent(clock, PATIENCE);
     }
 
     @Override
@@ -287,11 +294,7 @@ public final class Deliberation {
               clock.schedule(
                   mind.decisionTime(),
                   agent.getLocalName(),
-                  () -> {
-                    if (!ended) {
-                      agent.tell(() -> then.accept(result));
-                    }
-                  });
+                  () -> agent.tell(() -> unlessEnded(() -> then.accept(result))));
             } finally {
               ticket.close();
             }

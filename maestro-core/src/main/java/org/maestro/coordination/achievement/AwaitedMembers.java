@@ -158,10 +158,7 @@ final class AwaitedMembers {
         Optional.of(
             ports
                 .clock()
-                .schedule(
-                    limit,
-                    goalId,
-                    () -> ports.thinking().think(() -> goalId, due -> activeGoals.run(over))));
+                .schedule(limit, goalId, () -> ports.owner().execute(() -> activeGoals.run(over))));
     return limit;
   }
 

@@ -48,10 +48,7 @@ final class AwaitedReport {
                   .schedule(
                       longest,
                       member,
-                      () ->
-                          ports
-                              .thinking()
-                              .think(() -> none, late -> silent(late, longest, member, aliveAt))));
+                      () -> ports.owner().execute(() -> silent(none, longest, member, aliveAt))));
     }
   }
 

@@ -65,8 +65,6 @@ final class LastTry {
     ports
         .clock()
         .schedule(
-            pause,
-            monitor.goalId(),
-            () -> ports.thinking().think(monitor::goalId, due -> activeGoals.run(then)));
+            pause, monitor.goalId(), () -> ports.owner().execute(() -> activeGoals.run(then)));
   }
 }

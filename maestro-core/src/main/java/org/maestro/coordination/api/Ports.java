@@ -1,6 +1,7 @@
 package org.maestro.coordination.api;
 
 import java.time.Duration;
+import java.util.concurrent.Executor;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.planning.api.Planner;
 import org.maestro.rats.time.Clock;
@@ -8,6 +9,8 @@ import org.maestro.rats.time.Clock;
 /**
  * Everything outside that coordination uses.
  *
+ * @param owner has the coordinator's thread do something, soon, and never behind what is thought:
+ *     what is due is due also while a plan takes long. Any thread may call it
  * @param comeback for so long after a member was lost it is waited for, before a goal that misses
  *     it is given up; simulated time, since devices live in the world's
  */
@@ -17,6 +20,7 @@ public record Ports(
     ContractNet contractNet,
     ActionDispatcher dispatcher,
     Thinking thinking,
+    Executor owner,
     Clock clock,
     Story story,
     Journal journal,
@@ -31,6 +35,7 @@ public record Ports(
       ContractNet contractNet,
       ActionDispatcher dispatcher,
       Thinking thinking,
+      Executor owner,
       Clock clock,
       Story story,
       Journal journal) {
@@ -40,6 +45,7 @@ public record Ports(
         contractNet,
         dispatcher,
         thinking,
+        owner,
         clock,
         story,
         journal,
@@ -53,19 +59,30 @@ public record Ports(
       ContractNet contractNet,
       ActionDispatcher dispatcher,
       Thinking thinking,
+      Executor owner,
       Clock clock,
       Story story) {
-    this(knowledge, planner, contractNet, dispatcher, thinking, clock, story, Journal.none());
+    this(
+        knowledge, planner, contractNet, dispatcher, thinking, owner, clock, story, Journal.none());
   }
 
   public Ports with(Planner other) {
     return new Ports(
-        knowledge, other, contractNet, dispatcher, thinking, clock, story, journal, comeback);
+        knowledge,
+        other,
+        contractNet,
+        dispatcher,
+        thinking,
+        owner,
+        clock,
+        story,
+        journal,
+        comeback);
   }
 
   public Ports with(ActionDispatcher other) {
     return new Ports(
-        knowledge, planner, contractNet, other, thinking, clock, story, journal, comeback);
+        knowledge, planner, contractNet, other, thinking, owner, clock, story, journal, comeback);
   }
 
   /** For work that can wait a moment. */
@@ -76,6 +93,7 @@ public record Ports(
         contractNet,
         dispatcher,
         thinking.patient(),
+        owner,
         clock,
         story,
         journal,

@@ -10,10 +10,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.concurrent.Executor;
 import java.util.stream.Collectors;
 import org.maestro.coordination.api.GoalPriority;
 import org.maestro.coordination.api.Resource;
-import org.maestro.coordination.api.Thinking;
 import org.maestro.coordination.api.WaitsFor;
 import org.maestro.coordination.facts.FactsMaskedByRunningSteps;
 import org.maestro.coordination.lessons.Experience;
@@ -35,8 +35,8 @@ public final class ActiveGoals {
   private final Experience experience = new Experience();
   private boolean atWork;
 
-  public ActiveGoals(Clock clock, Thinking thinking) {
-    rush = new Rush(clock, thinking, this::wake);
+  public ActiveGoals(Clock clock, Executor owner) {
+    rush = new Rush(clock, owner, this::wake);
   }
 
   public Leases leases() {

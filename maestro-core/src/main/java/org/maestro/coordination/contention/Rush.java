@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
-import org.maestro.coordination.api.Thinking;
 import org.maestro.rats.time.Clock;
 
 /**
@@ -23,7 +23,7 @@ public final class Rush {
   public static final Duration LONGEST = Duration.ofSeconds(5);
 
   private final Clock clock;
-  private final Thinking thinking;
+  private final Executor owner;
   private final Consumer<String> goOn;
   private final Set<String> unplanned = new LinkedHashSet<>();
   private final Set<String> heldBack = new LinkedHashSet<>();
@@ -34,9 +34,9 @@ public final class Rush {
   /**
    * @param goOn told of each goal that was held back and is not any more
    */
-  Rush(Clock clock, Thinking thinking, Consumer<String> goOn) {
+  Rush(Clock clock, Executor owner, Consumer<String> goOn) {
     this.clock = clock;
-    this.thinking = thinking;
+    this.owner = owner;
     this.goOn = goOn;
   }
 
@@ -46,11 +46,7 @@ public final class Rush {
     if (!under && !spent && unplanned.size() > FEW) {
       under = true;
       long millis = (long) (LONGEST.toMillis() * Math.max(1, clock.speed()));
-      limit =
-          clock.schedule(
-              Duration.ofMillis(millis),
-              "rush",
-              () -> thinking.think(() -> LONGEST, passed -> over()));
+      limit = clock.schedule(Duration.ofMillis(millis), "rush", () -> owner.execute(this::over));
     }
   }
 

@@ -112,6 +112,7 @@ public final class MaintenanceGoal implements ActiveGoal {
         ports.contractNet(),
         new ObservingDispatcher(ports.dispatcher(), ports.knowledge(), watch, settings),
         ports.thinking(),
+        ports.owner(),
         ports.clock(),
         story::tellOfWork,
         attempts,

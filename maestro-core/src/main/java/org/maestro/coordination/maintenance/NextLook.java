@@ -22,10 +22,7 @@ final class NextLook {
 
   void in(Duration wait) {
     timer.cancel();
-    timer =
-        ports
-            .clock()
-            .schedule(wait, goalId, () -> ports.thinking().think(() -> goalId, due -> look.run()));
+    timer = ports.clock().schedule(wait, goalId, () -> ports.owner().execute(look));
   }
 
   void cancel() {

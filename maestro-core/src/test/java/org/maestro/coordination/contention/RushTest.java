@@ -5,10 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Consumer;
-import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
-import org.maestro.coordination.api.Thinking;
 import org.maestro.rats.time.SteppedClock;
 
 /** Whom many goals without a plan keep from beginning, and for how long. */
@@ -17,16 +14,7 @@ class RushTest {
 
   private final SteppedClock clock = new SteppedClock();
   private final List<String> free = new ArrayList<>();
-  private final Rush rush =
-      new Rush(
-          clock,
-          new Thinking() {
-            @Override
-            public <T> void think(Supplier<T> work, Consumer<T> then) {
-              then.accept(work.get());
-            }
-          },
-          free::add);
+  private final Rush rush = new Rush(clock, Runnable::run, free::add);
 
   private void state(int from, int to) {
     for (int goal = from; goal < to; goal++) {
