@@ -50,7 +50,7 @@ public final class AgentlessSite implements AutoCloseable {
 
   private final OpenParts parts = new OpenParts();
   private final List<StoryEntry> story = new ArrayList<>();
-  private final SteppedClock clock = new SteppedClock();
+  private final SteppedClock clock;
   private final FreezableClock whole;
   private final FreezableClock main;
   private final InProcessBus bus;
@@ -58,7 +58,9 @@ public final class AgentlessSite implements AutoCloseable {
   private final SimulatedHome simulated;
   private final Coordinator coordinator;
 
-  private AgentlessSite(Home home, Scene scene, long seed, Function<Clock, Journal> journals) {
+  private AgentlessSite(
+      Home home, Scene scene, long seed, SteppedClock clock, Function<Clock, Journal> journals) {
+    this.clock = clock;
     whole = new FreezableClock(clock, seed);
     main = new FreezableClock(whole, seed);
     bus = new InProcessBus(whole);
@@ -106,6 +108,11 @@ public final class AgentlessSite implements AutoCloseable {
     return start(home, scene, seed, clock -> Journal.none());
   }
 
+  /** The same on a clock of one's own, such as a shuffled one, that nobody has used yet. */
+  public static AgentlessSite start(Home home, Scene scene, long seed, SteppedClock clock) {
+    return opened(new AgentlessSite(home, scene, seed, clock, main -> Journal.none()));
+  }
+
   /**
    * The same with a journal, which its maker closes.
    *
@@ -113,7 +120,10 @@ public final class AgentlessSite implements AutoCloseable {
    */
   public static AgentlessSite start(
       Home home, Scene scene, long seed, Function<Clock, Journal> journals) {
-    AgentlessSite site = new AgentlessSite(home, scene, seed, journals);
+    return opened(new AgentlessSite(home, scene, seed, new SteppedClock(), journals));
+  }
+
+  private static AgentlessSite opened(AgentlessSite site) {
     List<String> expected =
         site.simulated.devices().stream().filter(site.world()::isAlive).toList();
     if (!site.runUntil(() -> expected.stream().allMatch(site.coordinator::isPresent), OPENING)) {

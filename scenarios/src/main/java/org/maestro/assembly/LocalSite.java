@@ -86,7 +86,11 @@ public final class LocalSite implements AutoCloseable {
 
   /** On the stepped clock, over the bus within the process: the same seed gives the same run. */
   public static LocalSite stepped(SiteSettings settings) {
-    SteppedClock clock = new SteppedClock();
+    return stepped(settings, new SteppedClock());
+  }
+
+  /** The same on a clock of one's own, such as a shuffled one, that nobody has used yet. */
+  public static LocalSite stepped(SiteSettings settings, SteppedClock clock) {
     InProcessBus bus = new InProcessBus(clock);
     LocalSite site = new LocalSite(settings, clock, clock::runUntil, Optional.empty(), bus::client);
     site.bus = Optional.of(bus);

@@ -11,6 +11,7 @@ import org.maestro.platform.MaestroPlatform;
 import org.maestro.rats.member.MemberProfile;
 import org.maestro.rats.member.RatsMember;
 import org.maestro.rats.time.Clock;
+import org.maestro.rats.time.SteppedClock;
 import org.maestro.sim.world.World;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
@@ -41,6 +42,14 @@ public final class Stage implements AutoCloseable {
    */
   public static Stage stepped(SiteSettings site) {
     return new Stage(LocalSite.stepped(site), PATIENCE);
+  }
+
+  /**
+   * The same, with what is due at the same time in another order for each seed: what a platform
+   * does must not depend on it.
+   */
+  public static Stage shuffled(SiteSettings site, long seed) {
+    return new Stage(LocalSite.stepped(site, SteppedClock.shuffled(seed)), PATIENCE);
   }
 
   /**

@@ -7,13 +7,13 @@ import java.util.stream.LongStream;
  * -Dmaestro.share=2/3} each third one. The same seed gives the same story, so a second run of it
  * would show nothing new.
  */
-final class Share {
+public final class Share {
   private static final String PROPERTY = "maestro.share";
 
   private Share() {}
 
   /** Those of all seeds that fall to this run: all of them, where nothing is said. */
-  static LongStream of(LongStream seeds) {
+  public static LongStream of(LongStream seeds) {
     String text = System.getProperty(PROPERTY, "1/1");
     String[] parts = text.split("/");
     if (parts.length != 2) {

@@ -14,7 +14,8 @@ import java.time.Instant;
  * activity that could schedule anything, and the sequence of the schedule calls follows from the
  * sequence of the actions alone. Whoever has to wake several threads (a message to many receivers)
  * schedules one action for each of them. The order does not look at names, so that renaming a
- * device changes nothing.
+ * device changes nothing. A stepped clock that is {@linkplain SteppedClock#shuffled shuffled} keeps
+ * the order of each owner's simultaneous actions alone.
  */
 public interface Clock {
 

@@ -5,8 +5,10 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.OptionalLong;
 import java.util.PriorityQueue;
 import java.util.Set;
+import java.util.SplittableRandom;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -23,6 +25,7 @@ public final class SteppedClock implements Clock {
   private final PriorityQueue<Event> events = new PriorityQueue<>();
   private final Set<HeldTicket> tickets = new LinkedHashSet<>();
   private final Duration stallLimit;
+  private final OptionalLong interleaving;
   private volatile Duration now = Duration.ZERO;
   private long nextSequence;
   private Thread driver;
@@ -36,7 +39,21 @@ public final class SteppedClock implements Clock {
    *     ClockStalledException}
    */
   public SteppedClock(Duration stallLimit) {
+    this(stallLimit, OptionalLong.empty());
+  }
+
+  private SteppedClock(Duration stallLimit, OptionalLong interleaving) {
     this.stallLimit = stallLimit;
+    this.interleaving = interleaving;
+  }
+
+  /**
+   * One on which owners take turns at what is due at the same time as chance has it: another order
+   * for each seed, and the same for the same one. What one owner has scheduled for one time stays
+   * in its order.
+   */
+  public static SteppedClock shuffled(long seed) {
+    return new SteppedClock(DEFAULT_STALL_LIMIT, OptionalLong.of(seed));
   }
 
   @Override
@@ -58,7 +75,7 @@ public final class SteppedClock implements Clock {
   public Timer schedule(Duration delay, String owner, Runnable action) {
     synchronized (monitor) {
       Duration due = delay.isNegative() ? now : now.plus(delay);
-      Event event = new Event(due, nextSequence++, action);
+      Event event = new Event(due, turn(due, owner), nextSequence++, action);
       events.add(event);
       return () -> {
         synchronized (monitor) {
@@ -66,6 +83,14 @@ public final class SteppedClock implements Clock {
         }
       };
     }
+  }
+
+  private long turn(Duration due, String owner) {
+    return interleaving.isEmpty()
+        ? 0
+        : new SplittableRandom(
+                interleaving.getAsLong() * 31 * 31 + due.toNanos() * 31 + owner.hashCode())
+            .nextLong();
   }
 
   @Override
@@ -166,12 +191,14 @@ public final class SteppedClock implements Clock {
     return names;
   }
 
-  private record Event(Duration due, long sequence, Runnable action) implements Comparable<Event> {
+  private record Event(Duration due, long turn, long sequence, Runnable action)
+      implements Comparable<Event> {
 
     @Override
     public int compareTo(Event other) {
       int byTime = due.compareTo(other.due);
-      return byTime != 0 ? byTime : Long.compare(sequence, other.sequence);
+      int byTurn = byTime != 0 ? byTime : Long.compare(turn, other.turn);
+      return byTurn != 0 ? byTurn : Long.compare(sequence, other.sequence);
     }
   }
 

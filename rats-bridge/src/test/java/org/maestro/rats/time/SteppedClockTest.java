@@ -6,7 +6,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
@@ -32,6 +34,33 @@ class SteppedClockTest {
     assertThat(log)
         .containsExactly("1 first of the simultaneous", "1 second of the simultaneous", "2 late");
     assertThat(clock.now()).isEqualTo(Duration.ofSeconds(10));
+  }
+
+  @Test
+  void shuffledByASeedKeepsTheOrderOfEachOwnerAlone() {
+    Set<List<String>> orders = new HashSet<>();
+    for (long seed = 0; seed < 50; seed++) {
+      List<String> order = shuffled(seed);
+      assertThat(order).filteredOn(text -> text.startsWith("anna")).isSorted();
+      assertThat(order).filteredOn(text -> text.startsWith("zoe")).isSorted();
+      assertThat(shuffled(seed)).isEqualTo(order);
+      assertThat(order.get(6)).isEqualTo("late");
+      orders.add(order);
+    }
+    assertThat(orders).hasSizeGreaterThan(1);
+  }
+
+  private static List<String> shuffled(long seed) {
+    SteppedClock shuffled = SteppedClock.shuffled(seed);
+    List<String> order = new ArrayList<>();
+    shuffled.schedule(Duration.ofSeconds(2), "rose", () -> order.add("late"));
+    for (int i = 0; i < 3; i++) {
+      String number = String.valueOf(i);
+      shuffled.schedule(Duration.ofSeconds(1), "zoe", () -> order.add("zoe " + number));
+      shuffled.schedule(Duration.ofSeconds(1), "anna", () -> order.add("anna " + number));
+    }
+    shuffled.run(Duration.ofSeconds(3));
+    return order;
   }
 
   @Test
