@@ -2,6 +2,7 @@ package org.maestro.members;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
@@ -130,7 +131,7 @@ public final class CallReporter implements RatsLink.CallListener {
         result
             .error()
             .map(RatsError::message)
-            .or(() -> Optional.of(result.outcome().name().toLowerCase())),
+            .or(() -> Optional.of(result.outcome().name().toLowerCase(Locale.ROOT))),
         new SaidFacts().readableReasons(result.from(), refs),
         result.error().map(RatsError::code).filter(CallReporter::isOfTheCallItself).isEmpty(),
         result.error().flatMap(CallReporter::refusal),

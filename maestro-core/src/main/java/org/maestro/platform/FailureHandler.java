@@ -2,6 +2,7 @@ package org.maestro.platform;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -88,6 +89,6 @@ final class FailureHandler implements Watcher {
   }
 
   private static String seconds(Duration silence) {
-    return "%.1f s".formatted(silence.toMillis() / 1000.0);
+    return String.format(Locale.ROOT, "%.1f s", silence.toMillis() / 1000.0);
   }
 }

@@ -42,7 +42,7 @@ final class RevokedNames {
   }
 
   void watch() {
-    Duration wait = Duration.ofMillis(Math.round(LOOKED_EVERY.toMillis() * clock.speed()));
+    Duration wait = clock.ofWall(LOOKED_EVERY);
     clock.schedule(wait, "revoked-names", this::begin);
   }
 

@@ -31,8 +31,12 @@ record Comings(List<Coming> events) {
 
   record Coming(long atMillis, String member, Kind kind) {
     String text() {
-      return "%s %s at %.1f s"
-          .formatted(member, kind.name().toLowerCase(Locale.ROOT), atMillis / 1e3);
+      return String.format(
+          Locale.ROOT,
+          "%s %s at %.1f s",
+          member,
+          kind.name().toLowerCase(Locale.ROOT),
+          atMillis / 1e3);
     }
   }
 

@@ -1,6 +1,7 @@
 package org.maestro.launch;
 
 import java.io.PrintStream;
+import java.util.Locale;
 import org.maestro.display.VisibleWriter;
 import org.maestro.text.VisibleText;
 import org.slf4j.bridge.SLF4JBridgeHandler;
@@ -65,6 +66,8 @@ public final class Maestro implements Runnable {
 
   /** The entry point; ends the process, as JADE leaves threads behind. */
   public static void main(String[] arguments) {
+    // What is told is English, and read by programs: numbers have points, whatever people set.
+    Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
     try {
       RuntimeDirectory.ofUser().prepareLog();
     } catch (CommandException e) {

@@ -2,6 +2,7 @@ package org.maestro.random;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.maestro.assembly.AgentlessSite;
@@ -86,7 +87,8 @@ record ArenaWithoutAgents(AgentlessSite site, RandomRun.Onlooker onlooker) imple
   }
 
   static String line(StoryEntry entry) {
-    return "%s %.3f %s".formatted(entry.goalId(), entry.at().toNanos() / 1e9, entry.text());
+    return String.format(
+        Locale.ROOT, "%s %.3f %s", entry.goalId(), entry.at().toNanos() / 1e9, entry.text());
   }
 
   @Override

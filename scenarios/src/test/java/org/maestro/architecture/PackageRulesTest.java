@@ -227,6 +227,15 @@ class PackageRulesTest {
           .dependOnClassesThat()
           .resideInAnyPackage("org.maestro.launch..");
 
+  /** In Turkish FAILED has no dot in small letters. */
+  @ArchTest
+  static final ArchRule SMALL_AND_CAPITAL_LETTERS_ARE_THE_SAME_IN_ALL_LANGUAGES =
+      noClasses()
+          .should()
+          .callMethod(String.class, "toLowerCase")
+          .orShould()
+          .callMethod(String.class, "toUpperCase");
+
   @ArchTest
   static final ArchRule PACKAGES_FORM_NO_CIRCLE =
       slices().matching("org.maestro.(**)").should().beFreeOfCycles();

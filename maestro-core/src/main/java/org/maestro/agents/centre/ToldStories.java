@@ -4,6 +4,7 @@ import jade.lang.acl.ACLMessage;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -158,7 +159,7 @@ public final class ToldStories {
         "inform",
         Words.named("goal", Words.name(entry.goalId())),
         Words.named("at", Words.number(entry.at().toMillis() / 1000.0)),
-        Words.named("kind", Words.name(entry.kind().name().toLowerCase())),
+        Words.named("kind", Words.name(entry.kind().name().toLowerCase(Locale.ROOT))),
         Words.named("text", Words.text(entry.text())));
   }
 }

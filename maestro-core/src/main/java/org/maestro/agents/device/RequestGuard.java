@@ -1,6 +1,7 @@
 package org.maestro.agents.device;
 
 import jade.lang.acl.ACLMessage;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -51,7 +52,7 @@ public final class RequestGuard {
           ACLMessage.NOT_UNDERSTOOD,
           "This is understood in a %s only, and this message is a %s."
               .formatted(
-                  ACLMessage.getPerformative(performative).toLowerCase(),
+                  ACLMessage.getPerformative(performative).toLowerCase(Locale.ROOT),
                   ProposalReader.performative(message)));
     }
   }

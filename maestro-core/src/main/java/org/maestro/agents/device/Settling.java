@@ -42,7 +42,7 @@ public final class Settling {
     if (isOver()) {
       deed.run();
     } else {
-      Duration pause = Duration.ofMillis(Math.round(LOOK_AGAIN.toMillis() * clock.speed()));
+      Duration pause = clock.ofWall(LOOK_AGAIN);
       clock.schedule(pause, "settling", () -> tell.accept(() -> once(deed)));
     }
   }

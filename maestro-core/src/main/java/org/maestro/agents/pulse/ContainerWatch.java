@@ -56,12 +56,12 @@ final class ContainerWatch {
   }
 
   private Duration now() {
-    return Duration.ofNanos(Math.round(clock.now().toNanos() / clock.speed()));
+    return clock.toWall(clock.now());
   }
 
   private void tick() {
     clock.schedule(
-        Duration.ofNanos(Math.round(settings.period().toNanos() * clock.speed())),
+        clock.ofWall(settings.period()),
         "watch",
         () -> {
           if (!ended) {

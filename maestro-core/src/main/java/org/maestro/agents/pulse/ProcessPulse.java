@@ -44,7 +44,7 @@ public final class ProcessPulse {
   private record Beating(Clock clock, ExecutorService sender) {
     /** Wall time. */
     Duration now() {
-      return Duration.ofNanos(Math.round(clock.now().toNanos() / clock.speed()));
+      return clock.toWall(clock.now());
     }
   }
 
@@ -96,8 +96,7 @@ public final class ProcessPulse {
 
   private void tick(Beating its, Duration delay) {
     Clock clock = its.clock();
-    clock.schedule(
-        Duration.ofNanos(Math.round(delay.toNanos() * clock.speed())), "pulse", () -> beat(its));
+    clock.schedule(clock.ofWall(delay), "pulse", () -> beat(its));
   }
 
   private void beat(Beating its) {

@@ -25,11 +25,11 @@ public record AgentTime(Clock clock, Optional<SteppedMail> mail, ProtocolTimeout
 
   /** So much wall time, as simulated time; on a stepped clock they are the same. */
   Duration simulated(Duration wallTime) {
-    return Duration.ofMillis(Math.round(wallTime.toMillis() * clock.speed()));
+    return clock.ofWall(wallTime);
   }
 
   /** The opposite of {@link #simulated(Duration)}. */
   Duration wallTime(Duration simulated) {
-    return Duration.ofMillis(Math.round(simulated.toMillis() / clock.speed()));
+    return clock.toWall(simulated);
   }
 }

@@ -119,8 +119,7 @@ final class GoalMonitor {
   }
 
   private Instant lately() {
-    long millis = (long) (LATELY.toMillis() * Math.max(1, ports.clock().speed()));
-    return ports.clock().instant().minusMillis(millis);
+    return ports.clock().instant().minus(ports.clock().ofWallAtLeast(LATELY));
   }
 
   /** What would have to be seen if the goal were called reached with these values. */

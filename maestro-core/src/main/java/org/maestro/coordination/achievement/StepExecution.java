@@ -33,6 +33,9 @@ import org.maestro.sl.Term;
 
 /** Has one goal's steps done: takes what they occupy, orders them, learns from their reports. */
 final class StepExecution {
+  /** What the bus may take, which no fast clock makes shorter. */
+  private static final Duration ON_THE_BUS = Duration.ofSeconds(15);
+
   private final String goalId;
   private final Ports ports;
   private final ActiveGoals activeGoals;
@@ -140,13 +143,13 @@ final class StepExecution {
     established.forEach(ActionDispatcher.Handle::cancel);
   }
 
-  /** Thrice the expected time, and what the bus may take, which no fast clock makes shorter. */
+  /** Thrice the expected time, and what the bus may take. */
   private Duration timeout(Step step) {
     return Duration.ofMillis((long) (step.seconds() * 3_000)).plus(busTime());
   }
 
   private Duration busTime() {
-    return Duration.ofMillis((long) (15_000 * Math.max(1, ports.clock().speed())));
+    return ports.clock().ofWallAtLeast(ON_THE_BUS);
   }
 
   private void reported(

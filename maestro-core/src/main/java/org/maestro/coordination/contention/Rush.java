@@ -45,8 +45,7 @@ public final class Rush {
     unplanned.add(goal);
     if (!under && !spent && unplanned.size() > FEW) {
       under = true;
-      long millis = (long) (LONGEST.toMillis() * Math.max(1, clock.speed()));
-      limit = clock.schedule(Duration.ofMillis(millis), "rush", () -> owner.execute(this::over));
+      limit = clock.schedule(clock.ofWallAtLeast(LONGEST), "rush", () -> owner.execute(this::over));
     }
   }
 

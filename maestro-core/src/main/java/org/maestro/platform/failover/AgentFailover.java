@@ -152,11 +152,11 @@ public final class AgentFailover {
   }
 
   private void afterWallTime(Duration delay, String member, Runnable action) {
-    clock.schedule(Duration.ofMillis(Math.round(delay.toMillis() * clock.speed())), member, action);
+    clock.schedule(clock.ofWall(delay), member, action);
   }
 
   private Duration wallTime() {
-    return Duration.ofMillis(Math.round(clock.now().toMillis() / clock.speed()));
+    return clock.toWall(clock.now());
   }
 
   /** The member has an agent by other means. */

@@ -16,7 +16,7 @@ class FailureMemoryTest {
       new StepKey("cam-b", "observeObject", Map.of("object", new Term.Name("Cup")));
 
   private void failsWith(String facts) {
-    memory.note(look, facts, "It cannot see.", List.of(), Optional.empty());
+    memory.note(look, facts, "It cannot see", List.of(), Optional.empty());
   }
 
   @Test

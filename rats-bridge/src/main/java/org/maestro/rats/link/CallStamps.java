@@ -19,7 +19,7 @@ final class CallStamps {
 
   /** Of wall time, as members' clocks may run at another speed. */
   Call stamp(Call call) {
-    long millis = (long) (clock.now().toMillis() / clock.speed());
+    long millis = clock.toWall(clock.now()).toMillis();
     return call.madeAt(new Call.Sent(name + "-" + clocks, millis));
   }
 

@@ -58,7 +58,18 @@ public interface Clock {
 
   /** As much simulated time as passes in that wall time. */
   default Duration ofWall(Duration wall) {
-    return Duration.ofMillis(Math.round(wall.toMillis() * speed()));
+    return Duration.ofNanos(Math.round(wall.toNanos() * speed()));
+  }
+
+  /** The same, and not less than that: what may take long both in the world and on the bus. */
+  default Duration ofWallAtLeast(Duration either) {
+    Duration simulated = ofWall(either);
+    return simulated.compareTo(either) > 0 ? simulated : either;
+  }
+
+  /** As much wall time as passes in that simulated time. */
+  default Duration toWall(Duration simulated) {
+    return Duration.ofNanos(Math.round(simulated.toNanos() / speed()));
   }
 
   /**
