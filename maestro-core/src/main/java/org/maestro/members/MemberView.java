@@ -1,6 +1,5 @@
 package org.maestro.members;
 
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -16,6 +15,7 @@ import org.maestro.knowledge.api.Moment;
 import org.maestro.knowledge.api.StepAccount;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.rats.bounded.BoundedMap;
 import org.maestro.rats.protocol.MemberState;
 import org.maestro.sl.Term;
 
@@ -235,14 +235,7 @@ public final class MemberView {
   }
 
   private static Map<String, Moment> latest() {
-    return new LinkedHashMap<>() {
-      private static final long serialVersionUID = 1L;
-
-      @Override
-      protected boolean removeEldestEntry(Map.Entry<String, Moment> eldest) {
-        return size() > MOST_REMEMBERED;
-      }
-    };
+    return BoundedMap.ofNewest(MOST_REMEMBERED);
   }
 
   /** One number is left free before each. */

@@ -4,7 +4,6 @@ import jade.core.AID;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -27,6 +26,7 @@ import org.maestro.members.JsonTerms;
 import org.maestro.members.MemberNews;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.rats.bounded.BoundedMap;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.Offer;
@@ -52,15 +52,7 @@ public final class ActionExecution {
   private final Map<String, Runnable> abandoned = new TreeMap<>();
 
   /** Of calls, also for some time after their end. */
-  private final Map<String, String> recentGoals =
-      new LinkedHashMap<>() {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, String> eldest) {
-          return size() > MOST_RECENT;
-        }
-      };
+  private final Map<String, String> recentGoals = BoundedMap.ofNewest(MOST_RECENT);
 
   /**
    * @param formerCalls what is known of calls before the agent came here

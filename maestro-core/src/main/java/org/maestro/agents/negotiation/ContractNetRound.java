@@ -310,7 +310,7 @@ final class ContractNetRound extends ContractNetInitiator {
 
     private void giveUp(int number) {
       if (number == waits) {
-        award(Map.of());
+        reject();
       }
     }
 

@@ -1,13 +1,13 @@
 package org.maestro.agents.pulse;
 
 import java.time.Duration;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import org.maestro.rats.bounded.BoundedMap;
 import org.maestro.rats.time.Clock;
 
 /** The watch of a main container over all containers. Any thread may call. */
@@ -26,15 +26,7 @@ final class ContainerWatch {
   private final SortedMap<String, Condition> conditionByAgent = new TreeMap<>();
   private final Map<String, List<String>> addressesByContainer = new TreeMap<>();
   private final Map<String, Beat> beatByContainer = new TreeMap<>();
-  private final Map<String, String> givenUp =
-      new LinkedHashMap<>() {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, String> eldest) {
-          return size() > REMEMBERED;
-        }
-      };
+  private final Map<String, String> givenUp = BoundedMap.ofNewest(REMEMBERED);
   private volatile boolean ended;
 
   /**

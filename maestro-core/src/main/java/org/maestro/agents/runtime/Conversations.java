@@ -8,12 +8,12 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
+import org.maestro.rats.bounded.BoundedMap;
 import org.maestro.rats.time.Clock;
 
 /**
@@ -44,15 +44,7 @@ public final class Conversations {
   private record Ended(AID partner, Consumer<ACLMessage> late) {}
 
   private final transient Map<String, Open> open = new HashMap<>();
-  private final transient Map<String, Ended> ended =
-      new LinkedHashMap<>() {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Ended> eldest) {
-          return size() > REMEMBERED;
-        }
-      };
+  private final transient Map<String, Ended> ended = BoundedMap.ofNewest(REMEMBERED);
   private final transient Set<String> adopted = new HashSet<>();
   private final transient Agent agent;
   private final transient OwnThread thread;

@@ -3,12 +3,11 @@ package org.maestro.agents.runtime;
 import jade.core.Agent;
 import jade.lang.acl.ACLMessage;
 import java.util.Collections;
-import java.util.LinkedHashMap;
-import java.util.Map;
 import java.util.Set;
 import org.maestro.agents.content.ProposalReader;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
+import org.maestro.rats.bounded.BoundedMap;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -22,16 +21,7 @@ final class NotUnderstoodReplier {
   private static final int REMEMBERED = 256;
 
   private final Agent agent;
-  private final Set<String> answered =
-      Collections.newSetFromMap(
-          new LinkedHashMap<>() {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            protected boolean removeEldestEntry(Map.Entry<String, Boolean> eldest) {
-              return size() > REMEMBERED;
-            }
-          });
+  private final Set<String> answered = Collections.newSetFromMap(BoundedMap.ofNewest(REMEMBERED));
   private int number;
 
   NotUnderstoodReplier(Agent agent) {

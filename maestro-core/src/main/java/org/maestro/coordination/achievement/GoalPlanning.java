@@ -1,7 +1,6 @@
 package org.maestro.coordination.achievement;
 
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.maestro.coordination.allocation.PlanningRound;
 import org.maestro.coordination.api.GoalState;
@@ -125,7 +124,7 @@ final class GoalPlanning {
   private void planned(PlanningRound.Ended round) {
     planning = false;
     if (parts.life().isOver()) {
-      round.tender().award(Map.of());
+      round.tender().reject();
     } else {
       take(round);
     }
@@ -137,7 +136,7 @@ final class GoalPlanning {
   private void take(PlanningRound.Ended round) {
     parts.monitor().offered(round.features());
     if (isSeenMeanwhile()) {
-      round.tender().award(Map.of());
+      round.tender().reject();
       course.settle(parts.monitor().holds().orElseThrow().goalBinding());
       return;
     }
@@ -148,7 +147,7 @@ final class GoalPlanning {
     Optional<String> why = planAgain.or(() -> changedMeanwhile(round.result()));
     planAgain = Optional.empty();
     if (why.isPresent() && !isStillGood(round.result())) {
-      round.tender().award(Map.of());
+      round.tender().reject();
       makePlan(why);
     } else if (round.result() instanceof PlanningResult.Found found
         && !(parts.monitor().isFindingOut() && found.plan().steps().isEmpty())) {
@@ -159,7 +158,7 @@ final class GoalPlanning {
       note(found.plan(), round);
       course.adopt(found.plan(), round.tender());
     } else {
-      round.tender().award(Map.of());
+      round.tender().reject();
       course.noPlan(round);
     }
   }

@@ -1,7 +1,6 @@
 package org.maestro.coordination.achievement;
 
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
@@ -105,11 +104,11 @@ final class PlanMaking {
       Plan cheapest, PlanningRound.Ended first, PlanningRound.Ended second, double wait) {
     if (second.result() instanceof PlanningResult.Found free
         && free.plan().cost() < cheapest.cost() + wait) {
-      first.tender().award(Map.of());
+      first.tender().reject();
       story.takesWhatIsFree(members(cheapest), wait, cheapest.cost(), free.plan().cost());
       then.accept(second);
     } else {
-      second.tender().award(Map.of());
+      second.tender().reject();
       then.accept(first);
     }
   }

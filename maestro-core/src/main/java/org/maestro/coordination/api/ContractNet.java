@@ -29,6 +29,11 @@ public interface ContractNet {
      * exactly once.
      */
     void award(Map<String, List<Step>> parts);
+
+    /** Closes the round: all are rejected. In place of an award. */
+    default void reject() {
+      award(Map.of());
+    }
   }
 
   /** An exact price, or why there is none. */

@@ -86,7 +86,7 @@ final class CheaperSettings {
             false,
             () -> without,
             round -> {
-              round.tender().award(Map.of());
+              round.tender().reject();
               then.accept(cheaper(round, without));
             })
         .start();

@@ -3,7 +3,6 @@ package org.maestro.coordination.recovery;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -15,6 +14,7 @@ import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Latest;
 import org.maestro.coordination.api.Roster;
 import org.maestro.planning.api.StepKey;
+import org.maestro.rats.bounded.BoundedMap;
 
 /**
  * Gives each call its name, writes it down before it is sent and when it is over, and sends calls
@@ -35,15 +35,7 @@ public final class JournaledDispatcher implements ActionDispatcher {
       new Latest<>(MOST_BYTES_OF_ENDED, calls -> BYTES_OF_EACH);
 
   /** Orders of which nobody knows what became of them. */
-  private final Map<Owed, Request> owed =
-      new LinkedHashMap<>() {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<Owed, Request> eldest) {
-          return size() > MOST_OWED;
-        }
-      };
+  private final Map<Owed, Request> owed = BoundedMap.ofNewest(MOST_OWED);
 
   private record Owed(String goalId, StepKey step) {}
 

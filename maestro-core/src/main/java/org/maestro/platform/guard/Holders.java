@@ -11,10 +11,10 @@ import jade.core.ServiceFinder;
 import jade.core.messaging.MessagingSlice;
 import java.security.GeneralSecurityException;
 import java.time.Duration;
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.maestro.rats.bounded.BoundedMap;
 import org.maestro.rats.security.ContainerAccess;
 
 /**
@@ -29,15 +29,7 @@ final class Holders {
   private final AgentContainer container;
   private final Supplier<ContainerAccess> access;
   private final Slices slices;
-  private final Map<String, Known> knownByAgent =
-      new LinkedHashMap<>() {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Known> eldest) {
-          return size() > MOST;
-        }
-      };
+  private final Map<String, Known> knownByAgent = BoundedMap.ofNewest(MOST);
 
   private record Known(String user, long sinceNanos) {
     boolean isFresh() {

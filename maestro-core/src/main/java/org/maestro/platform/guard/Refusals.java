@@ -1,8 +1,8 @@
 package org.maestro.platform.guard;
 
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.regex.Pattern;
+import org.maestro.rats.bounded.BoundedMap;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -14,15 +14,7 @@ final class Refusals {
   /** Names in it are those that strangers give themselves. */
   private static final Pattern CONTROL = Pattern.compile("\\p{Cntrl}");
 
-  private final Map<String, Boolean> logged =
-      new LinkedHashMap<>() {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Boolean> eldest) {
-          return size() > REMEMBERED;
-        }
-      };
+  private final Map<String, Boolean> logged = BoundedMap.ofNewest(REMEMBERED);
 
   synchronized void log(String sentence) {
     if (logged.putIfAbsent(sentence, true) == null) {

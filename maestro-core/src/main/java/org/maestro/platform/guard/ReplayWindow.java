@@ -1,8 +1,8 @@
 package org.maestro.platform.guard;
 
 import java.util.BitSet;
-import java.util.LinkedHashMap;
 import java.util.Map;
+import org.maestro.rats.bounded.BoundedMap;
 
 /**
  * Which numbered messages of each sending process have come, so that none counts twice. Of each
@@ -15,15 +15,7 @@ final class ReplayWindow {
 
   private static final int MOST_PROCESSES = 500;
 
-  private final Map<String, Numbers> numbersByLife =
-      new LinkedHashMap<>(16, 0.75f, true) {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Numbers> eldest) {
-          return size() > MOST_PROCESSES;
-        }
-      };
+  private final Map<String, Numbers> numbersByLife = BoundedMap.ofLatelyUsed(MOST_PROCESSES);
 
   /** Each number has a bit, as its remainder; those of numbers not yet come are clear. */
   private static final class Numbers {

@@ -1,8 +1,8 @@
 package org.maestro.rats.link;
 
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.maestro.rats.bounded.BoundedMap;
 import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.Result;
 
@@ -13,15 +13,7 @@ import org.maestro.rats.protocol.Result;
 final class LateResults {
   private static final int MOST_EXPECTED = 256;
 
-  private final Map<String, Expected> expected =
-      new LinkedHashMap<>() {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Expected> eldest) {
-          return size() > MOST_EXPECTED;
-        }
-      };
+  private final Map<String, Expected> expected = BoundedMap.ofNewest(MOST_EXPECTED);
 
   private record Expected(Call call, Optional<Result> result) {}
 

@@ -1,8 +1,8 @@
 package org.maestro.rats.protocol;
 
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.LongSupplier;
+import org.maestro.rats.bounded.BoundedMap;
 
 /**
  * Keeps whoever sends rubbish from filling the log: one line for each sender and minute of wall
@@ -15,15 +15,7 @@ public final class Complaints {
   private static final int MOST_CHARACTERS = 400;
 
   private final LongSupplier nanos;
-  private final Map<String, Long> lastBySender =
-      new LinkedHashMap<>(16, 0.75f, true) {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Long> eldest) {
-          return size() > MOST_SENDERS;
-        }
-      };
+  private final Map<String, Long> lastBySender = BoundedMap.ofLatelyUsed(MOST_SENDERS);
 
   public Complaints() {
     this(System::nanoTime);
