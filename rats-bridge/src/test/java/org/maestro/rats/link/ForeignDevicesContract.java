@@ -135,6 +135,8 @@ abstract class ForeignDevicesContract extends HearsayContract {
   void whatWasHeldUpOnItsWayIsNotBegun() {
     TestDevice device = new TestDevice("anna", clock());
     join(device, SITE);
+    RatsLink link = connect("cca", SITE);
+    await(() -> usable(link, "anna"));
     Teller teller = new Teller();
     teller.call("c1", "echo", teller.now());
     await(() -> teller.results.size() == 1);
