@@ -34,7 +34,7 @@ public final class ChaosBench {
   private BenchReport one(long seed) {
     ChaosRun run = ChaosRun.of(seed);
     List<String> summary = new ArrayList<>();
-    summary.add(run.story());
+    summary.addAll(run.story().lines().toList());
     summary.addAll(run.isClean() ? List.of("Nothing was found.") : run.findings());
     return new BenchReport(
         "chaos",
