@@ -244,7 +244,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
               write(
                   Confidence.voice(world.home(), lesson.source(), run, present),
                   (draft, positions) -> {
-                    List<Fact> facts = lesson.facts(draft, positions::forget);
+                    List<Fact> facts = lesson.facts(draft, positions);
                     positions.write(lesson.ownWords(), Confidence.voice(world.home(), itself));
                     sights.note(run, facts, world, present);
                     if (lesson.source().kind() == Source.Kind.EXPECTED) {

@@ -60,11 +60,16 @@ public final class PretendHouse implements ContractNet, ActionDispatcher {
   public final Set<String> weak = new TreeSet<>();
   final Set<String> heavy = new TreeSet<>();
   public Predicate<String> declines = feature -> false;
+
+  /** Members that name no price, and are known at once to name none. */
+  final Set<String> priceless = new TreeSet<>();
+
   public Consumer<String> beforeCall = call -> {};
 
   Consumer<Request> ordered = order -> {};
 
   final List<String> calledOff = new ArrayList<>();
+  final List<String> cancelled = new ArrayList<>();
 
   /** What becomes of the report of a step on its way. */
   BiFunction<Step, Report, Report> reporting = (step, report) -> report;
@@ -255,16 +260,18 @@ public final class PretendHouse implements ContractNet, ActionDispatcher {
       Consumer<List<Quote>> answer) {
     double price = feature.equals("move") ? 5 : feature.equals("pick") ? 4 : 3;
     clock.schedule(
-        Duration.ofMillis(2),
+        priceless.contains(member) ? Duration.ZERO : Duration.ofMillis(2),
         member,
         () ->
             answer.accept(
                 sets.stream()
                     .map(
                         s ->
-                            declines.test(feature)
-                                ? new Quote.Declined("it cannot be done now")
-                                : (Quote) new Quote.Priced(price, price))
+                            priceless.contains(member)
+                                ? new Quote.Unanswered("is not there")
+                                : declines.test(feature)
+                                    ? new Quote.Declined("it cannot be done now")
+                                    : (Quote) new Quote.Priced(price, price))
                     .toList()));
   }
 
@@ -312,7 +319,10 @@ public final class PretendHouse implements ContractNet, ActionDispatcher {
             stream(step, ended);
           }
         });
-    return () -> ended[0] = true;
+    return () -> {
+      ended[0] = true;
+      cancelled.add(step.feature().procedure() + " " + step.member());
+    };
   }
 
   @Override

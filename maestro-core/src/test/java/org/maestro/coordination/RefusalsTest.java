@@ -66,6 +66,17 @@ class RefusalsTest {
     assertThat(outcome.reasons()).anyMatch(reason -> reason.contains("not proven"));
   }
 
+  /** To be silent for no time is no reason to leave somebody alone for a time. */
+  @Test
+  void aGoalEndsThoughItIsKnownAtOnceThatNobodyNamesAPrice() {
+    house.priceless.add("rose");
+
+    GoalOutcome outcome = house.achieve("(in rose zone-a)");
+
+    assertThat(outcome.reached()).isFalse();
+    assertThat(outcome.reasons()).anyMatch(reason -> reason.contains("is not there"));
+  }
+
   @Test
   void whatIsInsistedOnCountsForTheNextGoalUntilTheDeviceDescribesItselfAnew() {
     cameraInsistsOn(">= 5000");

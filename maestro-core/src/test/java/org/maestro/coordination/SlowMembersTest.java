@@ -83,6 +83,22 @@ class SlowMembersTest {
     assertThat(outcome.reasons()).anyMatch(reason -> reason.contains("not proven"));
   }
 
+  /** What it says of it afterwards comes too late; it may be at it for ever. */
+  @Test
+  void areNotLeftAtAStepThatIsNotAwaitedAnyMore() {
+    house.mute.add("rose");
+
+    GoalOutcome outcome = house.achieve("(in rose zone-a)");
+
+    assertThat(outcome.reached()).isFalse();
+    assertThat(house.story).anyMatch(told -> told.contains("rose has not answered for"));
+    assertThat(house.cancelled).containsExactlyElementsOf(drivesOfRose());
+  }
+
+  private List<String> drivesOfRose() {
+    return house.calls.stream().filter("move rose"::equals).toList();
+  }
+
   private String id() {
     return drives.get(0).call().orElseThrow().id();
   }

@@ -283,6 +283,27 @@ class LearningTest {
     assertThat(home.truth("(open rose)")).as("a plain fact").isEqualTo(Truth.FALSE);
   }
 
+  /** A camera's old sight, heard late, spoke against the hand; then the hand refused. */
+  @Test
+  void aHandThatFailedIsBelievedWhatItSaysAllAlongThatItHolds() {
+    home.state(Household.ROBOT, "(in Cup rose)");
+    home.pass(Duration.ofSeconds(1));
+    home.state(Household.CAMERA, "(position Cup \"4 0 0\")");
+    assertThat(home.truth("(in Cup zone-b)")).isEqualTo(Truth.TRUE);
+
+    home.knowledge.learn(
+        new FeatureRun(
+            "rose",
+            PICK,
+            Map.of("object", name("Cup"), "self", name("rose")),
+            false,
+            Map.of(),
+            List.of()));
+
+    assertThat(home.truth("(in Cup rose)")).isEqualTo(Truth.TRUE);
+    assertThat(home.truth("(in Cup zone-b)")).isEqualTo(Truth.FALSE);
+  }
+
   @Test
   void whatWasNotEvenBegunLeavesAllAsItWas() {
     home.state(Household.CAMERA, "(position Cup \"4 0 0\")");

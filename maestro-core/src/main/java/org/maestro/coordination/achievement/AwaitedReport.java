@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Sentences;
@@ -27,9 +26,9 @@ final class AwaitedReport {
 
   /**
    * Waits no longer than this, by the clock, since the member was told or said the last time that
-   * it is at it still.
+   * it is at it still. Then the call is called off, since its member may be at it all the same.
    */
-  void until(Duration longest, String member, Supplier<Optional<Duration>> aliveAt) {
+  void until(Duration longest, String member, ActionDispatcher.Handle call) {
     if (then.isPresent()) {
       ActionDispatcher.Report none =
           new ActionDispatcher.Report(
@@ -48,21 +47,22 @@ final class AwaitedReport {
                   .schedule(
                       longest,
                       member,
-                      () -> ports.owner().execute(() -> silent(none, longest, member, aliveAt))));
+                      () -> ports.owner().execute(() -> silent(none, longest, member, call))));
     }
   }
 
   private void silent(
-      ActionDispatcher.Report none,
-      Duration longest,
-      String member,
-      Supplier<Optional<Duration>> aliveAt) {
+      ActionDispatcher.Report none, Duration longest, String member, ActionDispatcher.Handle call) {
+    if (then.isEmpty()) {
+      return;
+    }
     Duration now = ports.clock().now();
     Optional<Duration> left =
-        aliveAt.get().map(at -> at.plus(longest).minus(now)).filter(more -> !more.isNegative());
+        call.aliveAt().map(at -> at.plus(longest).minus(now)).filter(more -> !more.isNegative());
     if (left.isPresent()) {
-      until(left.get().plusMillis(1), member, aliveAt);
+      until(left.get().plusMillis(1), member, call);
     } else {
+      call.cancel();
       arrived(none);
     }
   }

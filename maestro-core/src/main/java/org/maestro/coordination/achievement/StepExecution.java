@@ -109,10 +109,7 @@ final class StepExecution {
                             step, used, before, report, teaches.apply(report), performance[0])));
     performance[0] = ports.dispatcher().perform(order, awaited::arrived);
     underway.begun(step, before, performance[0]);
-    awaited.until(
-        order.timeout().plus(busTime().multipliedBy(2)),
-        step.member(),
-        () -> performance[0].aliveAt());
+    awaited.until(order.timeout().plus(busTime().multipliedBy(2)), step.member(), performance[0]);
   }
 
   /**

@@ -132,6 +132,7 @@ public final class PlanningRound {
   private final Consumer<Ended> then;
   private final Set<String> unpriced = new LinkedHashSet<>();
   private final Set<StepKey> declined = new HashSet<>();
+  private final Set<StepKey> unanswered = new HashSet<>();
   private final Map<StepKey, String> reasons = new HashMap<>();
   private CandidateProposals proposals;
   private int questions;
@@ -217,6 +218,7 @@ public final class PlanningRound {
     List<PricedFeature> features = features(home);
     Set<StepKey> unusable = new HashSet<>(barred.keySet());
     unusable.addAll(declined);
+    unusable.addAll(unanswered);
     unusable.addAll(exactPrices.unusable(ports.clock().now()));
     PlanningTask task =
         new PlanningTask(
@@ -311,7 +313,11 @@ public final class PlanningRound {
    * What nobody answered is no reason to say that it cannot be done, as long as it may be asked.
    */
   private boolean mayAskAgain() {
-    return lastChances++ < LAST_CHANCES && exactPrices.forgetUnanswered();
+    boolean again =
+        lastChances < LAST_CHANCES && (exactPrices.forgetUnanswered() | !unanswered.isEmpty());
+    lastChances++;
+    unanswered.clear();
+    return again;
   }
 
   private static boolean isAfterDeeds(Step step, List<Step> plan) {
@@ -345,10 +351,11 @@ public final class PlanningRound {
         reasons.put(step.key(), "it names no price: " + declined.reason());
         unpriced.add(
             "%s (%s: %s)".formatted(step.member(), step.feature().name(), declined.reason()));
-      } else if (quote instanceof ContractNet.Quote.Unanswered unanswered) {
+      } else if (quote instanceof ContractNet.Quote.Unanswered silence) {
         exactPrices.put(step.key(), quote, asked, ports.clock().now());
-        reasons.put(step.key(), unanswered.reason());
-        unpriced.add("%s (%s)".formatted(step.member(), unanswered.reason()));
+        unanswered.add(step.key());
+        reasons.put(step.key(), silence.reason());
+        unpriced.add("%s (%s)".formatted(step.member(), silence.reason()));
       } else {
         exactPrices.put(step.key(), quote, asked, ports.clock().now());
       }

@@ -171,7 +171,12 @@ public final class Cell {
   }
 
   Cell lost() {
-    return new Cell(List.of(), List.of(), last);
+    return lostBut(claim -> false);
+  }
+
+  /** Lost but for those overruled claims, which may count again if their source says so still. */
+  Cell lostBut(Predicate<Claim> kept) {
+    return new Cell(List.of(), overruled.stream().filter(kept).toList(), last);
   }
 
   /** Whether a claim that stands counts at the earlier instant and not at the later one. */

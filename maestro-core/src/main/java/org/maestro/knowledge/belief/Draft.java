@@ -109,10 +109,17 @@ public final class Draft {
 
   /** What was known of the variable is not known any more; exclusions go too. */
   void forget(StateVariable variable) {
+    forget(variable, claim -> false);
+  }
+
+  /**
+   * @param kept claims that were overruled and may count again if their source says so still
+   */
+  void forget(StateVariable variable, Predicate<Claim> kept) {
     Optional<Cell> cell = cell(variable);
     if (cell.filter(c -> !c.isLost()).isPresent()
         || cell.isEmpty() && base.described().describes(variable)) {
-      put(variable, cell.orElse(Cell.LOST).lost());
+      put(variable, cell.orElse(Cell.LOST).lostBut(kept));
     }
   }
 

@@ -124,7 +124,18 @@ public final class PositionKeeping {
 
   /** Forgets the variable; a position with all that followed from it. */
   public void forget(StateVariable variable) {
-    draft.forget(variable);
+    forget(variable, claim -> false);
+  }
+
+  /**
+   * The same, but what this source says of itself all along counts as soon as nothing else does.
+   */
+  public void forgetAllBut(Source source, StateVariable variable) {
+    forget(variable, claim -> claim.held().source().equals(source));
+  }
+
+  private void forget(StateVariable variable, Predicate<Claim> kept) {
+    draft.forget(variable, kept);
     variable.arguments().stream()
         .findFirst()
         .ifPresent(

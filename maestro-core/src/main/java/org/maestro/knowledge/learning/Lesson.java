@@ -19,6 +19,7 @@ import org.maestro.knowledge.belief.Declarations;
 import org.maestro.knowledge.belief.Draft;
 import org.maestro.knowledge.belief.FactReader;
 import org.maestro.knowledge.belief.LastWords;
+import org.maestro.knowledge.belief.PositionKeeping;
 import org.maestro.knowledge.belief.World;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.sl.Effect;
@@ -60,9 +61,10 @@ public final class Lesson {
   /**
    * The facts to write.
    *
-   * @param forget is told first what a failure leaves unknown
+   * @param positions is told first what a failure leaves unknown
    */
-  public List<Fact> facts(Draft draft, Consumer<StateVariable> forget) {
+  public List<Fact> facts(Draft draft, PositionKeeping positions) {
+    Consumer<StateVariable> forget = positions::forget;
     Snapshot before = run.before().orElse(present);
     FeatureType feature = run.feature();
     Map<String, Term> bindings = Self.is(run.member(), run.bindings());
@@ -109,7 +111,7 @@ public final class Lesson {
           .filter(atom -> isUncertain(atom.predicate()))
           .map(draft::variable)
           .filter(variable -> !isOwnWord(variable))
-          .forEach(forget);
+          .forEach(variable -> positions.forgetAllBut(ownSource(), variable));
     }
     return run.refs().stream().map(ref -> FactReader.read(ref, run.member())).toList();
   }
@@ -213,7 +215,11 @@ public final class Lesson {
     return world
         .cell(variable)
         .flatMap(Cell::value)
-        .filter(held -> held.source().equals(new Source(Source.Kind.STATED, run.member())))
+        .filter(held -> held.source().equals(ownSource()))
         .isPresent();
+  }
+
+  private Source ownSource() {
+    return new Source(Source.Kind.STATED, run.member());
   }
 }
