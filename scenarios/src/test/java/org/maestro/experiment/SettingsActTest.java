@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -16,6 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.maestro.experiment.setting.Setting;
+import org.maestro.random.Share;
 
 /** Whatever can be set in an experiment changes what a run of it writes. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
@@ -27,12 +29,15 @@ class SettingsActTest {
   private final Map<String, List<Object>> usual = new TreeMap<>();
 
   static Stream<Arguments> settings() {
-    return Stream.of("move-object", "illumination", "join-leave", "broken-cup")
-        .flatMap(
-            experiment ->
-                names(experiment).stream()
-                    .filter(name -> !name.equals(PACED))
-                    .map(name -> Arguments.of(experiment, name)));
+    List<Arguments> all =
+        Stream.of("move-object", "illumination", "join-leave", "broken-cup")
+            .flatMap(
+                experiment ->
+                    names(experiment).stream()
+                        .filter(name -> !name.equals(PACED))
+                        .map(name -> Arguments.of(experiment, name)))
+            .toList();
+    return Share.of(LongStream.range(0, all.size())).mapToObj(number -> all.get((int) number));
   }
 
   private static Set<String> names(String experiment) {
@@ -66,7 +71,8 @@ class SettingsActTest {
   void whatActsElsewhereIsSaid() {
     assertThat(notes("illumination", "world.facade.noise"))
         .containsExactly(
-            "world.facade.noise changes nothing in illumination; it acts in move-object, over-exposure.");
+            "world.facade.noise changes nothing in illumination; it acts in move-object,"
+                + " over-exposure.");
     assertThat(notes("join-leave", "world.turn.height"))
         .containsExactly(
             "world.turn.height changes nothing in join-leave; it acts in none of the experiments.");

@@ -23,6 +23,7 @@ public final class JadeRuntime {
   private static final String MOST_FOUND = "jade_domain_df_maxresult";
 
   private static final int MOST_BEGINNINGS = 10;
+  private static final int MOST_MAINS = 3;
   private static final Duration BETWEEN_BEGINNINGS = Duration.ofMillis(100);
 
   private static final String LOOPBACK = Premises.LOOPBACK;
@@ -77,18 +78,33 @@ public final class JadeRuntime {
     properties.setProperty(MOST_FOUND, String.valueOf(Integer.MAX_VALUE));
     guard.ifPresent(own -> GuardedProfile.guard(properties, own));
     ContainerProfile.listen(properties, guard, port);
-    AgentContainer container =
-        begun(
-            () ->
-                Runtime.instance()
-                    .createMainContainer(new WiredProfile(properties, shared.wires())));
-    if (container == null) {
-      throw new PlatformStartException(
-          Sockets.isFree(premises.host(), port)
-              ? "JADE could not start, though its port " + port + " is free; the log says why."
-              : "Port " + port + " was taken just now; choose another with --port.");
+    Optional<AgentContainer> container = Optional.empty();
+    for (int attempt = 1; container.isEmpty() && attempt <= MOST_MAINS; attempt++) {
+      if (attempt > 1) {
+        requireFree(premises.host(), port);
+        LockSupport.parkNanos(BETWEEN_BEGINNINGS.toNanos());
+      }
+      container =
+          begun(
+              () ->
+                  Runtime.instance()
+                      .createMainContainer(new WiredProfile(properties, shared.wires())));
     }
-    return container;
+    return container.orElseThrow(
+        () ->
+            new PlatformStartException(
+                "JADE could not start, though its port " + port + " is free; the log says why."));
+  }
+
+  /**
+   * JADE's connections are those of all platforms of one name in this process, and end with the
+   * last: a platform of the same name that begins at that moment finds none, and begins again.
+   */
+  private static void requireFree(String host, int port) {
+    if (!Sockets.isFree(host, port)) {
+      throw new PlatformStartException(
+          "Port " + port + " was taken just now; choose another with --port.");
+    }
   }
 
   /** Joins with a container that takes no generic agents. */
@@ -138,30 +154,28 @@ public final class JadeRuntime {
     if (entry.first()) {
       ContainerProfile.listen(properties, entry.guard(), Sockets.free(entry.from()));
     }
-    AgentContainer container =
-        begun(
+    return begun(
             () ->
                 Runtime.instance()
-                    .createAgentContainer(new WiredProfile(properties, shared.wires())));
-    if (container == null) {
-      throw new PlatformStartException(
-          "The container %s could not join the platform at %s:%d; its log says why."
-              .formatted(containerName, host, mainPort));
-    }
-    return container;
+                    .createAgentContainer(new WiredProfile(properties, shared.wires())))
+        .orElseThrow(
+            () ->
+                new PlatformStartException(
+                    "The container %s could not join the platform at %s:%d; its log says why."
+                        .formatted(containerName, host, mainPort)));
   }
 
   /**
    * What JADE has for a whole process ends with its last container, in a thread of its own; a
    * container that begins just then finds its threads' group gone, and is begun once more.
    *
-   * @return the container; null when JADE could not begin it
+   * @return the container; empty when JADE could not begin it
    */
-  private static AgentContainer begun(Supplier<AgentContainer> beginning) {
+  private static Optional<AgentContainer> begun(Supplier<AgentContainer> beginning) {
     synchronized (ONE_AT_A_TIME) {
       for (int attempt = 1; ; attempt++) {
         try {
-          return beginning.get();
+          return Optional.ofNullable(beginning.get());
         } catch (IllegalThreadStateException e) {
           if (attempt == MOST_BEGINNINGS) {
             throw new PlatformStartException(
