@@ -23,6 +23,7 @@ import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.coordination.recovery.FormerLessons;
 import org.maestro.coordination.story.Decisions;
 import org.maestro.coordination.story.GoalLife;
+import org.maestro.coordination.story.GoalPhase;
 import org.maestro.coordination.story.GoalStory;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Snapshot;
@@ -72,7 +73,7 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
     life.takeUp(goal);
     parts.resourceClaims().takeUp(goal.keeps());
     parts.monitor().takeUp(goal.memory());
-    life.become(GoalState.WAITING, awaited);
+    life.become(GoalPhase.RECOVERING, awaited);
   }
 
   @Override
@@ -99,7 +100,7 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
               ? Optional.empty()
               : Optional.of("the coordinator was started again"));
     } else {
-      life.become(GoalState.WAITING, "what was under way before the restart has to end first");
+      life.become(GoalPhase.RECOVERING, "what was under way before the restart has to end first");
     }
   }
 
@@ -157,7 +158,7 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
 
   @Override
   public boolean isPlanning() {
-    return planning.isPlanning();
+    return life.phase().isPlanning();
   }
 
   @Override
@@ -236,7 +237,7 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
             changes,
             now,
             isHolding(),
-            !parts.preemption().isAwaited() && parts.activeGoals().leases().isBefore(id(), other));
+            !life.phase().isResting() && parts.activeGoals().leases().isBefore(id(), other));
   }
 
   @Override

@@ -12,6 +12,7 @@ import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.SearchReport;
 import org.maestro.coordination.facts.Confirmation;
 import org.maestro.coordination.story.GoalLife;
+import org.maestro.coordination.story.GoalPhase;
 import org.maestro.coordination.story.GoalStory;
 import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.PlanningResult;
@@ -41,8 +42,6 @@ final class GoalEnding {
   private final GoalTransitions course;
   private List<String> whyNot = List.of();
   private Optional<PlanningRound.Ended> hopeless = Optional.empty();
-  private boolean awaitsCertainty;
-  private boolean hasListened;
 
   /**
    * @param release of all that runs for the goal
@@ -66,6 +65,7 @@ final class GoalEnding {
   private void end(
       GoalState how, boolean confirmed, Map<String, Term> binding, List<String> reasons) {
     awaited.forget();
+    life.become(GoalPhase.ENDING);
     release.run();
     life.end(how, confirmed, binding, reasons);
     parts.activeGoals().leave(life.id());
@@ -101,16 +101,16 @@ final class GoalEnding {
     parts.plan().drop();
     parts.resourceClaims().letGo();
     if (!parts.underway().isEmpty()) {
-      life.become(GoalState.WAITING, "what is under way has to end first");
+      life.become(GoalPhase.WAITING_FOR_STEPS, "what is under way has to end first");
     } else if (!parts.roster().doubts().isEmpty()) {
-      awaitsCertainty = true;
       String doubts = String.join("; ", parts.roster().doubts().values());
-      life.become(GoalState.WAITING, doubts);
+      life.become(GoalPhase.WAITING_FOR_CERTAINTY, doubts);
       story.awaitsCertainty(doubts);
     } else if (monitor.isConfirming()) {
       noPlanToSeeIt();
     } else if (!monitor.isFindingOut() && lastTry.isLeft(round)) {
-      life.become(GoalState.WAITING, "what failed or was not priced is tried once more");
+      life.become(
+          GoalPhase.WAITING_FOR_ANOTHER_TRY, "what failed or was not priced is tried once more");
       story.triesOnceMore(lastTry.pause(), round.result());
       lastTry.afterPause(this::tryOnceMore);
     } else if (monitor.isFindingOut()) {
@@ -141,7 +141,7 @@ final class GoalEnding {
                 member ->
                     "for %s to come back (%s)".formatted(member, parts.roster().absence(member)))
             .collect(Collectors.joining(", "));
-    life.become(GoalState.WAITING, members);
+    life.become(GoalPhase.WAITING_FOR_MEMBERS, members);
     story.awaits(members, atMost);
   }
 
@@ -167,8 +167,7 @@ final class GoalEnding {
 
   /** Nobody is given up for want of one who may be there; now one of them is, or is lost. */
   void doubtOver(String member) {
-    if (awaitsCertainty && !life.isOver()) {
-      awaitsCertainty = false;
+    if (life.phase() == GoalPhase.WAITING_FOR_CERTAINTY) {
       course.makePlan(
           Optional.of(
               parts.roster().isPresent(member)
@@ -212,13 +211,12 @@ final class GoalEnding {
 
   /** Who tells of it of its own accord has some time to do so. */
   private void listenOrEndUnseen(Confirmation needed, Map<String, Term> binding) {
-    if (hasListened || needed.tellers().isEmpty()) {
+    if (life.wasIn(GoalPhase.LISTENING) || needed.tellers().isEmpty()) {
       endUnseen(needed, binding);
       return;
     }
-    hasListened = true;
     String tellers = String.join(", ", needed.tellers());
-    life.become(GoalState.WAITING, "for what " + tellers + " may tell");
+    life.become(GoalPhase.LISTENING, "for what " + tellers + " may tell");
     story.listens(tellers, LastTry.PAUSE);
     lastTry.afterPause(
         () -> {
@@ -253,6 +251,7 @@ final class GoalEnding {
     if (!life.isOver()) {
       List<String> all = new ArrayList<>(reasons);
       reports.forEach(report -> all.addAll(story.searched(report)));
+      life.become(GoalPhase.ENDING);
       release.run();
       life.end(GoalState.FAILED, false, Map.of(), all, reports);
       parts.activeGoals().leave(life.id());

@@ -74,10 +74,8 @@ final class GoalMonitor {
   private List<PricedFeature> features = List.of();
   private Optional<Confirmation> confirmation = Optional.empty();
   private Instant confirmedSince = Instant.MIN;
-  private boolean findingOut;
-  private boolean findOutNext;
-  private boolean trusting;
-  private boolean trustNext;
+  private PlanPurpose purpose = PlanPurpose.REACH;
+  private PlanPurpose nextPurpose = PlanPurpose.REACH;
   private int timesFoundOut;
 
   GoalMonitor(String goalId, GoalRequest request, Ports ports, ActiveGoals activeGoals) {
@@ -159,7 +157,7 @@ final class GoalMonitor {
   }
 
   PlanningRound.Subject subject() {
-    return new PlanningRound.Subject(goalId, goal, confirmation, findingOut);
+    return new PlanningRound.Subject(goalId, goal, confirmation, isFindingOut());
   }
 
   /** Whether the member offers anything that could be part of a plan for the goal. */
@@ -176,19 +174,17 @@ final class GoalMonitor {
   /** The next plan is to show whether it is so already. */
   void findOut() {
     timesFoundOut++;
-    findOutNext = true;
+    nextPurpose = PlanPurpose.FIND_OUT;
   }
 
   boolean isFindingOut() {
-    return findingOut;
+    return purpose == PlanPurpose.FIND_OUT;
   }
 
   /** A plan is to be made now. */
   void planBegins() {
-    findingOut = findOutNext;
-    findOutNext = false;
-    trusting = trustNext;
-    trustNext = false;
+    purpose = nextPurpose;
+    nextPurpose = PlanPurpose.REACH;
   }
 
   /**
@@ -196,15 +192,15 @@ final class GoalMonitor {
    * change the world before it: they may clear its way.
    */
   void trustEarlierSteps() {
-    trustNext = true;
+    nextPurpose = PlanPurpose.REACH_TRUSTING;
   }
 
   boolean isTrusting() {
-    return trusting;
+    return purpose == PlanPurpose.REACH_TRUSTING;
   }
 
   Facts factsForPlans() {
-    return findingOut
+    return isFindingOut()
         ? EpistemicGoal.withWhatIsSeen(presentFacts(), ports.knowledge().snapshot())
         : presentFacts();
   }

@@ -3,12 +3,12 @@ package org.maestro.coordination.achievement;
 import java.util.List;
 import java.util.Optional;
 import org.maestro.coordination.allocation.PlanningRound;
-import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.facts.FactFilter;
 import org.maestro.coordination.facts.KnowledgeVersion;
 import org.maestro.coordination.story.Decision;
 import org.maestro.coordination.story.Decisions;
 import org.maestro.coordination.story.GoalLife;
+import org.maestro.coordination.story.GoalPhase;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.PlanningResult;
@@ -28,7 +28,6 @@ final class GoalPlanning {
   private Optional<String> planAgain = Optional.empty();
   private final Decisions decisions = new Decisions();
   private FactFilter changedMeanwhile;
-  private boolean planning;
   private KnowledgeVersion begunWith;
 
   GoalPlanning(PursuitParts parts, GoalTransitions course) {
@@ -42,16 +41,12 @@ final class GoalPlanning {
     return new FactFilter(parts.ports().knowledge().home().vocabulary());
   }
 
-  boolean isPlanning() {
-    return planning;
-  }
-
   Decisions decisions() {
     return decisions;
   }
 
   void knowledgeChanged(KnowledgeBase.Change change, FactFilter changed) {
-    if (planning && !begunWith.has(change, changed)) {
+    if (isPlanning() && !begunWith.has(change, changed)) {
       changedMeanwhile.addAll(changed);
     }
   }
@@ -61,7 +56,7 @@ final class GoalPlanning {
   }
 
   void makePlan(Optional<String> why) {
-    if (planning) {
+    if (isPlanning()) {
       planAgain = why;
       return;
     }
@@ -77,7 +72,6 @@ final class GoalPlanning {
           List.of("It was planned " + life.plans() + " times without getting there; given up."));
       return;
     }
-    planning = true;
     parts.monitor().planBegins();
     changedMeanwhile = nothing();
     begunWith = parts.monitor().look();
@@ -86,7 +80,7 @@ final class GoalPlanning {
       parts.activeGoals().rush().planning(parts.id());
     }
     life.countPlan(confirming);
-    life.become(stateWhilePlanning(why), why.orElse(""));
+    life.become(phaseWhilePlanning(why), why.orElse(""));
     parts.story().planning(life.plans(), why);
     new PlanMaking(
             parts.id(),
@@ -114,21 +108,25 @@ final class GoalPlanning {
     }
   }
 
-  private GoalState stateWhilePlanning(Optional<String> why) {
+  private boolean isPlanning() {
+    return parts.life().phase().isPlanning();
+  }
+
+  private GoalPhase phaseWhilePlanning(Optional<String> why) {
     if (parts.monitor().isConfirming()) {
-      return GoalState.CONFIRMING;
+      return GoalPhase.PLANNING_TO_SEE;
     }
-    return why.isPresent() ? GoalState.REPLANNING : GoalState.PLANNING;
+    return why.isPresent() ? GoalPhase.REPLANNING : GoalPhase.PLANNING;
   }
 
   private void planned(PlanningRound.Ended round) {
-    planning = false;
     if (parts.life().isOver()) {
       round.tender().reject();
     } else {
+      parts.life().become(GoalPhase.DECIDING);
       take(round);
     }
-    if (!planning) {
+    if (!isPlanning()) {
       parts.activeGoals().rush().planned(parts.id());
     }
   }

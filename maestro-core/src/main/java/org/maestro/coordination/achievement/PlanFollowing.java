@@ -25,6 +25,7 @@ import org.maestro.coordination.facts.KnowledgeVersion;
 import org.maestro.coordination.facts.ReplanTriggers;
 import org.maestro.coordination.lessons.Insistence;
 import org.maestro.coordination.story.GoalLife;
+import org.maestro.coordination.story.GoalPhase;
 import org.maestro.coordination.story.GoalStory;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.planning.api.Plan;
@@ -87,8 +88,10 @@ final class PlanFollowing {
         .forEach(step -> monitor.tooLate(step, "it takes longer than was told"));
     execution.callOffAllBut(found.steps());
     parts.resourceClaims().letGoOfWhatIsDone();
-    if (!monitor.isConfirming()) {
-      life.become(GoalState.RUNNING, "");
+    if (monitor.isConfirming()) {
+      life.become(GoalPhase.LOOKING);
+    } else {
+      life.become(GoalPhase.RUNNING, "");
     }
     continueOrSettle();
   }
@@ -100,7 +103,7 @@ final class PlanFollowing {
         || lookedAt.has(change, changed)) {
       return;
     }
-    if (parts.preemption().isAwaited()) {
+    if (life.phase().isResting()) {
       if (concern.ofGoal(changed)) {
         settleIfReached();
       }
@@ -120,7 +123,7 @@ final class PlanFollowing {
    * it goes on meanwhile, and ends before another begins.
    */
   void offered(Takeover offer) {
-    if (!isActive() || parts.preemption().isAwaited() || !parts.roster().isPresent(offer.by())) {
+    if (!isActive() || life.phase().isResting() || !parts.roster().isPresent(offer.by())) {
       return;
     }
     underway.find(offer.from(), offer.feature()).ifPresent(step -> consider(step, offer));
@@ -154,7 +157,7 @@ final class PlanFollowing {
     List<WaitsFor> obstacles = parts.resourceClaims().keepWhatIsWanted();
     if (!obstacles.isEmpty()) {
       preemption.await(parts.resourceClaims().wanted(), obstacles);
-    } else if (preemption.isAwaited()) {
+    } else if (life.phase().isResting()) {
       preemption.came(monitor.isConfirming());
       reconsider(() -> "things have changed while it waited");
     } else if (!preemption.givesWay(parts.resourceClaims().wanted()) && !isHeldBack()) {
@@ -169,7 +172,7 @@ final class PlanFollowing {
             && life.request().priority() <= GoalRequest.USUAL_PRIORITY
             && parts.activeGoals().rush().holdsBack(life.id());
     if (heldBack && life.state() != GoalState.WAITING) {
-      life.become(GoalState.WAITING, "for the goals stated with it to be planned");
+      life.become(GoalPhase.WAITING_FOR_PLANS, "for the goals stated with it to be planned");
       story.heldBack(Rush.LONGEST);
     }
     return heldBack;
@@ -227,7 +230,7 @@ final class PlanFollowing {
       life.countCall();
     }
     if (life.state() == GoalState.WAITING) {
-      life.become(monitor.isConfirming() ? GoalState.CONFIRMING : GoalState.RUNNING, "");
+      life.become(monitor.isConfirming() ? GoalPhase.LOOKING : GoalPhase.RUNNING, "");
     }
     if (owed) {
       story.askedAgain(step);

@@ -16,6 +16,7 @@ import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.coordination.contention.ResourceClaims;
 import org.maestro.coordination.contention.StepsUnderway;
 import org.maestro.coordination.story.GoalLife;
+import org.maestro.coordination.story.GoalPhase;
 import org.maestro.coordination.story.GoalStory;
 
 /**
@@ -31,7 +32,6 @@ final class Preemption {
   private final ActiveGoals activeGoals;
   private final ResourceClaims resourceClaims;
   private final StepsUnderway underway;
-  private boolean awaited;
   private Optional<String> after = Optional.empty();
   private Optional<String> yieldedTo = Optional.empty();
   private Optional<String> asked = Optional.empty();
@@ -54,11 +54,6 @@ final class Preemption {
     return life.id();
   }
 
-  /** Whether it has no turn now, and its plan rests. */
-  boolean isAwaited() {
-    return awaited;
-  }
-
   /** Whether it has stepped back for one that is not over yet, or has not got its way yet. */
   boolean isAfterAnother() {
     after = after.filter(other -> activeGoals.find(other).isPresent());
@@ -72,7 +67,6 @@ final class Preemption {
 
   /** Another plan is made, which may wait for something else. */
   void forget() {
-    awaited = false;
     after = Optional.empty();
     yieldedTo = Optional.empty();
     activeGoals.leases().stopWaiting(id());
@@ -80,8 +74,10 @@ final class Preemption {
 
   /** It cannot have what it wants now; until then it keeps nothing that others could use. */
   void await(Set<Resource> wanted, List<WaitsFor> obstacles) {
-    awaited = true;
-    wait(wanted, obstacles);
+    wait(GoalPhase.WAITING_FOR_TURN, wanted, obstacles);
+    if (!life.phase().isResting()) {
+      life.become(GoalPhase.HALTING);
+    }
     if (underway.isEmpty()) {
       resourceClaims.letGo();
     }
@@ -92,6 +88,7 @@ final class Preemption {
   /** It has all components, and a step waits for a thing in use, or a fact that another needs. */
   void awaitForStep(List<WaitsFor> obstacles) {
     wait(
+        GoalPhase.WAITING_FOR_STEP,
         obstacles.stream().map(WaitsFor::resource).collect(Collectors.toCollection(TreeSet::new)),
         obstacles);
     if (underway.isEmpty() && obstacles.stream().anyMatch(Preemption::mayTakeLong)) {
@@ -105,13 +102,11 @@ final class Preemption {
     return obstacle.resource().kind() == Resource.Kind.FACT;
   }
 
-  private void wait(Set<Resource> wanted, List<WaitsFor> obstacles) {
+  private void wait(GoalPhase waiting, Set<Resource> wanted, List<WaitsFor> obstacles) {
     activeGoals.leases().waitFor(id(), wanted, obstacles);
     if (underway.isEmpty() && life.state() != GoalState.SUSPENDED) {
       String why = inWords(obstacles);
-      if (life.state() != GoalState.WAITING || !life.detail().equals(why)) {
-        life.become(GoalState.WAITING, why);
-      }
+      life.becomeIfNew(waiting, why);
       Set<Resource> resources =
           obstacles.stream().map(WaitsFor::resource).collect(Collectors.toSet());
       if (!told.equals(resources)) {
@@ -132,7 +127,7 @@ final class Preemption {
     if (life.state() == GoalState.SUSPENDED) {
       story.goesOn();
     }
-    life.become(confirming ? GoalState.CONFIRMING : GoalState.RUNNING, "");
+    life.become(confirming ? GoalPhase.LOOKING : GoalPhase.RUNNING, "");
   }
 
   private void askForWay(List<WaitsFor> obstacles) {
@@ -165,7 +160,6 @@ final class Preemption {
       return false;
     }
     asked = Optional.empty();
-    awaited = true;
     yieldedTo = to;
     List<WaitsFor> edges = new ArrayList<>();
     contested.forEach(edge -> edges.add(new WaitsFor(id(), edge.resource(), to.get())));
@@ -184,14 +178,13 @@ final class Preemption {
 
   private void suspend(Set<Resource> wanted, List<WaitsFor> edges, String why) {
     activeGoals.leases().waitFor(id(), wanted, edges);
-    life.become(GoalState.SUSPENDED, why);
+    life.become(GoalPhase.SUSPENDED, why);
     story.suspended(why);
   }
 
   /** Until the other is over. */
   void standBackFor(String other) {
     after = Optional.of(other);
-    awaited = true;
     suspend(
         Set.of(), List.of(new WaitsFor(id(), Resource.endOf(other), other)), other + " goes first");
     resourceClaims.letGo();

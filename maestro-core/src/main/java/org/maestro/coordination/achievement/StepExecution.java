@@ -21,6 +21,7 @@ import org.maestro.coordination.contention.StepsUnderway;
 import org.maestro.coordination.facts.NextPlace;
 import org.maestro.coordination.facts.Sensing;
 import org.maestro.coordination.lessons.Experience;
+import org.maestro.coordination.story.GoalLife;
 import org.maestro.coordination.story.GoalStory;
 import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.knowledge.api.KnowledgeBase;
@@ -41,12 +42,12 @@ final class StepExecution {
   private final ActiveGoals activeGoals;
   private final ResourceClaims resourceClaims;
   private final ExactPrices exactPrices;
+  private final GoalLife life;
   private final GoalStory story;
   private final StepsUnderway underway;
   private final GoalMonitor monitor;
   private final Consumer<StepEnd> ended;
   private final List<ActionDispatcher.Handle> established = new ArrayList<>();
-  private boolean goalOver;
 
   StepExecution(PursuitParts parts, Consumer<StepEnd> ended) {
     this.goalId = parts.id();
@@ -54,6 +55,7 @@ final class StepExecution {
     this.activeGoals = parts.activeGoals();
     this.resourceClaims = parts.resourceClaims();
     this.exactPrices = parts.exactPrices();
+    this.life = parts.life();
     this.story = parts.story();
     this.underway = parts.underway();
     this.monitor = parts.monitor();
@@ -135,7 +137,6 @@ final class StepExecution {
 
   /** The goal is over: nothing that runs for it goes on. */
   void release() {
-    goalOver = true;
     underway.callOffAllBut(Set.of(), step -> {});
     established.forEach(ActionDispatcher.Handle::cancel);
   }
@@ -162,7 +163,7 @@ final class StepExecution {
     String factsBefore = monitor.factsUnder(step.key());
     KnowledgeBase.Change change = ports.knowledge().learn(run);
     ActionDispatcher.Report judged = judged(step, report, performance);
-    if (goalOver) {
+    if (life.isOver()) {
       return;
     }
     if (judged.succeeded()) {

@@ -3,9 +3,9 @@ package org.maestro.coordination.maintenance;
 import java.time.Duration;
 import java.util.List;
 import java.util.function.Consumer;
-import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.HeldNews;
 import org.maestro.coordination.story.GoalLife;
+import org.maestro.coordination.story.GoalPhase;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Formula;
 
@@ -74,7 +74,7 @@ final class Holding {
       tell(everHeld ? HeldNews.Kind.HELD_AGAIN : HeldNews.Kind.HELD, confirmed, List.of());
       everHeld = true;
     }
-    become(GoalState.HOLDING, unobserved ? "nobody can observe it all the time" : "");
+    life.becomeIfNew(GoalPhase.HOLDING, unobserved ? "nobody can observe it all the time" : "");
   }
 
   void ceases() {
@@ -99,17 +99,12 @@ final class Holding {
   }
 
   void awaits() {
-    become(GoalState.WAITING, lastReasons.isEmpty() ? "it is tried again soon" : lastReasons);
+    life.becomeIfNew(
+        GoalPhase.WAITING_TO_RETRY, lastReasons.isEmpty() ? "it is tried again soon" : lastReasons);
   }
 
   void suspended(String why) {
-    become(GoalState.SUSPENDED, why);
-  }
-
-  private void become(GoalState next, String why) {
-    if (life.state() != next || !life.detail().equals(why)) {
-      life.become(next, why);
-    }
+    life.becomeIfNew(GoalPhase.SUSPENDED, why);
   }
 
   private void tell(HeldNews.Kind kind, boolean confirmed, List<String> reasons) {

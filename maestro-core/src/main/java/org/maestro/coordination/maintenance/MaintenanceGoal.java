@@ -25,6 +25,7 @@ import org.maestro.coordination.recovery.AttemptJournal;
 import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.coordination.story.Decisions;
 import org.maestro.coordination.story.GoalLife;
+import org.maestro.coordination.story.GoalPhase;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.sl.Change;
@@ -55,7 +56,6 @@ public final class MaintenanceGoal implements ActiveGoal {
   private final Reoptimization saving;
   private final NextLook nextLook;
 
-  private boolean started;
   private boolean unobserved;
 
   public MaintenanceGoal(
@@ -121,7 +121,6 @@ public final class MaintenanceGoal implements ActiveGoal {
 
   @Override
   public void start() {
-    started = true;
     story.goal().submitted(life.request());
     nextLook.in(BETWEEN_LOOKS);
     bringAbout();
@@ -130,7 +129,7 @@ public final class MaintenanceGoal implements ActiveGoal {
   @Override
   public void prepareToTakeUp(Recovery.UnfinishedGoal goal, String awaited) {
     life.takeUp(goal);
-    life.become(GoalState.WAITING, awaited);
+    life.become(GoalPhase.RECOVERING, awaited);
     holding.takeUp(goal.memory().everHeld());
     work.bringAbout(condition.body(), working, this::broughtAbout).prepareToTakeUp(goal, awaited);
   }
@@ -141,7 +140,7 @@ public final class MaintenanceGoal implements ActiveGoal {
       goal.calls().forEach(call -> former.giveUp(call, "its goal is over"));
       return;
     }
-    started = true;
+    life.become(GoalPhase.BRINGING_ABOUT);
     settings.takeUp(goal.memory().settings(), ports.knowledge().home());
     nextLook.in(BETWEEN_LOOKS);
     work.told(pursuit -> pursuit.takeUp(goal, former));
@@ -285,9 +284,13 @@ public final class MaintenanceGoal implements ActiveGoal {
     return rests;
   }
 
+  private boolean isBegun() {
+    return life.phase() != GoalPhase.SUBMITTED && life.phase() != GoalPhase.RECOVERING;
+  }
+
   /** Is it so, and does it have to be done something about it? */
   private void look() {
-    if (!started || life.isOver() || work.isBringingAbout() || rests()) {
+    if (!isBegun() || life.isOver() || work.isBringingAbout() || rests()) {
       return;
     }
     if (condition.isSo(working.knowledge())) {
@@ -331,6 +334,7 @@ public final class MaintenanceGoal implements ActiveGoal {
   }
 
   private void bringAbout() {
+    life.become(GoalPhase.BRINGING_ABOUT);
     story.begin(holding.isDespaired());
     work.bringAbout(condition.body(), working, this::broughtAbout).start();
   }
@@ -364,6 +368,7 @@ public final class MaintenanceGoal implements ActiveGoal {
   }
 
   private void end(GoalState how, String reason) {
+    life.become(GoalPhase.ENDING);
     nextLook.cancel();
     work.stop();
     watch.end();

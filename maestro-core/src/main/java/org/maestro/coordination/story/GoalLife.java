@@ -1,9 +1,12 @@
 package org.maestro.coordination.story;
 
 import java.time.Duration;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.coordination.api.GoalEffort;
 import org.maestro.coordination.api.GoalOutcome;
@@ -31,6 +34,8 @@ public final class GoalLife {
   private Duration submittedAt;
   private final long submittedNanos = System.nanoTime();
 
+  private GoalPhase phase = GoalPhase.SUBMITTED;
+  private final Set<GoalPhase> past = EnumSet.noneOf(GoalPhase.class);
   private GoalState state = GoalState.SUBMITTED;
   private String detail = "";
   private GoalEffort effort = GoalEffort.NONE;
@@ -63,8 +68,18 @@ public final class GoalLife {
     return detail;
   }
 
+  public GoalPhase phase() {
+    return phase;
+  }
+
+  /** Whether it was ever in that phase, since this coordinator is there. */
+  public boolean wasIn(GoalPhase phase) {
+    return past.contains(phase);
+  }
+
+  /** Whether nothing is begun for it any more. */
   public boolean isOver() {
-    return state.isFinal();
+    return phase.isOver();
   }
 
   public GoalStatus status(List<WaitsFor> waits) {
@@ -94,13 +109,38 @@ public final class GoalLife {
     detail = former.detail();
   }
 
-  /** The only way to another state, except to an end. */
-  public void become(GoalState next, String why) {
-    state = next;
-    detail = why;
-    if (!next.isFinal()) {
-      journal.write(new JournalEntry.Became(id, next, why, effort));
+  /** The only way to another phase; what is seen from outside is written down. */
+  public void become(GoalPhase next, String why) {
+    enter(next);
+    next.shown()
+        .ifPresent(
+            shown -> {
+              state = shown;
+              detail = why;
+              if (!shown.isFinal()) {
+                journal.write(new JournalEntry.Became(id, shown, why, effort));
+              }
+            });
+  }
+
+  /** The same, without a word of it where just that is seen from outside already. */
+  public void becomeIfNew(GoalPhase next, String why) {
+    if (next.shown().equals(Optional.of(state)) && detail.equals(why)) {
+      enter(next);
+    } else {
+      become(next, why);
     }
+  }
+
+  /** Enters another phase without a word of it: what is seen from outside stays as it is. */
+  public void become(GoalPhase next) {
+    enter(next);
+  }
+
+  private void enter(GoalPhase next) {
+    assert phase.next().contains(next) : id + " cannot go from " + phase + " to " + next;
+    phase = next;
+    past.add(next);
   }
 
   public int plans() {
@@ -138,7 +178,7 @@ public final class GoalLife {
       Map<String, Term> binding,
       List<String> reasons,
       List<SearchReport> searches) {
-    become(how, String.join(" ", reasons));
+    become(GoalPhase.of(how), String.join(" ", reasons));
     GoalOutcome outcome =
         new GoalOutcome(
             id,
