@@ -7,6 +7,7 @@ import jade.lang.acl.MessageTemplate;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BiConsumer;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.ProposalReader;
 import org.maestro.agents.content.Replies;
@@ -44,6 +45,56 @@ public final class Actor extends MaestroAgent {
     default void subscribed(Actor actor, ACLMessage subscription) {}
 
     default void cancelled(Actor actor, ACLMessage cancel) {}
+
+    /** All is done right, at this price. */
+    static Part at(double price) {
+      return new Part() {
+        @Override
+        public double price() {
+          return price;
+        }
+      };
+    }
+
+    /** Called for prices, it does this instead. */
+    static Part onCall(BiConsumer<Actor, ACLMessage> deed) {
+      return new Part() {
+        @Override
+        public void called(Actor actor, ACLMessage cfp) {
+          deed.accept(actor, cfp);
+        }
+      };
+    }
+
+    /** Its proposal accepted, it does this instead. */
+    static Part onAccept(BiConsumer<Actor, ACLMessage> deed) {
+      return new Part() {
+        @Override
+        public void accepted(Actor actor, ACLMessage accept) {
+          deed.accept(actor, accept);
+        }
+      };
+    }
+
+    /** Asked for exact prices, it does this instead. */
+    static Part onQuestion(BiConsumer<Actor, ACLMessage> deed) {
+      return new Part() {
+        @Override
+        public void asked(Actor actor, ACLMessage question) {
+          deed.accept(actor, question);
+        }
+      };
+    }
+
+    /** Ordered to do a step, it does this instead. */
+    static Part onOrder(BiConsumer<Actor, ACLMessage> deed) {
+      return new Part() {
+        @Override
+        public void ordered(Actor actor, ACLMessage order) {
+          deed.accept(actor, order);
+        }
+      };
+    }
   }
 
   private final transient Part part;

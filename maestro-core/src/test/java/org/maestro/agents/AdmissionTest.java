@@ -5,26 +5,21 @@ import static org.assertj.core.api.Assertions.assertThat;
 import jade.core.AID;
 import jade.core.behaviours.CyclicBehaviour;
 import jade.lang.acl.ACLMessage;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.MaestroAgent;
-import org.maestro.platform.BareJade;
 
 /**
  * Messages that nobody should send: each gets one clear answer, none stays in the queue, and the
@@ -33,32 +28,16 @@ import org.maestro.platform.BareJade;
 class AdmissionTest {
   private static final String GOAL = "(initCNP (:goal (greeted Bob)))";
 
-  @TempDir static Path files;
-  private static BareJade jade;
+  @RegisterExtension static final SocietyExtension STAGE = new SocietyExtension("admission");
 
   private Society society;
   private Guest guest;
 
-  @BeforeAll
-  static void startJade() {
-    jade = new BareJade("admission", files);
-  }
-
-  @AfterAll
-  static void endJade() {
-    jade.close();
-  }
-
   @BeforeEach
   void gather() {
-    society = new Society(jade);
+    society = STAGE.society();
     guest = new Guest(society.time);
     society.start("guest", guest);
-  }
-
-  @AfterEach
-  void disperse() {
-    society.close();
   }
 
   static Stream<Arguments> malformed() {

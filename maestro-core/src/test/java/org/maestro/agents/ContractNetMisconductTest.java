@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import jade.lang.acl.ACLMessage;
 import jade.wrapper.AgentContainer;
 import jade.wrapper.StaleProxyException;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -13,18 +12,15 @@ import java.util.Date;
 import java.util.List;
 import java.util.function.BiConsumer;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.maestro.agents.runtime.ProtocolTimeouts;
-import org.maestro.platform.BareJade;
 
 /**
  * The ways in which an agent can misbehave in a contract net. The usher is the cheaper one and
@@ -41,108 +37,100 @@ class ContractNetMisconductTest {
 
   private static final Duration AT_ONCE = Duration.ZERO;
 
-  @TempDir static Path files;
-  private static BareJade jade;
+  @RegisterExtension static final SocietyExtension STAGE = new SocietyExtension("misconduct");
   private static AgentContainer second;
 
   private Society society;
 
   @BeforeAll
-  static void startJade() {
-    jade = new BareJade("misconduct", files);
-    second = jade.join("second");
-  }
-
-  @AfterAll
-  static void endJade() {
-    jade.close();
+  static void join() {
+    second = STAGE.jade().join("second");
   }
 
   @BeforeEach
   void gather() {
-    society = new Society(jade);
-  }
-
-  @AfterEach
-  void disperse() {
-    society.close();
+    society = STAGE.society();
   }
 
   static Stream<Arguments> misconduct() {
     return Stream.of(
         misconduct(
             "silent",
-            onCall((actor, cfp) -> {}),
+            Actor.Part.onCall((actor, cfp) -> {}),
             "usher did not answer the call for prices within 10 s",
             PATIENCE.bid()),
         misconduct(
             "refuses",
-            onCall(answering(ACLMessage.REFUSE, "(inform (:reason \"I am off duty\"))")),
+            Actor.Part.onCall(answering(ACLMessage.REFUSE, "(inform (:reason \"I am off duty\"))")),
             "usher (I am off duty)",
             AT_ONCE),
         misconduct(
             "refuses without a word",
-            onCall(answering(ACLMessage.REFUSE, null)),
+            Actor.Part.onCall(answering(ACLMessage.REFUSE, null)),
             "usher (refused without a reason)",
             AT_ONCE),
         misconduct(
             "does not understand",
-            onCall(answering(ACLMessage.NOT_UNDERSTOOD, "(inform (:reason \"what is that?\"))")),
+            Actor.Part.onCall(
+                answering(ACLMessage.NOT_UNDERSTOOD, "(inform (:reason \"what is that?\"))")),
             "usher did not understand the call for prices: what is that?",
             AT_ONCE),
         misconduct(
             "proposes, then nothing",
-            onAccept((actor, accept) -> {}),
+            Actor.Part.onAccept((actor, accept) -> {}),
             "usher did not say within 5 s that it holds its part",
             PATIENCE.contract().multipliedBy(2)),
         misconduct(
             "proposes, then fails",
-            onAccept(answering(ACLMessage.FAILURE, "(inform (:reason \"lost my voice\"))")),
+            Actor.Part.onAccept(
+                answering(ACLMessage.FAILURE, "(inform (:reason \"lost my voice\"))")),
             "usher does not hold its part: lost my voice",
             AT_ONCE),
         misconduct(
             "proposes, then does not understand",
-            onAccept(answering(ACLMessage.NOT_UNDERSTOOD, "(inform (:reason \"pardon?\"))")),
+            Actor.Part.onAccept(
+                answering(ACLMessage.NOT_UNDERSTOOD, "(inform (:reason \"pardon?\"))")),
             "usher answered the award with not-understood: pardon?",
             AT_ONCE),
         misconduct(
             "proposes, then answers the award with nonsense",
-            onAccept(answering(ACLMessage.PROPOSE, "(what)")),
+            Actor.Part.onAccept(answering(ACLMessage.PROPOSE, "(what)")),
             "usher answered the award with propose",
             AT_ONCE),
         misconduct(
             "informs instead of proposing",
-            onCall(answering(ACLMessage.INFORM, "(inform (:outputs))")),
+            Actor.Part.onCall(answering(ACLMessage.INFORM, "(inform (:outputs))")),
             "usher answered the call for prices with inform",
             AT_ONCE),
         misconduct(
             "requests instead of proposing",
-            onCall(answering(ACLMessage.REQUEST, "(perform)")),
+            Actor.Part.onCall(answering(ACLMessage.REQUEST, "(perform)")),
             "usher answered the call for prices with request",
             AT_ONCE),
         misconduct(
             "wrong content",
-            onCall(answering(ACLMessage.PROPOSE, "((((")),
+            Actor.Part.onCall(answering(ACLMessage.PROPOSE, "((((")),
             "usher answered the call for prices unreadably",
             AT_ONCE),
         misconduct(
             "no content",
-            onCall(answering(ACLMessage.PROPOSE, null)),
+            Actor.Part.onCall(answering(ACLMessage.PROPOSE, null)),
             "usher answered the call for prices unreadably",
             AT_ONCE),
         misconduct(
             "another feature",
-            onCall(answering(ACLMessage.PROPOSE, "(cost (:feature fly) (:stated \"1\"))")),
+            Actor.Part.onCall(
+                answering(ACLMessage.PROPOSE, "(cost (:feature fly) (:stated \"1\"))")),
             "usher priced fly, which was not asked",
             AT_ONCE),
         misconduct(
             "no feature",
-            onCall(answering(ACLMessage.PROPOSE, "(cost (:stated \"1\"))")),
+            Actor.Part.onCall(answering(ACLMessage.PROPOSE, "(cost (:stated \"1\"))")),
             "usher named a price without a feature",
             AT_ONCE),
         misconduct(
             "a megabyte",
-            onCall(
+            Actor.Part.onCall(
                 (actor, cfp) ->
                     actor.answer(cfp, ACLMessage.PROPOSE, "(x " + "y".repeat(1_000_000) + ")")),
             "usher named a price without a feature",
@@ -158,15 +146,9 @@ class ContractNetMisconductTest {
   @MethodSource("misconduct")
   void anotherDoesIt(String way, Actor.Part part, String told, Duration lostAtMost) {
     society.add("usher", part);
-    Actor butler = society.add("butler", at(3));
+    Actor butler = society.add("butler", Actor.Part.at(3));
 
-    Society.Outcome outcome = society.pursue(GOAL);
-
-    assertThat(outcome.reached()).as(society.told()).isTrue();
-    assertThat(butler.heard()).endsWith("request");
-    assertThat(society.told()).contains(told);
-    assertThat(outcome.took()).as(society.told()).isLessThan(lostAtMost.plus(WORK));
-    assertThat(society.leftover()).isEmpty();
+    society.assertDoneBy(butler, society.pursue(GOAL), told, lostAtMost.plus(WORK));
   }
 
   @ParameterizedTest(name = "{0}")
@@ -175,23 +157,16 @@ class ContractNetMisconductTest {
       String way, Actor.Part part, String told, Duration lostAtMost) {
     society.add("usher", part);
 
-    Society.Outcome outcome = society.pursue(GOAL);
-
-    assertThat(outcome.reached()).as(society.told()).isFalse();
-    assertThat(society.told()).contains(told);
-    assertThat(outcome.reply().getContent()).contains("usher");
-    assertThat(outcome.took())
-        .as(society.told())
-        .isLessThan(lostAtMost.plus(Society.BEFORE_THE_LAST_TRY).plus(WORK));
-    assertThat(society.leftover()).isEmpty();
+    society.assertGivenUp(
+        society.pursue(GOAL), told, lostAtMost.plus(Society.BEFORE_THE_LAST_TRY).plus(WORK));
   }
 
   @ParameterizedTest
   @ValueSource(
       strings = {"NaN", "Infinity", "-Infinity", "1e300", "-5", "(- 5)", "(/ 1 0)", "much", ""})
   void anAbsurdPriceIsNoPrice(String price) {
-    society.add("usher", onCall((actor, cfp) -> actor.propose(cfp, price)));
-    Actor butler = society.add("butler", at(3));
+    society.add("usher", Actor.Part.onCall((actor, cfp) -> actor.propose(cfp, price)));
+    Actor butler = society.add("butler", Actor.Part.at(3));
 
     Society.Outcome outcome = society.pursue(GOAL);
 
@@ -207,12 +182,12 @@ class ContractNetMisconductTest {
     Actor usher =
         society.add(
             "usher",
-            onCall(
+            Actor.Part.onCall(
                 (actor, cfp) -> {
                   actor.propose(cfp, "1");
                   actor.propose(cfp, "7");
                 }));
-    society.add("butler", at(3));
+    society.add("butler", Actor.Part.at(3));
 
     assertThat(society.pursue(GOAL).reached()).as(society.told()).isTrue();
 
@@ -226,12 +201,12 @@ class ContractNetMisconductTest {
     Actor usher =
         society.add(
             "usher",
-            onCall(
+            Actor.Part.onCall(
                 (actor, cfp) -> {
                   actor.propose(cfp, "1");
                   actor.answer(cfp, ACLMessage.INFORM, "(inform (:outputs))");
                 }));
-    society.add("butler", at(3));
+    society.add("butler", Actor.Part.at(3));
 
     assertThat(society.pursue(GOAL).reached()).as(society.told()).isTrue();
 
@@ -244,10 +219,10 @@ class ContractNetMisconductTest {
   void aLateBidIsIgnored() {
     society.add(
         "usher",
-        onCall(
+        Actor.Part.onCall(
             (actor, cfp) ->
                 actor.later(PATIENCE.bid().plusMillis(5), () -> actor.propose(cfp, "1"))));
-    Actor butler = society.add("butler", at(3));
+    Actor butler = society.add("butler", Actor.Part.at(3));
 
     Society.Outcome outcome = society.pursue(GOAL);
 
@@ -262,9 +237,9 @@ class ContractNetMisconductTest {
     Actor usher =
         society.add(
             "usher",
-            onCall(
+            Actor.Part.onCall(
                 (actor, cfp) -> actor.later(Duration.ofMinutes(2), () -> actor.propose(cfp, "1"))));
-    society.add("butler", at(3));
+    society.add("butler", Actor.Part.at(3));
 
     assertThat(society.pursue(GOAL).reached()).isTrue();
     society.pass(Duration.ofMinutes(3));
@@ -279,12 +254,12 @@ class ContractNetMisconductTest {
     List<ACLMessage> calls = Collections.synchronizedList(new ArrayList<>());
     society.add(
         "usher",
-        onCall(
+        Actor.Part.onCall(
             (actor, cfp) -> {
               calls.add(cfp);
               actor.later(Duration.ofSeconds(1), () -> actor.propose(cfp, "1"));
             }));
-    Actor stranger = society.add("stranger", at(1));
+    Actor stranger = society.add("stranger", Actor.Part.at(1));
     stranger.later(
         Duration.ofMillis(500),
         () -> calls.forEach(cfp -> stranger.answer(cfp, ACLMessage.REFUSE, "(inform)")));
@@ -298,7 +273,9 @@ class ContractNetMisconductTest {
   @Test
   void anAgentKilledBetweenProposalAndAwardIsReplaced() {
     society.add(
-        "usher", onCall((actor, cfp) -> proposeAndLeave(actor, cfp, () -> society.kill("usher"))));
+        "usher",
+        Actor.Part.onCall(
+            (actor, cfp) -> proposeAndLeave(actor, cfp, () -> society.kill("usher"))));
     assertReplacedByTheButler();
   }
 
@@ -307,7 +284,8 @@ class ContractNetMisconductTest {
     society.add(
         second,
         "usher",
-        onCall((actor, cfp) -> proposeAndLeave(actor, cfp, ContractNetMisconductTest::killSecond)));
+        Actor.Part.onCall(
+            (actor, cfp) -> proposeAndLeave(actor, cfp, ContractNetMisconductTest::killSecond)));
     assertReplacedByTheButler();
     society.forget("usher");
   }
@@ -326,7 +304,7 @@ class ContractNetMisconductTest {
   }
 
   private void assertReplacedByTheButler() {
-    Actor butler = society.add("butler", at(3));
+    Actor butler = society.add("butler", Actor.Part.at(3));
 
     Society.Outcome outcome = society.pursue(GOAL);
 
@@ -356,7 +334,7 @@ class ContractNetMisconductTest {
                 Actor.Part.super.accepted(actor, accept);
               }
             });
-    Actor butler = society.add("butler", at(3));
+    Actor butler = society.add("butler", Actor.Part.at(3));
 
     assertThat(society.pursue(GOAL).reached()).isTrue();
 
@@ -378,37 +356,10 @@ class ContractNetMisconductTest {
 
   @Test
   void theRoundClosesAsSoonAsAllHaveAnswered() {
-    society.add("usher", at(1));
-    society.add("butler", at(3));
+    society.add("usher", Actor.Part.at(1));
+    society.add("butler", Actor.Part.at(3));
 
     assertThat(society.pursue(GOAL).took()).isLessThan(Duration.ofMillis(1_200));
-  }
-
-  private static Actor.Part at(double price) {
-    return new Actor.Part() {
-      @Override
-      public double price() {
-        return price;
-      }
-    };
-  }
-
-  private static Actor.Part onCall(BiConsumer<Actor, ACLMessage> deed) {
-    return new Actor.Part() {
-      @Override
-      public void called(Actor actor, ACLMessage cfp) {
-        deed.accept(actor, cfp);
-      }
-    };
-  }
-
-  private static Actor.Part onAccept(BiConsumer<Actor, ACLMessage> deed) {
-    return new Actor.Part() {
-      @Override
-      public void accepted(Actor actor, ACLMessage accept) {
-        deed.accept(actor, accept);
-      }
-    };
   }
 
   private static BiConsumer<Actor, ACLMessage> answering(int performative, String content) {

@@ -3,7 +3,6 @@ package org.maestro.agents;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import jade.lang.acl.ACLMessage;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -11,15 +10,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Individual;
-import org.maestro.platform.BareJade;
 import org.maestro.sl.SlParser;
 
 /** What an agent that stands for a group does when another agent takes the place of a member's. */
@@ -30,27 +25,16 @@ class GroupAgentTest {
   /** Simulated time; less than the pause between two roll calls. */
   private static final Duration SOON = Duration.ofSeconds(15);
 
-  @TempDir static Path files;
-  private static BareJade jade;
+  @RegisterExtension static final SocietyExtension STAGE = new SocietyExtension("groups");
 
   private final List<String> done = Collections.synchronizedList(new ArrayList<>());
   private final List<String> refused = Collections.synchronizedList(new ArrayList<>());
   private Society society;
   private GroupAgent keeper;
 
-  @BeforeAll
-  static void startJade() {
-    jade = new BareJade("groups", files);
-  }
-
-  @AfterAll
-  static void endJade() {
-    jade.close();
-  }
-
   @BeforeEach
   void gather() {
-    society = new Society(jade);
+    society = STAGE.society();
     Individual itself = new Individual("keeper", "urn:keeper", "the keeper", Set.of(), Map.of());
     keeper =
         society.group(
@@ -60,11 +44,6 @@ class GroupAgentTest {
                 Set.of("usher"),
                 Optional.empty(),
                 List.of(SlParser.formula("(keep (greeted Bob))"))));
-  }
-
-  @AfterEach
-  void disperse() {
-    society.close();
   }
 
   @Test

@@ -3,23 +3,17 @@ package org.maestro.agents;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import jade.lang.acl.ACLMessage;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.BiConsumer;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.maestro.agents.runtime.ProtocolTimeouts;
-import org.maestro.platform.BareJade;
 
 /**
  * The ways in which an agent can misbehave when it is ordered to do a step (FIPA request). An order
@@ -36,58 +30,44 @@ class OrdersMisconductTest {
 
   private static final Duration WORK = Duration.ofSeconds(4);
 
-  @TempDir static Path files;
-  private static BareJade jade;
+  @RegisterExtension static final SocietyExtension STAGE = new SocietyExtension("orders");
 
   private Society society;
 
-  @BeforeAll
-  static void startJade() {
-    jade = new BareJade("orders", files);
-  }
-
-  @AfterAll
-  static void endJade() {
-    jade.close();
-  }
-
   @BeforeEach
   void gather() {
-    society = new Society(jade);
-  }
-
-  @AfterEach
-  void disperse() {
-    society.close();
+    society = STAGE.society();
   }
 
   static Stream<Arguments> misconduct() {
     return Stream.of(
         Arguments.of(
             "silent",
-            onOrder((actor, order) -> {}),
+            Actor.Part.onOrder((actor, order) -> {}),
             "usher did not take up greet within 10 s",
             PATIENCE.agreement()),
         Arguments.of(
             "agrees and never reports",
-            onOrder((actor, order) -> actor.answer(order, ACLMessage.AGREE, "(perform)")),
+            Actor.Part.onOrder(
+                (actor, order) -> actor.answer(order, ACLMessage.AGREE, "(perform)")),
             "usher agreed to greet and did not report within 28 s",
             STEP),
         Arguments.of(
             "refuses",
-            onOrder(
+            Actor.Part.onOrder(
                 (actor, order) ->
                     actor.answer(order, ACLMessage.REFUSE, "(inform (:reason \"my break\"))")),
             "usher says: my break",
             Duration.ZERO),
         Arguments.of(
             "does not understand",
-            onOrder((actor, order) -> actor.answer(order, ACLMessage.NOT_UNDERSTOOD, "(hm)")),
+            Actor.Part.onOrder(
+                (actor, order) -> actor.answer(order, ACLMessage.NOT_UNDERSTOOD, "(hm)")),
             "usher answered the order of greet with not-understood",
             Duration.ZERO),
         Arguments.of(
             "reports unreadably",
-            onOrder(
+            Actor.Part.onOrder(
                 (actor, order) -> {
                   actor.answer(order, ACLMessage.AGREE, "(perform)");
                   actor.answer(order, ACLMessage.INFORM, ")(");
@@ -96,17 +76,18 @@ class OrdersMisconductTest {
             Duration.ZERO),
         Arguments.of(
             "reports nothing at all",
-            onOrder((actor, order) -> actor.answer(order, ACLMessage.INFORM, null)),
+            Actor.Part.onOrder((actor, order) -> actor.answer(order, ACLMessage.INFORM, null)),
             "usher reported greet unreadably",
             Duration.ZERO),
         Arguments.of(
             "fails without a word",
-            onOrder((actor, order) -> actor.answer(order, ACLMessage.FAILURE, null)),
+            Actor.Part.onOrder((actor, order) -> actor.answer(order, ACLMessage.FAILURE, null)),
             "usher answered the order of greet with failure",
             Duration.ZERO),
         Arguments.of(
             "proposes",
-            onOrder((actor, order) -> actor.answer(order, ACLMessage.PROPOSE, "(inform)")),
+            Actor.Part.onOrder(
+                (actor, order) -> actor.answer(order, ACLMessage.PROPOSE, "(inform)")),
             "usher answered the order of greet with propose",
             Duration.ZERO));
   }
@@ -115,17 +96,10 @@ class OrdersMisconductTest {
   @MethodSource("misconduct")
   void anotherDoesIt(String way, Actor.Part part, String told, Duration lostEachTime) {
     society.add("usher", part);
-    Actor butler = society.add("butler", at(3));
+    Actor butler = society.add("butler", Actor.Part.at(3));
 
-    Society.Outcome outcome = society.pursue(GOAL);
-
-    assertThat(outcome.reached()).as(society.told()).isTrue();
-    assertThat(butler.heard()).endsWith("request");
-    assertThat(society.told()).contains(told);
-    assertThat(outcome.took())
-        .as(society.told())
-        .isLessThan(lostEachTime.multipliedBy(TRIES).plus(WORK));
-    assertThat(society.leftover()).isEmpty();
+    society.assertDoneBy(
+        butler, society.pursue(GOAL), told, lostEachTime.multipliedBy(TRIES).plus(WORK));
   }
 
   @ParameterizedTest(name = "{0}")
@@ -133,21 +107,19 @@ class OrdersMisconductTest {
   void aloneTheGoalFails(String way, Actor.Part part, String told, Duration lostEachTime) {
     society.add("usher", part);
 
-    Society.Outcome outcome = society.pursue(GOAL);
-
-    assertThat(outcome.reached()).as(society.told()).isFalse();
-    assertThat(society.told()).contains(told);
-    assertThat(outcome.took())
-        .isLessThan(
-            lostEachTime.multipliedBy(TRIES + 1).plus(Society.BEFORE_THE_LAST_TRY).plus(WORK));
-    assertThat(society.leftover()).isEmpty();
+    society.assertGivenUp(
+        society.pursue(GOAL),
+        told,
+        lostEachTime.multipliedBy(TRIES + 1).plus(Society.BEFORE_THE_LAST_TRY).plus(WORK));
   }
 
   @Test
   void whoNeverReportsIsCalledOff() {
     Actor usher =
         society.add(
-            "usher", onOrder((actor, order) -> actor.answer(order, ACLMessage.AGREE, "(perform)")));
+            "usher",
+            Actor.Part.onOrder(
+                (actor, order) -> actor.answer(order, ACLMessage.AGREE, "(perform)")));
 
     society.pursue(GOAL);
 
@@ -159,12 +131,12 @@ class OrdersMisconductTest {
   void aReportBeforeAgreementCountsAndIsTold() {
     society.add(
         "usher",
-        onOrder(
+        Actor.Part.onOrder(
             (actor, order) -> {
               actor.done(order);
               actor.answer(order, ACLMessage.AGREE, "(perform)");
             }));
-    Actor butler = society.add("butler", at(3));
+    Actor butler = society.add("butler", Actor.Part.at(3));
 
     assertThat(society.pursue(GOAL).reached()).as(society.told()).isTrue();
 
@@ -177,13 +149,13 @@ class OrdersMisconductTest {
   void theSecondReportIsIgnored() {
     society.add(
         "usher",
-        onOrder(
+        Actor.Part.onOrder(
             (actor, order) -> {
               actor.answer(order, ACLMessage.AGREE, "(perform)");
               actor.answer(order, ACLMessage.FAILURE, "(inform (:problem \"hoarse\"))");
               actor.done(order);
             }));
-    Actor butler = society.add("butler", at(3));
+    Actor butler = society.add("butler", Actor.Part.at(3));
 
     assertThat(society.pursue(GOAL).reached()).as(society.told()).isTrue();
 
@@ -196,12 +168,12 @@ class OrdersMisconductTest {
   void anAgentKilledAtItsWorkIsReplacedAtOnce() {
     society.add(
         "usher",
-        onOrder(
+        Actor.Part.onOrder(
             (actor, order) -> {
               actor.answer(order, ACLMessage.AGREE, "(perform)");
               actor.clock().schedule(Duration.ofMillis(50), "test", () -> killed("usher"));
             }));
-    Actor butler = society.add("butler", at(3));
+    Actor butler = society.add("butler", Actor.Part.at(3));
 
     Society.Outcome outcome = society.pursue(GOAL);
 
@@ -218,7 +190,7 @@ class OrdersMisconductTest {
     List<String> orders = new ArrayList<>();
     society.add(
         "usher",
-        onOrder(
+        Actor.Part.onOrder(
             (actor, order) -> {
               orders.add(order.getContent());
               actor.answer(order, ACLMessage.AGREE, "(perform)");
@@ -238,7 +210,7 @@ class OrdersMisconductTest {
   void whenNobodyTakesOverAnotherIsOrdered() {
     society.add(
         "usher",
-        onOrder(
+        Actor.Part.onOrder(
             (actor, order) -> {
               actor.answer(order, ACLMessage.AGREE, "(perform)");
               actor
@@ -252,7 +224,7 @@ class OrdersMisconductTest {
                         society.cca.agentStaysAway("usher", "no host fits");
                       });
             }));
-    Actor butler = society.add("butler", at(3));
+    Actor butler = society.add("butler", Actor.Part.at(3));
 
     Society.Outcome outcome = society.pursue(GOAL);
 
@@ -268,7 +240,7 @@ class OrdersMisconductTest {
         "usher",
         new Actor(
             society.time,
-            onOrder(
+            Actor.Part.onOrder(
                 (actor, order) -> {
                   orders.add(order.getContent());
                   actor.answer(order, ACLMessage.AGREE, "(perform)");
@@ -280,23 +252,5 @@ class OrdersMisconductTest {
   private void killed(String agent) {
     society.kill(agent);
     society.cca.agentEnded(agent);
-  }
-
-  private static Actor.Part at(double price) {
-    return new Actor.Part() {
-      @Override
-      public double price() {
-        return price;
-      }
-    };
-  }
-
-  private static Actor.Part onOrder(BiConsumer<Actor, ACLMessage> deed) {
-    return new Actor.Part() {
-      @Override
-      public void ordered(Actor actor, ACLMessage order) {
-        deed.accept(actor, order);
-      }
-    };
   }
 }

@@ -3,22 +3,16 @@ package org.maestro.agents;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import jade.lang.acl.ACLMessage;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.function.BiConsumer;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.maestro.agents.runtime.ProtocolTimeouts;
-import org.maestro.platform.BareJade;
 
 /**
  * The ways in which an agent can misbehave when it is asked for exact prices. Silence is no
@@ -29,55 +23,39 @@ class QuotesMisconductTest {
   private static final Duration QUOTE = ProtocolTimeouts.standard().quote();
   private static final Duration WORK = Duration.ofSeconds(3);
 
-  @TempDir static Path files;
-  private static BareJade jade;
+  @RegisterExtension static final SocietyExtension STAGE = new SocietyExtension("quotes");
 
   private Society society;
 
-  @BeforeAll
-  static void startJade() {
-    jade = new BareJade("quotes", files);
-  }
-
-  @AfterAll
-  static void endJade() {
-    jade.close();
-  }
-
   @BeforeEach
   void gather() {
-    society = new Society(jade);
-  }
-
-  @AfterEach
-  void disperse() {
-    society.close();
+    society = STAGE.society();
   }
 
   static Stream<Arguments> misconduct() {
     return Stream.of(
         Arguments.of(
             "silent",
-            onQuestion((actor, question) -> {}),
+            Actor.Part.onQuestion((actor, question) -> {}),
             "usher (did not say within 7 s what guide would cost)",
             QUOTE),
         Arguments.of(
             "declines",
-            onQuestion(
+            Actor.Part.onQuestion(
                 (actor, question) ->
                     actor.answer(question, ACLMessage.INFORM, "(cost (:reason \"too far\"))")),
             "usher (guide: too far)",
             Duration.ZERO),
         Arguments.of(
             "refuses",
-            onQuestion(
+            Actor.Part.onQuestion(
                 (actor, question) ->
                     actor.answer(question, ACLMessage.REFUSE, "(inform (:reason \"a secret\"))")),
             "usher (guide: a secret)",
             Duration.ZERO),
         Arguments.of(
             "too many answers",
-            onQuestion(
+            Actor.Part.onQuestion(
                 (actor, question) ->
                     actor.answer(
                         question, ACLMessage.INFORM, "(cost (:price 1 1)) (cost (:price 2 2))")),
@@ -85,26 +63,27 @@ class QuotesMisconductTest {
             Duration.ZERO),
         Arguments.of(
             "no answer in the answer",
-            onQuestion((actor, question) -> actor.answer(question, ACLMessage.INFORM, null)),
+            Actor.Part.onQuestion(
+                (actor, question) -> actor.answer(question, ACLMessage.INFORM, null)),
             "usher (said unreadably what guide would cost",
             Duration.ZERO),
         Arguments.of(
             "negative",
-            onQuestion(
+            Actor.Part.onQuestion(
                 (actor, question) ->
                     actor.answer(question, ACLMessage.INFORM, "(cost (:price -4 1))")),
             "usher (guide: asks -4 1 for guide, which is no price)",
             Duration.ZERO),
         Arguments.of(
             "absurd",
-            onQuestion(
+            Actor.Part.onQuestion(
                 (actor, question) ->
                     actor.answer(question, ACLMessage.INFORM, "(cost (:price 1e300 1))")),
             "for guide, which is no price",
             Duration.ZERO),
         Arguments.of(
             "no number",
-            onQuestion(
+            Actor.Part.onQuestion(
                 (actor, question) ->
                     actor.answer(question, ACLMessage.INFORM, "(cost (:price much 1))")),
             "usher (guide: asks much 1 for guide, which is no price)",
@@ -115,15 +94,9 @@ class QuotesMisconductTest {
   @MethodSource("misconduct")
   void anotherDoesIt(String way, Actor.Part part, String told, Duration lost) {
     society.add("usher", part);
-    Actor butler = society.add("butler", at(3));
+    Actor butler = society.add("butler", Actor.Part.at(3));
 
-    Society.Outcome outcome = society.pursue(GOAL);
-
-    assertThat(outcome.reached()).as(society.told()).isTrue();
-    assertThat(butler.heard()).endsWith("request");
-    assertThat(society.told()).contains(told);
-    assertThat(outcome.took()).as(society.told()).isLessThan(lost.plus(WORK));
-    assertThat(society.leftover()).isEmpty();
+    society.assertDoneBy(butler, society.pursue(GOAL), told, lost.plus(WORK));
   }
 
   @ParameterizedTest(name = "{0}")
@@ -131,15 +104,10 @@ class QuotesMisconductTest {
   void aloneTheGoalFailsForThatReason(String way, Actor.Part part, String told, Duration lost) {
     society.add("usher", part);
 
-    Society.Outcome outcome = society.pursue(GOAL);
-
-    assertThat(outcome.reached()).as(society.told()).isFalse();
-    assertThat(society.told()).contains(told);
-    assertThat(outcome.reply().getContent()).contains("usher");
-    assertThat(outcome.took())
-        .as(society.told())
-        .isLessThan(lost.multipliedBy(5).plus(Society.BEFORE_THE_LAST_TRY).plus(WORK));
-    assertThat(society.leftover()).isEmpty();
+    society.assertGivenUp(
+        society.pursue(GOAL),
+        told,
+        lost.multipliedBy(5).plus(Society.BEFORE_THE_LAST_TRY).plus(WORK));
   }
 
   @Test
@@ -148,7 +116,7 @@ class QuotesMisconductTest {
     Actor usher =
         society.add(
             "usher",
-            onQuestion(
+            Actor.Part.onQuestion(
                 (actor, question) -> {
                   if (questions.incrementAndGet() > 1) {
                     actor.answer(question, ACLMessage.INFORM, "(cost (:price 1 1))");
@@ -175,30 +143,12 @@ class QuotesMisconductTest {
             actor.clock().schedule(Duration.ofMillis(2), "test", () -> society.kill("usher"));
           }
         });
-    society.add("butler", at(3));
+    society.add("butler", Actor.Part.at(3));
 
     Society.Outcome outcome = society.pursue(GOAL);
 
     assertThat(outcome.reached()).as(society.told()).isTrue();
     assertThat(society.told()).contains("usher (has no agent any more");
     assertThat(society.leftover()).isEmpty();
-  }
-
-  private static Actor.Part at(double price) {
-    return new Actor.Part() {
-      @Override
-      public double price() {
-        return price;
-      }
-    };
-  }
-
-  private static Actor.Part onQuestion(BiConsumer<Actor, ACLMessage> deed) {
-    return new Actor.Part() {
-      @Override
-      public void asked(Actor actor, ACLMessage question) {
-        deed.accept(actor, question);
-      }
-    };
   }
 }

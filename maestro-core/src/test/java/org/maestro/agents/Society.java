@@ -151,6 +151,24 @@ public final class Society implements AutoCloseable {
     return new Outcome(replies.get(replies.size() - 1), took);
   }
 
+  /** The goal was reached by the butler, and the story tells why not by the usher. */
+  void assertDoneBy(Actor butler, Outcome outcome, String told, Duration within) {
+    assertThat(outcome.reached()).as(told()).isTrue();
+    assertThat(butler.heard()).endsWith("request");
+    assertThat(told()).contains(told);
+    assertThat(outcome.took()).as(told()).isLessThan(within);
+    assertThat(leftover()).isEmpty();
+  }
+
+  /** The goal was given up, and the story tells that it was for the usher. */
+  void assertGivenUp(Outcome outcome, String told, Duration within) {
+    assertThat(outcome.reached()).as(told()).isFalse();
+    assertThat(told()).contains(told);
+    assertThat(outcome.reply().getContent()).contains("usher");
+    assertThat(outcome.took()).as(told()).isLessThan(within);
+    assertThat(leftover()).isEmpty();
+  }
+
   public String told() {
     synchronized (story) {
       return String.join("\n", story.stream().map(e -> e.kind() + " " + e.text()).toList());
