@@ -13,15 +13,12 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.coordination.api.ActionDispatcher;
-import org.maestro.coordination.api.Argument;
-import org.maestro.coordination.api.CallForPrices;
 import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.GoalStatus;
 import org.maestro.coordination.api.Ports;
-import org.maestro.coordination.api.Proposal;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.coordination.api.Thinking;
 import org.maestro.knowledge.CollectiveKnowledge;
@@ -29,8 +26,6 @@ import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Home;
-import org.maestro.ontology.vocabulary.FeatureType;
-import org.maestro.ontology.vocabulary.Price;
 import org.maestro.planning.OptimalPlanner;
 import org.maestro.planning.api.Planner;
 import org.maestro.planning.api.Step;
@@ -42,7 +37,7 @@ import org.maestro.sl.Term;
  * Robots in rooms with narrow doors, without devices, bus or agents. It is a strict house: two
  * robots in one door, or two things at once done by one robot, are written down as accidents.
  */
-public final class NarrowHouse implements ContractNet, ActionDispatcher {
+public final class NarrowHouse implements ActionDispatcher {
   private static final int MOST_SENTENCES = 4_000;
 
   public final SteppedClock clock = new SteppedClock();
@@ -71,7 +66,12 @@ public final class NarrowHouse implements ContractNet, ActionDispatcher {
             new Ports(
                 knowledge,
                 planner,
-                this,
+                new DescribedPrices(
+                    clock,
+                    knowledge,
+                    this::isPresent,
+                    (member, feature) ->
+                        new ContractNet.Quote.Priced(seconds(feature), seconds(feature))),
                 this,
                 new Thinking() {
                   @Override
@@ -133,6 +133,10 @@ public final class NarrowHouse implements ContractNet, ActionDispatcher {
     return coordinator.goals().stream().filter(g -> g.id().equals(goal)).findFirst().orElseThrow();
   }
 
+  private boolean isPresent(String member) {
+    return coordinator.isPresent(member);
+  }
+
   public String told() {
     return String.join("\n", story);
   }
@@ -141,55 +145,6 @@ public final class NarrowHouse implements ContractNet, ActionDispatcher {
     dead.add(robot);
     busy.values().removeIf(robot::equals);
     coordinator.memberLost(robot, "no power");
-  }
-
-  @Override
-  public void callForPrices(CallForPrices call, Consumer<Round> closed) {
-    List<Proposal> bids = new ArrayList<>();
-    call.features()
-        .forEach(
-            (member, names) -> {
-              Map<String, Price> prices = new TreeMap<>();
-              for (FeatureType feature : knowledge.home().devices().get(member).features()) {
-                if (names.contains(feature.name())) {
-                  prices.put(feature.name(), feature.cost());
-                }
-              }
-              bids.add(
-                  coordinator.isPresent(member)
-                      ? new Proposal(member, prices, Optional.empty())
-                      : new Proposal(member, Map.of(), Optional.of("not there")));
-            });
-    clock.schedule(
-        Duration.ofMillis(2),
-        "market",
-        () ->
-            closed.accept(
-                new Round() {
-                  @Override
-                  public List<Proposal> bids() {
-                    return bids;
-                  }
-
-                  @Override
-                  public void award(Map<String, List<Step>> parts) {}
-                }));
-  }
-
-  @Override
-  public void exactPrices(
-      String member,
-      String feature,
-      List<Map<String, Argument>> sets,
-      Consumer<List<Quote>> answer) {
-    clock.schedule(
-        Duration.ofMillis(2),
-        member,
-        () ->
-            answer.accept(
-                sets.stream()
-                    .map(s -> (Quote) new Quote.Priced(seconds(feature), seconds(feature)))
-                    .toList()));
   }
 
   private static double seconds(String procedure) {

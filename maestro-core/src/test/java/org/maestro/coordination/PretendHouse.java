@@ -14,15 +14,12 @@ import java.util.function.DoubleSupplier;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.maestro.coordination.api.ActionDispatcher;
-import org.maestro.coordination.api.Argument;
-import org.maestro.coordination.api.CallForPrices;
 import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Ports;
-import org.maestro.coordination.api.Proposal;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Thinking;
 import org.maestro.coordination.journal.JournalImage;
@@ -32,8 +29,6 @@ import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
-import org.maestro.ontology.vocabulary.FeatureType;
-import org.maestro.ontology.vocabulary.Price;
 import org.maestro.planning.OptimalPlanner;
 import org.maestro.planning.api.Step;
 import org.maestro.rats.time.SteppedClock;
@@ -45,7 +40,7 @@ import org.maestro.sl.Term;
  * Bob's home without devices, bus or agents: the ports of coordination answered from a table of
  * truths.
  */
-public final class PretendHouse implements ContractNet, ActionDispatcher {
+public final class PretendHouse implements ActionDispatcher {
   private static final Duration USUAL_PLANNING = Duration.ofMillis(20);
 
   public final SteppedClock clock = new SteppedClock();
@@ -124,7 +119,8 @@ public final class PretendHouse implements ContractNet, ActionDispatcher {
         new Ports(
             knowledge,
             new OptimalPlanner(),
-            this,
+            new DescribedPrices(
+                clock, knowledge, member -> coordinator.isPresent(member), this::quote),
             this,
             new Thinking() {
               @Override
@@ -219,60 +215,14 @@ public final class PretendHouse implements ContractNet, ActionDispatcher {
     return lux;
   }
 
-  @Override
-  public void callForPrices(CallForPrices call, Consumer<Round> closed) {
-    List<Proposal> bids = new ArrayList<>();
-    call.features()
-        .forEach(
-            (member, names) -> {
-              Map<String, Price> prices = new TreeMap<>();
-              for (FeatureType feature : knowledge.home().devices().get(member).features()) {
-                if (names.contains(feature.name())) {
-                  prices.put(feature.name(), feature.cost());
-                }
-              }
-              bids.add(
-                  coordinator.isPresent(member)
-                      ? new Proposal(member, prices, Optional.empty())
-                      : new Proposal(member, Map.of(), Optional.of("not there")));
-            });
-    clock.schedule(
-        Duration.ofMillis(2),
-        "market",
-        () ->
-            closed.accept(
-                new Round() {
-                  @Override
-                  public List<Proposal> bids() {
-                    return bids;
-                  }
-
-                  @Override
-                  public void award(Map<String, List<Step>> parts) {}
-                }));
-  }
-
-  @Override
-  public void exactPrices(
-      String member,
-      String feature,
-      List<Map<String, Argument>> sets,
-      Consumer<List<Quote>> answer) {
+  private ContractNet.Quote quote(String member, String feature) {
     double price = feature.equals("move") ? 5 : feature.equals("pick") ? 4 : 3;
-    clock.schedule(
-        priceless.contains(member) ? Duration.ZERO : Duration.ofMillis(2),
-        member,
-        () ->
-            answer.accept(
-                sets.stream()
-                    .map(
-                        s ->
-                            priceless.contains(member)
-                                ? new Quote.Unanswered("is not there")
-                                : declines.test(feature)
-                                    ? new Quote.Declined("it cannot be done now")
-                                    : (Quote) new Quote.Priced(price, price))
-                    .toList()));
+    if (priceless.contains(member)) {
+      return new ContractNet.Quote.Unanswered("is not there");
+    }
+    return declines.test(feature)
+        ? new ContractNet.Quote.Declined("it cannot be done now")
+        : new ContractNet.Quote.Priced(price, price);
   }
 
   /** A sensor tells a value twice a second until it is ended. */
