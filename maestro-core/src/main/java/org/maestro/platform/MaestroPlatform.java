@@ -5,7 +5,6 @@ import jade.wrapper.AgentContainer;
 import jade.wrapper.ControllerException;
 import java.awt.GraphicsEnvironment;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
@@ -414,9 +413,7 @@ public final class MaestroPlatform implements AutoCloseable {
     // First, so that what only ends here is not taken for ended for good.
     memory.close();
     heirs.close();
-    List<AgentContainer> containers = new ArrayList<>(deployer.close());
-    containers.add(main);
-    ContainerEnds.end(containers, sinceNanos);
+    ContainerEnds.end(deployer.close(), main, host, sinceNanos);
     knowledge.close();
     files.close();
   }

@@ -1,10 +1,13 @@
 package org.maestro.platform.jade;
 
 import jade.wrapper.AgentContainer;
+import jade.wrapper.ControllerException;
 import jade.wrapper.StaleProxyException;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
+import org.maestro.agents.device.Host;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -15,6 +18,11 @@ public final class ContainerEnds {
 
   /** A young one has that age by then. */
   private static final Duration ABANDONED = Duration.ofMillis(3_500);
+
+  /** The main container lets go of a name in a thread of its own. */
+  private static final Duration LETTING_GO = Duration.ofSeconds(2);
+
+  private static final Duration BETWEEN_LOOKS = Duration.ofMillis(10);
 
   private static final int MOST_TRIES = 3;
   private static final Duration BETWEEN_TRIES = Duration.ofMillis(100);
@@ -36,17 +44,55 @@ public final class ContainerEnds {
 
   /**
    * Ends the containers of a platform one after the other beside the caller, the main one last, as
-   * the others need it to say goodbye. JADE makes containers younger than three seconds wait for
-   * that age.
+   * the others need it to say goodbye, and as it complains of those that have just left. JADE makes
+   * containers younger than three seconds wait for that age.
    *
+   * @param host of the main container
    * @param sinceNanos when the platform started
    */
-  public static void end(List<AgentContainer> containers, long sinceNanos) {
+  public static void end(
+      List<AgentContainer> others, AgentContainer main, Host host, long sinceNanos) {
     endBeside(
         () -> {
           LockSupport.parkNanos(sinceNanos + LEAST_AGE.toNanos() - System.nanoTime());
-          containers.forEach(ContainerEnds::kill);
+          List<String> names = others.stream().flatMap(other -> name(other).stream()).toList();
+          others.forEach(ContainerEnds::killUnlessProcessEnds);
+          awaitTheirNames(names, host);
+          killUnlessProcessEnds(main);
         });
+  }
+
+  private static void killUnlessProcessEnds(AgentContainer container) {
+    if (!isProcessEnding()) {
+      kill(container);
+    }
+  }
+
+  /** Then JADE ends its platforms by itself, and complains when somebody does so beside it. */
+  private static boolean isProcessEnding() {
+    Thread probe = new Thread(() -> {}, "probe");
+    try {
+      Runtime.getRuntime().addShutdownHook(probe);
+      Runtime.getRuntime().removeShutdownHook(probe);
+      return false;
+    } catch (IllegalStateException ending) {
+      return true;
+    }
+  }
+
+  private static Optional<String> name(AgentContainer container) {
+    try {
+      return Optional.of(container.getContainerName());
+    } catch (ControllerException e) {
+      return Optional.empty();
+    }
+  }
+
+  private static void awaitTheirNames(List<String> names, Host host) {
+    long end = System.nanoTime() + LETTING_GO.toNanos();
+    while (!isProcessEnding() && names.stream().anyMatch(host::keeps) && System.nanoTime() < end) {
+      LockSupport.parkNanos(BETWEEN_LOOKS.toNanos());
+    }
   }
 
   /**
