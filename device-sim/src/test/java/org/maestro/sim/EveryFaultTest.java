@@ -30,7 +30,7 @@ import org.maestro.sim.scene.ScriptedFault;
 
 /** Each kind of fault: at its time by a scene file, at random and upon an event by the API. */
 class EveryFaultTest {
-  private static final Path SCENES = Path.of("../scenarios/src/main/resources/scenes");
+  private static final Path SCENES = Path.of("../scenarios/assembly/src/main/resources/scenes");
   private static final Duration A_WHILE = Duration.ofSeconds(1);
   private static final int MOST_TRIES = 60;
 

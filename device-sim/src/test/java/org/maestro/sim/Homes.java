@@ -30,7 +30,7 @@ import org.maestro.sim.world.World;
 /** The shipped homes and scenes, simulated on a stepped clock behind a link. */
 public final class Homes implements AutoCloseable {
 
-  private static final Path RESOURCES = Path.of("../scenarios/src/main/resources");
+  private static final Path RESOURCES = Path.of("../scenarios/assembly/src/main/resources");
 
   public final SteppedClock clock = new SteppedClock();
   public final InProcessBus bus = new InProcessBus(clock);

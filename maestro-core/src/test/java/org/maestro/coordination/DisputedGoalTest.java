@@ -23,7 +23,8 @@ class DisputedGoalTest {
 
   @BeforeEach
   void furnish() throws IOException {
-    String home = Files.readString(Path.of("../scenarios/src/main/resources/homes/bob.ttl"));
+    String home =
+        Files.readString(Path.of("../scenarios/assembly/src/main/resources/homes/bob.ttl"));
     house =
         new PretendHouse(
             new HomeLoader().load(home + "\nhome:cam-b maestro:confidence 0.6 .\n", "bob.ttl"));

@@ -33,7 +33,8 @@ class HeldGoalTest {
         new PretendHouse(
             new HomeLoader()
                 .load(
-                    Files.readString(Path.of("../scenarios/src/main/resources/homes/bob.ttl"))
+                    Files.readString(
+                            Path.of("../scenarios/assembly/src/main/resources/homes/bob.ttl"))
                         + "\n"
                         + "home:desk a maestro:Location ; maestro:referencePoint \"5 1.5 0.75\""
                         + " .\n",

@@ -28,7 +28,7 @@ class RestartTest {
     home =
         new HomeLoader()
             .load(
-                Files.readString(Path.of("../scenarios/src/main/resources/homes/bob.ttl")),
+                Files.readString(Path.of("../scenarios/assembly/src/main/resources/homes/bob.ttl")),
                 "bob.ttl");
   }
 

@@ -30,7 +30,7 @@ class BobsHomeKnowledgeTest {
 
   private final CollectiveKnowledge knowledge =
       CollectiveKnowledge.open(
-          new HomeLoader().load(Path.of("../scenarios/src/main/resources/homes/bob.ttl")),
+          new HomeLoader().load(Path.of("../scenarios/assembly/src/main/resources/homes/bob.ttl")),
           new SteppedClock(),
           KnowledgeSettings.inMemory().with(store()));
 

@@ -25,7 +25,7 @@ import org.maestro.sl.Truth;
 /** Numbers are answered with their value, and what cannot be answered is refused. */
 class NumbersAskedTest {
   private final Home home =
-      new HomeLoader().load(Path.of("../scenarios/src/main/resources/homes/bob.ttl"));
+      new HomeLoader().load(Path.of("../scenarios/assembly/src/main/resources/homes/bob.ttl"));
   private final CollectiveKnowledge knowledge = new CollectiveKnowledge(home, new SteppedClock());
 
   @AfterEach

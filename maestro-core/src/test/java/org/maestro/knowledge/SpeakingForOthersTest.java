@@ -24,7 +24,8 @@ class SpeakingForOthersTest {
 
   private final CollectiveKnowledge knowledge =
       new CollectiveKnowledge(
-          new HomeLoader().load(Path.of("../scenarios/src/main/resources/homes/arena.ttl")),
+          new HomeLoader()
+              .load(Path.of("../scenarios/assembly/src/main/resources/homes/arena.ttl")),
           new SteppedClock());
 
   @AfterEach

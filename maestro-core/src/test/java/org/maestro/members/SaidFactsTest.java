@@ -127,7 +127,7 @@ class SaidFactsTest {
   private MemberNews news() {
     Device device =
         new HomeLoader()
-            .load(Path.of("../scenarios/src/main/resources/homes/bob.ttl"))
+            .load(Path.of("../scenarios/assembly/src/main/resources/homes/bob.ttl"))
             .devices()
             .get("lamp-b1");
     return new MemberNews(

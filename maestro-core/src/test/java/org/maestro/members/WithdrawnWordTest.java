@@ -25,7 +25,7 @@ class WithdrawnWordTest {
   private static final String LAMP = "lamp-b1";
 
   private final Home home =
-      new HomeLoader().load(Path.of("../scenarios/src/main/resources/homes/bob.ttl"));
+      new HomeLoader().load(Path.of("../scenarios/assembly/src/main/resources/homes/bob.ttl"));
   private final KnowledgeBase knowledge = new CollectiveKnowledge(home, new SteppedClock());
   private final MemberNews news = news();
   private long statesHeard;

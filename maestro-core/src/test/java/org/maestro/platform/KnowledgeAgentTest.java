@@ -40,7 +40,8 @@ class KnowledgeAgentTest {
   @BeforeAll
   static void start() {
     clock = new SteppedClock();
-    Home home = new HomeLoader().load(Path.of("../scenarios/src/main/resources/homes/bob.ttl"));
+    Home home =
+        new HomeLoader().load(Path.of("../scenarios/assembly/src/main/resources/homes/bob.ttl"));
     knowledge = new CollectiveKnowledge(home, clock);
     main = JadeRuntime.main("knowing", Sockets.claim(0), files);
     AgentTime time = AgentTime.of(clock);

@@ -13,7 +13,7 @@ import org.maestro.ontology.home.HomeLoader;
 /** A story tells reports from expectations, and what the home states from what nobody knows. */
 class TrueStoryTest {
   private static final Home HOME =
-      new HomeLoader().load(Path.of("../scenarios/src/main/resources/homes/bob.ttl"));
+      new HomeLoader().load(Path.of("../scenarios/assembly/src/main/resources/homes/bob.ttl"));
   private static final String LEVEL = "(= (level lamp-b1) 1)";
   private static final String LIGHT = "(= (illuminance zone-b) 47.13)";
 

@@ -19,7 +19,7 @@ class AccessListTest {
 
   @BeforeAll
   static void read() throws IOException {
-    bob = Files.readString(Path.of("../scenarios/src/main/resources/homes/bob.ttl"));
+    bob = Files.readString(Path.of("../scenarios/assembly/src/main/resources/homes/bob.ttl"));
   }
 
   private static Home home(String... permissions) {
@@ -96,7 +96,8 @@ class AccessListTest {
         .contains("p maestro:asks lamp-b7 is neither a device of this home nor a class of devices");
     assertThat(
             fault(
-                "home:p a maestro:Permission ; maestro:caller \"x\" ; maestro:permits :adjustLigth ."))
+                "home:p a maestro:Permission ; maestro:caller \"x\" ; maestro:permits :adjustLigth"
+                    + " ."))
         .contains("p maestro:permits adjustLigth is no feature that is known here")
         .contains("adjustLight");
     assertThat(fault("home:p a maestro:Permission ; maestro:asks home:rose ."))

@@ -8,7 +8,7 @@ import java.nio.file.Path;
 /** The home files that ship with the launcher. */
 final class ShippedHomes {
 
-  private static final Path FOLDER = Path.of("../scenarios/src/main/resources/homes");
+  private static final Path FOLDER = Path.of("../scenarios/assembly/src/main/resources/homes");
 
   private ShippedHomes() {}
 

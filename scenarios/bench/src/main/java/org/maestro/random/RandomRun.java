@@ -162,7 +162,7 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
   /** Everything that is needed to understand it, and how to see it again. */
   public String text() {
     return """
-    Seed %d. To see it again: mvn test -pl scenarios -am \
+    Seed %d. To see it again: mvn test -pl scenarios/bench -am \
     -Dtest=RandomHomesTest -Dsurefire.failIfNoSpecifiedTests=false -Dmaestro.seed=%d
     %s
     %s

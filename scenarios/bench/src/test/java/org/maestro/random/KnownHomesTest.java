@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.maestro.assembly.AgentlessSite;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
+import org.maestro.fixtures.Share;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.sim.scene.SceneLoader;

@@ -13,11 +13,12 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.maestro.fixtures.Share;
 
 /**
  * Nothing is claimed in a random home that is not so. All two thousand, and a hundred with agents:
  *
- * <pre>mvn test -Pfull -pl scenarios -am -Dtest=RandomHomesTest
+ * <pre>mvn test -Pfull -pl scenarios/bench -am -Dtest=RandomHomesTest
  *     -Dsurefire.failIfNoSpecifiedTests=false</pre>
  *
  * <p>A part of them: {@code -Dmaestro.seeds=501-1000}, of those with liars {@code

@@ -16,7 +16,7 @@ class GuideTest {
 
   @Test
   void itsCommandsNameWhatThereIs() throws IOException {
-    String guide = Files.readString(Path.of("../docs/guide-experiments.md"));
+    String guide = Files.readString(Path.of("../../docs/guide-experiments.md"));
     List<String> commands =
         guide.lines().filter(line -> line.startsWith("./maestro experiment ")).toList();
 

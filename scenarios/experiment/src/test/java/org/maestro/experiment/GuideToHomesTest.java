@@ -28,7 +28,7 @@ class GuideToHomesTest {
 
   private static List<String> examples() throws IOException {
     return Pattern.compile("```turtle\n(.*?)```", Pattern.DOTALL)
-        .matcher(Files.readString(Path.of("../docs/guide-homes.md")))
+        .matcher(Files.readString(Path.of("../../docs/guide-homes.md")))
         .results()
         .map(match -> match.group(1))
         .toList();

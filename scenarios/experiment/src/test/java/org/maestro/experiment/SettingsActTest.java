@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.maestro.experiment.setting.Setting;
-import org.maestro.random.Share;
+import org.maestro.fixtures.Share;
 
 /** Whatever can be set in an experiment changes what a run of it writes. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)

@@ -49,7 +49,7 @@ class PythonDeviceInAPlanTest {
     return new ProcessBuilder(
             List.of(
                 "python3",
-                Path.of("..", "docs", "examples", "kettle.py").toString(),
+                Path.of("..", "..", "docs", "examples", "kettle.py").toString(),
                 broker.getHost(),
                 String.valueOf(broker.getPort()),
                 SITE))

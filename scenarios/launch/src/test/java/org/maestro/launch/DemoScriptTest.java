@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
  */
 class DemoScriptTest {
   private static final Duration LIMIT = Duration.ofMinutes(4);
-  private static final String PROGRAM = "scenarios-0.1.0-SNAPSHOT.jar";
+  private static final String PROGRAM = "maestro-launch-0.1.0-SNAPSHOT.jar";
 
   @TempDir Path checkout;
 
@@ -61,12 +61,12 @@ class DemoScriptTest {
 
   /** A checkout after its build: the script, the program and its libraries, and nothing newer. */
   private Path installed() throws IOException {
-    Path script = Files.copy(Path.of("../maestro"), checkout.resolve("maestro"));
+    Path script = Files.copy(Path.of("../../maestro"), checkout.resolve("maestro"));
     Files.setPosixFilePermissions(script, PosixFilePermissions.fromString("rwxr-xr-x"));
     Files.createFile(checkout.resolve("pom.xml"));
-    Path sources = checkout.resolve("scenarios/src/main");
+    Path sources = checkout.resolve("scenarios/launch/src/main");
     Files.createDirectories(sources);
-    Path target = checkout.resolve("scenarios/target");
+    Path target = checkout.resolve("scenarios/launch/target");
     Path libraries = Files.createDirectories(target.resolve("lib"));
     int number = 0;
     for (String entry : System.getProperty("java.class.path").split(File.pathSeparator)) {

@@ -14,14 +14,14 @@ class FewFilesTest {
   @Test
   void oneSentenceNamesTheCause() throws IOException, InterruptedException {
     Process process =
-        new ProcessBuilder("bash", "-c", "ulimit -n 64; ../maestro demo")
+        new ProcessBuilder("bash", "-c", "ulimit -n 64; ../../maestro demo")
             .redirectErrorStream(true)
             .start();
     process.getOutputStream().close();
     String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
 
     assertThat(process.waitFor(1, TimeUnit.MINUTES)).isTrue();
-    assertThat(Path.of("../maestro")).exists();
+    assertThat(Path.of("../../maestro")).exists();
     assertThat(process.exitValue()).isEqualTo(ExitCode.OUTSIDE);
     assertThat(said.lines())
         .singleElement()

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** What the guide to the bus shows can be done as it stands there. */
 class GuideBusTest {
 
-  private static final Path GUIDE = Path.of("..", "docs", "guide-bus.md");
+  private static final Path GUIDE = Path.of("..", "..", "docs", "guide-bus.md");
 
   @TempDir Path directory;
 

@@ -15,12 +15,12 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.maestro.assembly.SiteSettings;
+import org.maestro.fixtures.Share;
 import org.maestro.junit.GoalOutcome;
 import org.maestro.junit.Pursuit;
 import org.maestro.junit.Stage;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.random.Share;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SceneLoader;
 

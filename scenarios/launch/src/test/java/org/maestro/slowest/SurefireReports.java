@@ -17,6 +17,11 @@ import org.xml.sax.SAXException;
 
 /** What the modules before have left of their tests. */
 final class SurefireReports {
+  private static final Path REPORTS = Path.of("target/surefire-reports");
+
+  /** Modules stand in the root, or in one of its folders. */
+  private static final int DEPTH = 4;
+
   private SurefireReports() {}
 
   /**
@@ -27,15 +32,12 @@ final class SurefireReports {
    */
   static List<TimedTest> since(Path root, Instant began) {
     List<TimedTest> tests = new ArrayList<>();
-    try (Stream<Path> modules = Files.list(root)) {
-      for (Path module : modules.filter(path -> !isHere(path)).sorted().toList()) {
-        Path reports = module.resolve("target/surefire-reports");
-        if (Files.isDirectory(reports)) {
-          try (Stream<Path> files = Files.list(reports)) {
-            for (Path file : files.filter(path -> path.toString().endsWith(".xml")).toList()) {
-              if (!Files.getLastModifiedTime(file).toInstant().isBefore(began)) {
-                tests.addAll(read(file));
-              }
+    try (Stream<Path> found = Files.find(root, DEPTH, (path, kind) -> path.endsWith(REPORTS))) {
+      for (Path reports : found.filter(path -> !isHere(path)).sorted().toList()) {
+        try (Stream<Path> files = Files.list(reports)) {
+          for (Path file : files.filter(path -> path.toString().endsWith(".xml")).toList()) {
+            if (!Files.getLastModifiedTime(file).toInstant().isBefore(began)) {
+              tests.addAll(read(file));
             }
           }
         }
@@ -47,8 +49,8 @@ final class SurefireReports {
   }
 
   /** This module's reports are still being written. */
-  private static boolean isHere(Path module) {
-    return module.toAbsolutePath().normalize().equals(Path.of("").toAbsolutePath());
+  private static boolean isHere(Path reports) {
+    return reports.toAbsolutePath().normalize().equals(REPORTS.toAbsolutePath());
   }
 
   private static List<TimedTest> read(Path file) throws IOException {

@@ -33,7 +33,7 @@ final class TimesTold implements AutoCloseable {
 
   private String told() {
     List<TimedTest> all = new ArrayList<>(ended);
-    all.addAll(SurefireReports.since(Path.of(".."), buildBegan));
+    all.addAll(SurefireReports.since(Path.of("../.."), buildBegan));
     all.sort(Comparator.comparing(TimedTest::took).reversed());
     Duration together = all.stream().map(TimedTest::took).reduce(Duration.ZERO, Duration::plus);
     StringBuilder told =
