@@ -114,7 +114,7 @@ record TellingRun(
               given("world.dusk=2250 world.colour.tolerance=1")),
           Map.entry("join-leave world.base.checkSeconds", given("world.wheels.slip=0.1")),
           Map.entry("join-leave world.battery.idleWatts", given("world.battery.wattHours=0.2")),
-          Map.entry("join-leave world.battery.checkSeconds", given("world.battery.wattHours=0.2")),
+          Map.entry("join-leave world.battery.checkSeconds", given("world.battery.wattHours=0.15")),
           Map.entry("join-leave world.battery.worthTelling", given("world.battery.wattHours=0.2")),
           Map.entry("join-leave world.camera.noticesGlare", given("world.camera.maximumLux=80")),
           Map.entry(
