@@ -18,6 +18,8 @@ import org.maestro.agents.GroupAgent;
 import org.maestro.agents.KnowledgeAgent;
 import org.maestro.agents.SupervisorAgent;
 import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.GoalReport;
+import org.maestro.agents.content.HeldReport;
 import org.maestro.agents.device.Host;
 import org.maestro.agents.device.Surroundings;
 import org.maestro.agents.goals.Past;

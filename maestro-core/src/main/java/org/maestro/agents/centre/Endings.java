@@ -4,15 +4,13 @@ import jade.lang.acl.ACLMessage;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import org.maestro.agents.content.Words;
+import org.maestro.agents.content.GoalReport;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.Latest;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
-import org.maestro.sl.Substitution;
 
 /**
  * How goals ended, for those who stated them and for whoever asks, before or afterwards. Agent
@@ -59,7 +57,10 @@ final class Endings {
    */
   void ended(Formula goal, GoalOutcome outcome) {
     Ending ending =
-        new Ending(outcome.reached(), content(goal, outcome), BYTES_OF_A_CONTENT + outcome.bytes());
+        new Ending(
+            outcome.reached(),
+            GoalReport.words(goal, outcome),
+            BYTES_OF_A_CONTENT + outcome.bytes());
     endings.put(outcome.id(), ending);
     Optional.ofNullable(waiting.remove(outcome.id()))
         .ifPresent(messages -> messages.forEach(message -> tell(message, ending)));
@@ -68,20 +69,5 @@ final class Endings {
   private void tell(ACLMessage message, Ending ending) {
     voice.reply(
         message, ending.reached() ? ACLMessage.INFORM : ACLMessage.FAILURE, ending.content());
-  }
-
-  private static Content content(Formula goal, GoalOutcome outcome) {
-    Formula bound = new Substitution(outcome.binding()).apply(goal);
-    return Words.content(
-        "inform",
-        Words.named("goal", Words.name(outcome.id()), Words.formula(bound)),
-        Words.terms("binding", outcome.binding()),
-        Words.named("state", Words.name(outcome.state().name().toLowerCase(Locale.ROOT))),
-        Words.named("confirmed", Words.name(String.valueOf(outcome.confirmed()))),
-        Words.named("reasons", outcome.reasons().stream().map(Words::text).toList()),
-        Words.named("calls", Words.number(outcome.calls())),
-        Words.named("replans", Words.number(outcome.replans())),
-        Words.named("seconds", Words.number(outcome.duration().toMillis() / 1000.0)),
-        Words.named("decision-ms", Words.number(outcome.decisionMillis())));
   }
 }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.maestro.agents.content.GoalWords;
+import org.maestro.agents.content.HeldReport;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.Caller;
 import org.maestro.agents.runtime.MaestroAgent;
@@ -148,7 +149,7 @@ public final class GoalRequests {
     agent.reply(
         message,
         news.kind().isSo() ? ACLMessage.CONFIRM : ACLMessage.DISCONFIRM,
-        GoalWords.news(news));
+        HeldReport.words(news));
   }
 
   /** The end of a goal, for who did not state it, or whose conversation ended with a process. */

@@ -7,7 +7,6 @@ import java.util.Locale;
 import java.util.Optional;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalStatus;
-import org.maestro.coordination.api.HeldNews;
 import org.maestro.coordination.api.InvalidGoalException;
 import org.maestro.coordination.api.WaitsFor;
 import org.maestro.sl.Content;
@@ -50,20 +49,6 @@ public final class GoalWords {
           "The %s %s is no number; write %s.".formatted(name, Words.plain(term.get()), wanted));
     }
     return term.map(number -> ((Term.Number) number).value());
-  }
-
-  /** How a held goal fares. */
-  public static Content news(HeldNews news) {
-    return Words.content(
-        "inform",
-        Words.named("goal", Words.name(news.goalId())),
-        Words.named("state", Words.name(word(news.kind()))),
-        Words.named("confirmed", Words.name(String.valueOf(news.confirmed()))),
-        Words.named("reasons", news.reasons().stream().map(Words::text).toList()));
-  }
-
-  private static String word(HeldNews.Kind kind) {
-    return kind.name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 
   /** A line of the list of goals; ages and what is left of deadlines in simulated seconds. */

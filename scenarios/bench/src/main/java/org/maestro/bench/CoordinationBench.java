@@ -14,13 +14,13 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.maestro.agents.content.GoalReport;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteException;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
-import org.maestro.platform.GoalReport;
 import org.maestro.sl.SlParser;
 
 /**

@@ -8,10 +8,10 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import org.maestro.agents.content.GoalReport;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.ontology.home.Home;
-import org.maestro.platform.GoalReport;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sl.SlParser;
 

@@ -3,8 +3,8 @@ package org.maestro.junit;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import org.maestro.agents.content.GoalReport;
 import org.maestro.coordination.api.StoryEntry;
-import org.maestro.platform.GoalReport;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 

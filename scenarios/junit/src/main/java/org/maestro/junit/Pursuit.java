@@ -4,9 +4,9 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
+import org.maestro.agents.content.GoalReport;
 import org.maestro.assembly.LocalSite;
 import org.maestro.coordination.api.StoryEntry;
-import org.maestro.platform.GoalReport;
 import org.maestro.sl.Formula;
 
 /** A goal under way, during which a test may change the world. For the test's thread. */

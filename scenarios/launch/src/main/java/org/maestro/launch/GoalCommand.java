@@ -1,13 +1,10 @@
 package org.maestro.launch;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
@@ -18,6 +15,8 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.GoalReport;
+import org.maestro.agents.content.HeldReport;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.OtherPlatform;
 import org.maestro.coordination.api.StoryEntry;
@@ -182,7 +181,10 @@ final class GoalCommand implements Callable<Integer> {
       if (words.string("state").isEmpty()) {
         throw CommandException.outside(Reply.reason(Reply.words(reply)));
       }
-      return reply.getPerformative() == ACLMessage.CONFIRM ? tellHeld(words) : tell(reply);
+      GoalEndPrinter printer = new GoalEndPrinter(goal, json, spec.commandLine().getOut());
+      return reply.getPerformative() == ACLMessage.CONFIRM
+          ? printer.print(HeldReport.read(true, reply.getContent()))
+          : printer.print(GoalReport.read(reply.getContent()));
     } catch (PlatformGoneException e) {
       container.abandon();
       throw e;
@@ -295,72 +297,6 @@ final class GoalCommand implements Callable<Integer> {
           platform -> container.desk().follow(platform, id, lines),
           () -> container.desk().follow(id, lines));
     }
-  }
-
-  /** A goal that is kept has no end to wait for: it is told that it is so, and how to end it. */
-  private int tellHeld(Words words) {
-    String id = words.string("goal").orElse("");
-    boolean confirmed = isConfirmed(words);
-    PrintWriter out = spec.commandLine().getOut();
-    if (json) {
-      ObjectNode node = new ObjectMapper().createObjectNode();
-      node.put("id", id);
-      node.put("goal", goal);
-      node.put("reached", true);
-      node.put("confirmed", confirmed);
-      node.put("held", true);
-      out.println(node);
-    } else {
-      out.println(
-          (confirmed ? "It is kept so" : "It is kept so, as far as is known but not confirmed,")
-              + " until ./maestro cancel "
-              + id
-              + ".");
-    }
-    return confirmed ? ExitCode.DONE : ExitCode.NOT_SEEN;
-  }
-
-  private static boolean isConfirmed(Words words) {
-    return words.string("confirmed").filter("true"::equals).isPresent();
-  }
-
-  private int tell(ACLMessage reply) {
-    Words words = Reply.words(reply).get(0);
-    boolean reached = reply.getPerformative() == ACLMessage.INFORM;
-    boolean confirmed = isConfirmed(words);
-    List<String> reasons =
-        words.find("reasons").map(Words::terms).orElse(List.of()).stream()
-            .map(Words::plain)
-            .toList();
-    PrintWriter out = spec.commandLine().getOut();
-    if (json) {
-      ObjectNode node = new ObjectMapper().createObjectNode();
-      node.put("id", words.string("goal").orElse(""));
-      node.put("goal", goal);
-      node.put("reached", reached);
-      node.put("confirmed", confirmed);
-      ObjectNode binding = node.putObject("binding");
-      words.termsOf("binding").forEach((name, term) -> binding.put(name, Words.plain(term)));
-      node.put("simulated_s", words.number("seconds", 0));
-      node.put("calls", (int) words.number("calls", 0));
-      node.put("replans", (int) words.number("replans", 0));
-      node.put("decision_ms", words.number("decision-ms", 0));
-      reasons.forEach(node.putArray("reasons")::add);
-      out.println(node);
-    } else {
-      out.printf(
-          Locale.ROOT,
-          "%s in %.1f simulated seconds; calls: %d, replans: %d.%n",
-          !reached ? "Not reached" : confirmed ? "Reached" : "Reached, but not confirmed,",
-          words.number("seconds", 0),
-          (int) words.number("calls", 0),
-          (int) words.number("replans", 0));
-      words
-          .termsOf("binding")
-          .forEach((name, term) -> out.println("  ?" + name + " is " + Words.plain(term)));
-      reasons.forEach(reason -> out.println("  " + reason));
-    }
-    return !reached ? ExitCode.NOT_REACHED : confirmed ? ExitCode.DONE : ExitCode.NOT_SEEN;
   }
 
   /** Prints the lines of a story, with the first one's time as zero. */

@@ -3,8 +3,8 @@ package org.maestro.experiment.running;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import org.maestro.agents.content.GoalReport;
 import org.maestro.coordination.api.StoryEntry;
-import org.maestro.platform.GoalReport;
 
 /**
  * How a goal ended, as the platform says.

@@ -1,4 +1,4 @@
-package org.maestro.platform;
+package org.maestro.agents.content;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package org.maestro.platform;
+package org.maestro.agents.content;
 
 import java.time.Duration;
 import java.util.Collections;
@@ -7,12 +7,16 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import org.maestro.agents.content.Words;
+import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalState;
+import org.maestro.sl.Content;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 
 /**
- * How a goal ended, as its requester is told.
+ * The report of a goal's end, as its requester is told: written by who pursued it, read by who
+ * stated it.
  *
  * @param id empty when the CCA refused the goal
  * @param confirmed somebody has seen it who did not do it; false when only its doer says so
@@ -38,6 +42,26 @@ public record GoalReport(
     reasons = List.copyOf(reasons);
   }
 
+  /**
+   * The words in which the end of a goal is told.
+   *
+   * @param goal as it was stated
+   */
+  public static Content words(Formula goal, GoalOutcome outcome) {
+    Formula bound = new Substitution(outcome.binding()).apply(goal);
+    return Words.content(
+        "inform",
+        Words.named("goal", Words.name(outcome.id()), Words.formula(bound)),
+        Words.terms("binding", outcome.binding()),
+        Words.named("state", Words.name(outcome.state().name().toLowerCase(Locale.ROOT))),
+        Words.named("confirmed", Words.name(String.valueOf(outcome.confirmed()))),
+        Words.named("reasons", outcome.reasons().stream().map(Words::text).toList()),
+        Words.named("calls", Words.number(outcome.calls())),
+        Words.named("replans", Words.number(outcome.replans())),
+        Words.named("seconds", Words.number(outcome.duration().toMillis() / 1000.0)),
+        Words.named("decision-ms", Words.number(outcome.decisionMillis())));
+  }
+
   /** A goal that was never taken up. */
   public static GoalReport refused(String reason) {
     return new GoalReport(
@@ -56,12 +80,14 @@ public record GoalReport(
     return state == GoalState.ACHIEVED;
   }
 
-  static String acceptedId(String content) {
-    return words(content).string("goal").orElse("");
+  /** The id that a goal has got, from the answer that takes it on. */
+  public static String acceptedId(String content) {
+    return parsed(content).string("goal").orElse("");
   }
 
-  static GoalReport read(String content) {
-    Words words = words(content);
+  /** Reads what {@link #words} wrote, or why the goal was not taken on. */
+  public static GoalReport read(String content) {
+    Words words = parsed(content);
     Optional<String> state = words.string("state");
     if (state.isEmpty()) {
       return refused(words.string("reason").orElse(content));
@@ -80,7 +106,7 @@ public record GoalReport(
         words.number("decision-ms", 0));
   }
 
-  private static Words words(String content) {
+  private static Words parsed(String content) {
     return Words.of(Words.parse(content).get(0));
   }
 }
