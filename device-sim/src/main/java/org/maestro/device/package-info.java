@@ -4,4 +4,7 @@
  * itself flow out. A task's local plan is made and kept here (M18, M19). It knows the keys of
  * procedures, parameters and quantities, never a word of the domain, and nothing of the simulation.
  */
+@NullMarked
 package org.maestro.device;
+
+import org.jspecify.annotations.NullMarked;

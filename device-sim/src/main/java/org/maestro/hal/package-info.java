@@ -5,4 +5,7 @@
  * commands come from there too. It knows neither who uses a driver nor whether hardware or a
  * simulation stands behind it.
  */
+@NullMarked
 package org.maestro.hal;
+
+import org.jspecify.annotations.NullMarked;

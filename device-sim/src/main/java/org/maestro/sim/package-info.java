@@ -4,4 +4,7 @@
  * look at and change the world itself. It takes all time from the clock and all chance from one
  * seed. Nothing above the drivers may know it.
  */
+@NullMarked
 package org.maestro.sim;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,4 +4,7 @@
  * people ask. ACL messages in MAESTRO-SL flow in and out; calls on the heart and on the link carry
  * them on. No decision is made here that a unit test of the heart could not make.
  */
+@NullMarked
 package org.maestro.agents;
+
+import org.jspecify.annotations.NullMarked;

@@ -6,4 +6,7 @@
  * and {@code journal}. Plain Java that a unit test drives: it knows neither JADE nor the bus nor
  * any word of a domain.
  */
+@NullMarked
 package org.maestro.coordination;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  * Starts of agents and containers flow in; places for agents, objections in one sentence, and
  * tables flow out. Plain Java: it may not know JADE, and moves nothing itself.
  */
+@NullMarked
 package org.maestro.deployment;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  * said of itself, what its calls report and teach, and its values as terms. Events of the link flow
  * in; reports, lessons and facts flow out. Plain Java: agents and sites without agents share it.
  */
+@NullMarked
 package org.maestro.members;
+
+import org.jspecify.annotations.NullMarked;

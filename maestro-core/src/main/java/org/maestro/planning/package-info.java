@@ -4,4 +4,7 @@
  * features and a goal flow in, a plan or an explanation flows out. It knows neither agents, RDF nor
  * any word of a domain.
  */
+@NullMarked
 package org.maestro.planning;
+
+import org.jspecify.annotations.NullMarked;

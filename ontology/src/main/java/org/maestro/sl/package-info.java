@@ -4,4 +4,7 @@
  * in, trees flow out, and the printer is the parser's inverse. It knows nothing of RDF, agents or
  * planning.
  */
+@NullMarked
 package org.maestro.sl;
+
+import org.jspecify.annotations.NullMarked;

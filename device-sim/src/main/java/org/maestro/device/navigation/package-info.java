@@ -3,4 +3,7 @@
  * by a visibility graph. Outlines and obstacles flow in; routes flow out. It knows neither drivers
  * nor calls.
  */
+@NullMarked
 package org.maestro.device.navigation;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,4 +4,7 @@
  * progress, results and prices flow out. Each says why it cannot be done; none knows the bus or the
  * simulation.
  */
+@NullMarked
 package org.maestro.device.tasks;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,4 +4,7 @@
  * out. It knows shapes, colours and light, and nothing of the world they come from. Only who asks
  * for a picture pays for it.
  */
+@NullMarked
 package org.maestro.sim.image;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  * give, and clouds that come and go by a seed. A moment flows in, the light outdoors flows out. It
  * knows neither homes nor devices.
  */
+@NullMarked
 package org.maestro.sim.sky;
+
+import org.jspecify.annotations.NullMarked;

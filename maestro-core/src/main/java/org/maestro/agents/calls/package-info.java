@@ -3,4 +3,7 @@
  * messages to whoever asked. Orders and questions flow in; progress, reports and prices flow out.
  * It knows nothing of goals.
  */
+@NullMarked
 package org.maestro.agents.calls;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  * the goals of others. Requests and entries of stories flow in; answers flow out. It decides
  * nothing about a goal's course.
  */
+@NullMarked
 package org.maestro.agents.centre;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  * reports. Calls for prices and orders of the coordination flow in; bids, and the reason of each
  * silence and refusal, flow out. It knows no plan.
  */
+@NullMarked
 package org.maestro.agents.negotiation;
+
+import org.jspecify.annotations.NullMarked;

@@ -5,4 +5,7 @@
  * {@link org.maestro.agents.pulse.Watcher}. They are no messages between agents, and a stepped
  * clock has none. It may not know what the agents are there for.
  */
+@NullMarked
 package org.maestro.agents.pulse;
+
+import org.jspecify.annotations.NullMarked;

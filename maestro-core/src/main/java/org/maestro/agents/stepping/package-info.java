@@ -4,4 +4,7 @@
  * agent that received one is idle again. It may not know what agents say or do; on a paced clock
  * nothing of it is used.
  */
+@NullMarked
 package org.maestro.agents.stepping;
+
+import org.jspecify.annotations.NullMarked;

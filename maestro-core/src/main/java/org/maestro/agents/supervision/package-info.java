@@ -3,4 +3,7 @@
  * to containers and hosts, tables and one sentence for each end flow out. It does nothing to a
  * container itself.
  */
+@NullMarked
 package org.maestro.agents.supervision;
+
+import org.jspecify.annotations.NullMarked;

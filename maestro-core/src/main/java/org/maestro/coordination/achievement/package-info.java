@@ -3,4 +3,7 @@
  * ended. Knowledge, reports and the turns of other goals flow in; orders, plans made again and an
  * outcome flow out. It knows nothing of goals that are held.
  */
+@NullMarked
 package org.maestro.coordination.achievement;
+
+import org.jspecify.annotations.NullMarked;

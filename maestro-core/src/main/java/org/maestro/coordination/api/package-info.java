@@ -5,4 +5,7 @@
  * other part of coordination; with the Coordinator and what a journal amounts to it is all that
  * others see.
  */
+@NullMarked
 package org.maestro.coordination.api;
+
+import org.jspecify.annotations.NullMarked;

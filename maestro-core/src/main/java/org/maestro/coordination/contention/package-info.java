@@ -3,4 +3,7 @@
  * want, and who waits for whom (A55). Steps and plans flow in; what may begin, and who is woken,
  * flow out. It sees goals only as they see each other, not how they are reached.
  */
+@NullMarked
 package org.maestro.coordination.contention;
+
+import org.jspecify.annotations.NullMarked;

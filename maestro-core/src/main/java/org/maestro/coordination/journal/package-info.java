@@ -3,4 +3,7 @@
  * Entries flow in one by one; the shortest list that amounts to the same, and what is to be
  * recovered, flow out. It knows neither files nor who writes.
  */
+@NullMarked
 package org.maestro.coordination.journal;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  * lost, and held by cheaper settings. Each bringing about is a goal of its own, made by whoever
  * opens it. It does not know how that one is reached.
  */
+@NullMarked
 package org.maestro.coordination.maintenance;
+
+import org.jspecify.annotations.NullMarked;

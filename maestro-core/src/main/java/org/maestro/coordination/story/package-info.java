@@ -3,4 +3,7 @@
  * Decisions, reports and ends flow in; entries of the story and the goal's outcome flow out. It
  * tells what others decided, and decides nothing.
  */
+@NullMarked
 package org.maestro.coordination.story;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  * beside those who write. Edits and queries flow in; rows flow out. Jena is known here and nowhere
  * above.
  */
+@NullMarked
 package org.maestro.knowledge.rdf;
+
+import org.jspecify.annotations.NullMarked;

@@ -5,4 +5,7 @@
  * org.maestro.planning.ground.GroundTask} that flows out knows facts, sums and costs by number. It
  * knows neither PDDL nor how a plan is searched for.
  */
+@NullMarked
 package org.maestro.planning.ground;
+
+import org.jspecify.annotations.NullMarked;

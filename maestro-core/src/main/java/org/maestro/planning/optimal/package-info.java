@@ -3,4 +3,7 @@
  * cuts, knapsack bounds, stubborn sets. A ground problem and limits flow in; operators in order, or
  * that there are none, flow out. It knows no feature and no home.
  */
+@NullMarked
 package org.maestro.planning.optimal;
+
+import org.jspecify.annotations.NullMarked;

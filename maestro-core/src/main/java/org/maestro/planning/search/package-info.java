@@ -4,4 +4,7 @@
  * in, a {@link org.maestro.planning.search.Solution} flows out. "Optimal" and "unsolvable" are only
  * said with proof. It knows nothing of where tasks come from.
  */
+@NullMarked
 package org.maestro.planning.search;
+
+import org.jspecify.annotations.NullMarked;

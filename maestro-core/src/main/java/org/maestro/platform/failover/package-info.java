@@ -3,4 +3,7 @@
  * those that are gone: links under their names, hosts for their agents, processes started again.
  * Signs of life flow in; who acts for whom flows out.
  */
+@NullMarked
 package org.maestro.platform.failover;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,4 +4,7 @@
  * token, and messages between agents carry their sender's signature. A site's security files flow
  * in; a guarded JADE flows out. It may not know what agents say.
  */
+@NullMarked
 package org.maestro.platform.guard;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  * chosen; and how often a host that dies again and again is started again. Plain values without
  * threads and containers: what is needed and what is there flow in, a choice flows out.
  */
+@NullMarked
 package org.maestro.platform.hosts;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  * they count, read again after a crash. Entries flow in; what was written, or what is damaged and
  * where, flows out. What a journal amounts to is coordination's business.
  */
+@NullMarked
 package org.maestro.platform.journal;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,4 +4,7 @@
  * of thread that JADE asks for and what is to run on it flow in, a thread flows out. It may not
  * know what agents do.
  */
+@NullMarked
 package org.maestro.platform.threads;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,4 +4,7 @@
  * it; once the connections are cut it takes the process for killed, which it knows how to treat. An
  * address flows in; broken connections flow out. It may not know who has been given up, and why.
  */
+@NullMarked
 package org.maestro.platform.wires;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  * Home files and device descriptions flow in, immutable records and geometric values flow out.
  * Geometry asks for properties (pose, view angle, luminous intensity), never for a kind of device.
  */
+@NullMarked
 package org.maestro.ontology.home;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,4 +4,7 @@
  * statements and faults flows out to the readers of vocabularies and homes. It knows the
  * meta-vocabulary, no domain, and never reaches for the network.
  */
+@NullMarked
 package org.maestro.ontology.validation;
+
+import org.jspecify.annotations.NullMarked;

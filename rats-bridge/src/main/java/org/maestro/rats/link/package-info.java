@@ -3,4 +3,7 @@
  * Descriptions, states and results flow out to listeners, calls flow in. It knows neither agents
  * nor knowledge.
  */
+@NullMarked
 package org.maestro.rats.link;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  * with identity, states, queue, safe states and costs. Calls flow in, outcomes, states and
  * observations flow out. It knows neither MAESTRO nor what the device is.
  */
+@NullMarked
 package org.maestro.rats.member;
+
+import org.jspecify.annotations.NullMarked;

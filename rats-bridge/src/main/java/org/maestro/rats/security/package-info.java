@@ -4,4 +4,7 @@
  * and out, credentials and the rules of calls flow to members and links. Secrets leave it only
  * inside credentials, whose text hides them.
  */
+@NullMarked
 package org.maestro.rats.security;
+
+import org.jspecify.annotations.NullMarked;

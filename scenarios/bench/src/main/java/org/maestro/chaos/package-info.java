@@ -3,4 +3,7 @@
  * of faults come of it, then what the history of the bus, the journal and the judge of claims have
  * found.
  */
+@NullMarked
 package org.maestro.chaos;
+
+import org.jspecify.annotations.NullMarked;

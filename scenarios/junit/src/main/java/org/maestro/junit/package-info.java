@@ -4,4 +4,7 @@
  * over goals, world and knowledge flow out. One embedded broker per JVM and one site per class keep
  * parallel classes apart. It knows no word of a domain.
  */
+@NullMarked
 package org.maestro.junit;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  * other agents, and what steers a terminal, or feigns a line of its own, is shown in them instead
  * of done. Everything that is printed, logged or put on a page passes here once.
  */
+@NullMarked
 package org.maestro.display;
+
+import org.jspecify.annotations.NullMarked;

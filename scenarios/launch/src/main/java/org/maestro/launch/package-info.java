@@ -4,4 +4,7 @@
  * code flow out. It is the only package, with tests, experiments and benchmarks, that sees all
  * layers; no other package may know it.
  */
+@NullMarked
 package org.maestro.launch;
+
+import org.jspecify.annotations.NullMarked;

@@ -3,4 +3,7 @@
  * units, labelled lines, colours that colour-blind people can tell apart, letters that stay legible
  * at half the size.
  */
+@NullMarked
 package org.maestro.experiment.drawing;
+
+import org.jspecify.annotations.NullMarked;

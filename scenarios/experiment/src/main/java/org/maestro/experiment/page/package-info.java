@@ -3,4 +3,7 @@
  * by side, figures, assumptions, and an explanation of each failure. Findings flow in, text flows
  * out.
  */
+@NullMarked
 package org.maestro.experiment.page;
+
+import org.jspecify.annotations.NullMarked;
