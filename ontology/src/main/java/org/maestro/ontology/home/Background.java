@@ -6,6 +6,7 @@ import org.apache.jena.graph.Node;
 import org.apache.jena.vocabulary.OWL;
 import org.apache.jena.vocabulary.RDF;
 import org.apache.jena.vocabulary.RDFS;
+import org.jspecify.annotations.Nullable;
 import org.maestro.ontology.validation.Inference;
 import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceGraph;
@@ -27,8 +28,9 @@ final class Background {
   private static final Node OFFERS = Maestro.term("offers");
 
   private final String ownWords;
-  private SourceGraph statements;
-  private SourceGraph aboutWords;
+  private @Nullable Known known;
+
+  private record Known(SourceGraph statements, SourceGraph aboutWords) {}
 
   /**
    * @param ownWords what the home adds to the vocabulary that is shipped, as Turtle
@@ -42,22 +44,23 @@ final class Background {
    * classes offer.
    */
   void explain(SourceGraph description, Node member) {
-    SourceGraph known = statements();
-    description.copy(aboutWords, triple -> true);
+    Known known = known();
+    description.copy(known.aboutWords(), triple -> true);
     new Inference(description).run();
     if (description.objects(member, OFFERS).isEmpty()) {
       for (Node type : List.copyOf(description.objects(member, RDF.type.asNode()))) {
-        description.copyAbout(type, known);
+        description.copyAbout(type, known.statements());
       }
     }
   }
 
-  private synchronized SourceGraph statements() {
-    if (statements == null) {
-      statements = HomeLoader.statementsWith(ownWords);
-      aboutWords = new SourceGraph();
+  private synchronized Known known() {
+    if (known == null) {
+      SourceGraph statements = HomeLoader.statementsWith(ownWords);
+      SourceGraph aboutWords = new SourceGraph();
       aboutWords.copy(statements, triple -> ABOUT_WORDS.contains(triple.getPredicate()));
+      known = new Known(statements, aboutWords);
     }
-    return statements;
+    return known;
   }
 }

@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -166,8 +167,11 @@ final class HomeCheck {
   private void checkProperty(Node node, Node property, boolean othersAreDescribed) {
     String name = Literals.name(property);
     PredicateDeclaration declared = vocabulary.predicates().get(name);
-    if (property.getURI().startsWith(Maestro.NAMESPACE) && COORDINATES.containsKey(name)) {
-      graph.objects(node, property).forEach(value -> checkCoordinates(node, property, value));
+    Consumer<String> coordinates = COORDINATES.get(name);
+    if (property.getURI().startsWith(Maestro.NAMESPACE) && coordinates != null) {
+      graph
+          .objects(node, property)
+          .forEach(value -> checkCoordinates(node, property, value, coordinates));
     } else if (declared != null && declared.iri().equals(property.getURI())) {
       for (Node value : graph.objects(node, property)) {
         checkNumber(node, property, value, declared);
@@ -186,20 +190,25 @@ final class HomeCheck {
     }
   }
 
-  private void checkCoordinates(Node node, Node property, Node value) {
+  private void checkCoordinates(
+      Node node, Node property, Node value, Consumer<String> coordinates) {
     try {
-      COORDINATES.get(Literals.name(property)).accept(Literals.name(value));
+      coordinates.accept(Literals.name(value));
     } catch (IllegalArgumentException e) {
       graph.fault(
           node,
           property,
           Optional.of(value),
-          "is not understood: " + e.getMessage().replaceAll("\\.$", ""),
+          "is not understood: " + reason(e).replaceAll("\\.$", ""),
           "write metres with blanks between, such as "
               + (property.equals(Maestro.term("outline"))
                   ? "\"0 0, 3 0, 3 3\""
                   : "\"1.5 2\" or \"1.5 2 0.8\""));
     }
+  }
+
+  private static String reason(IllegalArgumentException e) {
+    return Objects.requireNonNullElse(e.getMessage(), e.toString());
   }
 
   private static void corner(String text) {
@@ -331,7 +340,7 @@ final class HomeCheck {
           .ifPresent(
               wrong ->
                   graph.fault(
-                      nodes.get(thing.name()),
+                      named(nodes, thing.name()),
                       Maestro.term("glassFrom"),
                       Optional.empty(),
                       wrong,
@@ -346,13 +355,18 @@ final class HomeCheck {
                   .isPresent();
       if (!isWindow) {
         graph.fault(
-            nodes.get(thing.name()),
+            named(nodes, thing.name()),
             Maestro.term("shades"),
             Optional.empty(),
             "names no window of this home",
             "name a maestro:Window");
       }
     }
+  }
+
+  /** What is kept under the name of a thing of the home: every thing has its node. */
+  static <T> T named(Map<String, T> things, String name) {
+    return Objects.requireNonNull(things.get(name));
   }
 
   private void checkOverlap(Geometry geometry, String a, String b, Map<String, Node> nodes) {
@@ -365,7 +379,7 @@ final class HomeCheck {
                 point -> second.edges().stream().allMatch(edge -> edge.distance(point) > EDGE));
     if (overlap) {
       graph.fault(
-          nodes.get(b),
+          named(nodes, b),
           Maestro.term("outline"),
           Optional.empty(),
           "overlaps the zone " + a,
@@ -381,7 +395,7 @@ final class HomeCheck {
     }
     if (best < WATCHED_SHARE) {
       graph.fault(
-          nodes.get(zone),
+          named(nodes, zone),
           Maestro.term("watched"),
           Optional.empty(),
           "asks for a device that sees 95 % of the zone, and the best sees "

@@ -74,8 +74,9 @@ final class HomeReader {
     Map<String, Device> devices = new TreeMap<>();
     nodes.forEach(
         (name, node) -> {
-          if (individuals.get(name).classes().contains("Device")) {
-            devices.put(name, reader.read(node, individuals.get(name)));
+          Individual individual = HomeCheck.named(individuals, name);
+          if (individual.classes().contains("Device")) {
+            devices.put(name, reader.read(node, individual));
           }
         });
     return devices;
@@ -87,8 +88,9 @@ final class HomeReader {
     Map<String, Group> groups = new TreeMap<>();
     nodes.forEach(
         (name, node) -> {
-          if (individuals.get(name).classes().contains("GroupAgent")) {
-            groups.put(name, aims.group(node, individuals.get(name)));
+          Individual individual = HomeCheck.named(individuals, name);
+          if (individual.classes().contains("GroupAgent")) {
+            groups.put(name, aims.group(node, individual));
           }
         });
     return groups;
@@ -104,8 +106,9 @@ final class HomeReader {
     home.devices()
         .forEach(
             (name, device) -> {
-              check.checkUse(nodes.get(name), device);
-              check.checkReported(nodes.get(name), device);
+              Node node = HomeCheck.named(nodes, name);
+              check.checkUse(node, device);
+              check.checkReported(node, device);
             });
     new PermissionCheck(graph, home).check(home, nodes);
     if (graph.faults().isEmpty()) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -52,9 +53,8 @@ final class IndividualReader {
     for (Node type : graph.objects(node, RDF.type.asNode())) {
       if (isClassOf(node, type)) {
         classes.add(Literals.name(type));
-        if (vocabulary.classes().containsKey(Literals.name(type))) {
-          classes.addAll(vocabulary.classes().get(Literals.name(type)).ancestors());
-        }
+        Optional.ofNullable(vocabulary.classes().get(Literals.name(type)))
+            .ifPresent(declared -> classes.addAll(declared.ancestors()));
       }
     }
     Map<String, List<Term>> properties = new TreeMap<>();

@@ -38,7 +38,7 @@ final class PermissionCheck {
         .filter(thing -> thing.classes().contains("Permission"))
         .forEach(
             thing -> {
-              Node node = nodes.get(thing.name());
+              Node node = HomeCheck.named(nodes, thing.name());
               check(node, "asks", asked, "is neither a device of this home nor a class of devices");
               check(node, "permits", permitted, "is no feature that is known here");
             });

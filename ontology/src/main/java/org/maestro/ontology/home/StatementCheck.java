@@ -50,7 +50,8 @@ public final class StatementCheck {
     return new NameCheck(
         home.vocabulary(),
         home.individuals()::containsKey,
-        (name, className) -> home.individuals().get(name).classes().contains(className),
+        (name, className) ->
+            HomeCheck.named(home.individuals(), name).classes().contains(className),
         variables,
         (problem, cure) -> faults.add("%s %s; %s.".formatted(subject, problem, cure)));
   }

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
@@ -86,7 +87,7 @@ public final class SourceGraph {
                 objects.forEach(
                     object -> {
                       Triple triple = Triple.create(subject, predicate, object);
-                      Origin origin = other.origins.get(triple);
+                      Origin origin = other.originOf(triple);
                       if (origin.source().equals(source) && !other.inferred.contains(triple)) {
                         add(triple, origin);
                       }
@@ -253,14 +254,19 @@ public final class SourceGraph {
   private Origin origin(Node subject, Node property, Optional<Node> value) {
     return objects(subject, property).stream()
         .filter(object -> value.isEmpty() || value.get().equals(object))
-        .map(object -> origins.get(Triple.create(subject, property, object)))
+        .map(object -> originOf(Triple.create(subject, property, object)))
         .findFirst()
         .orElseGet(() -> firstOrigin(subject));
   }
 
+  /** The origin of a statement that is here; each came with one. */
+  private Origin originOf(Triple stated) {
+    return Objects.requireNonNull(origins.get(stated));
+  }
+
   private Origin firstOrigin(Node subject) {
     for (Map.Entry<Node, List<Node>> entry : bySubject.getOrDefault(subject, Map.of()).entrySet()) {
-      return origins.get(Triple.create(subject, entry.getKey(), entry.getValue().get(0)));
+      return originOf(Triple.create(subject, entry.getKey(), entry.getValue().get(0)));
     }
     return new Origin("", 0);
   }
