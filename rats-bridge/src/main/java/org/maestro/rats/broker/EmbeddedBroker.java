@@ -131,7 +131,7 @@ public final class EmbeddedBroker implements AutoCloseable {
   private static int usable(int port) {
     try (ServerSocket probe = new ServerSocket()) {
       probe.setReuseAddress(true);
-      probe.bind(new InetSocketAddress(InetAddress.getByName(HOST), port));
+      probe.bind(new InetSocketAddress(InetAddress.getAllByName(HOST)[0], port));
       return probe.getLocalPort();
     } catch (IOException taken) {
       throw new BrokerStartException(port, taken);

@@ -16,6 +16,7 @@ import java.util.Properties;
 import java.util.Set;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 import org.apache.activemq.artemis.api.core.ActiveMQException;
 import org.apache.activemq.artemis.core.remoting.impl.netty.NettyAcceptor;
@@ -72,8 +73,9 @@ final class SiteWatch implements AutoCloseable {
    */
   static SiteWatch begin(ActiveMQServer server, Path artemis) {
     SiteWatch watch = new SiteWatch(server, artemis);
-    watch.looking.scheduleWithFixedDelay(
-        watch::look, LOOKED_EVERY.toMillis(), LOOKED_EVERY.toMillis(), TimeUnit.MILLISECONDS);
+    ScheduledFuture<?> unusedAsClosingEndsIt =
+        watch.looking.scheduleWithFixedDelay(
+            watch::look, LOOKED_EVERY.toMillis(), LOOKED_EVERY.toMillis(), TimeUnit.MILLISECONDS);
     return watch;
   }
 

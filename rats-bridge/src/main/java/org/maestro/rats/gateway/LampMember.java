@@ -5,8 +5,10 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.maestro.rats.member.CallPolicy;
 import org.maestro.rats.member.Execution;
 import org.maestro.rats.member.MemberProfile;
@@ -46,7 +48,9 @@ final class LampMember implements Procedure {
   private boolean heard;
 
   private Optional<Underway> underway = Optional.empty();
-  private RatsMember member;
+
+  /** Made after this, as it is told of this. */
+  private @Nullable RatsMember member;
 
   private record Underway(Execution execution, double level) {}
 
@@ -105,6 +109,10 @@ final class LampMember implements Procedure {
     return lamp;
   }
 
+  private RatsMember member() {
+    return Objects.requireNonNull(member);
+  }
+
   void heard(JsonNode state) {
     lamp.level(state)
         .ifPresent(
@@ -112,7 +120,7 @@ final class LampMember implements Procedure {
               heard = true;
               asking.end();
               level = Optional.of(said);
-              member.stateChanged();
+              member().stateChanged();
               underway
                   .filter(order -> lamp.follows(order.level, said))
                   .ifPresent(
@@ -133,13 +141,13 @@ final class LampMember implements Procedure {
   private void away(String reason) {
     heard = false;
     asking.end();
-    member.disable(role.feature(), reason);
+    member().disable(role.feature(), reason);
     giveUp(reason);
   }
 
   /** What it said while it was away, or this bridge was, nobody heard. */
   private void back() {
-    member.enable(role.feature());
+    member().enable(role.feature());
     if (!heard) {
       asking.begin();
     }
@@ -148,7 +156,7 @@ final class LampMember implements Procedure {
   /** Any thread. */
   void leave() {
     clock.schedule(Duration.ZERO, id, asking::end);
-    member.close();
+    member().close();
   }
 
   @Override
@@ -163,7 +171,7 @@ final class LampMember implements Procedure {
     underway = Optional.of(order);
     execution.onCancel(
         safe -> {
-          underway = underway.filter(now -> now != order);
+          underway = underway.filter(now -> !now.equals(order));
           safe.run();
         });
     gateway.set(lamp.order(wanted.get()));
@@ -171,7 +179,7 @@ final class LampMember implements Procedure {
         ANSWERS_WITHIN,
         id,
         () -> {
-          if (underway.filter(now -> now == order).isPresent()) {
+          if (underway.filter(order::equals).isPresent()) {
             giveUp("the lamp did not answer within " + ANSWERS_WITHIN.toSeconds() + " s");
           }
         });

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -252,11 +253,11 @@ final class OpenCalls {
   /** Returns whether it belongs to an open call. */
   boolean observed(String sender, Observation observation) {
     Open call = open.get(observation.id());
-    boolean belongs = call != null && isFrom(call, sender, observation.from());
-    if (belongs) {
-      call.listener.observed(observation);
+    if (call == null || !isFrom(call, sender, observation.from())) {
+      return false;
     }
-    return belongs;
+    call.listener.observed(observation);
+    return true;
   }
 
   /** Somebody else could do what one of these asks for. */
@@ -300,8 +301,11 @@ final class OpenCalls {
         left,
         failure ->
             failure.ifPresent(
-                cause ->
-                    afterwards(() -> end(call, ErrorCode.BUS_UNAVAILABLE, cause.getMessage()))));
+                cause -> afterwards(() -> end(call, ErrorCode.BUS_UNAVAILABLE, reason(cause)))));
+  }
+
+  private static String reason(PublishException cause) {
+    return Objects.requireNonNullElse(cause.getMessage(), cause.toString());
   }
 
   private void sendCancel(Open call) {

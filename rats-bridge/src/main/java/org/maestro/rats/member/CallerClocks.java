@@ -49,16 +49,16 @@ final class CallerClocks {
     Call.Sent sent = call.sent().get();
     double now = arrivedAt.toMillis() / clock.speed();
     double difference = now - sent.millis();
-    Quickest before = quickest.get(call.from());
-    boolean known = before != null && before.clock().equals(sent.clock());
-    if (!known || difference < before.latest(now)) {
+    Optional<Quickest> before =
+        Optional.ofNullable(quickest.get(call.from()))
+            .filter(heard -> heard.clock().equals(sent.clock()));
+    if (before.isEmpty() || difference < before.get().latest(now)) {
       note(call.from(), new Quickest(sent.clock(), difference, now));
     }
-    return known
-        ? Optional.of(
+    return before.map(
+        heard ->
             Duration.ofMillis(
-                Math.round(Math.max(0, difference - before.latest(now)) * clock.speed())))
-        : Optional.empty();
+                Math.round(Math.max(0, difference - heard.latest(now)) * clock.speed())));
   }
 
   private void note(String caller, Quickest call) {

@@ -17,6 +17,11 @@ public sealed interface Frequency {
     public Fixed {
       require(hertz);
     }
+
+    @Override
+    public Duration period(Map<String, Object> parameters) {
+      return every(hertz);
+    }
   }
 
   /** At most so often; a caller may ask for less. */
@@ -24,14 +29,17 @@ public sealed interface Frequency {
     public UpTo {
       require(hertz);
     }
+
+    @Override
+    public Duration period(Map<String, Object> parameters) {
+      return every(Math.min(hertz, wanted(parameters, hertz)));
+    }
   }
 
   /** The time from one value to the next for a call with these parameters. */
-  default Duration period(Map<String, Object> parameters) {
-    double hertz =
-        this instanceof UpTo most
-            ? Math.min(most.hertz, wanted(parameters, most.hertz))
-            : ((Fixed) this).hertz;
+  Duration period(Map<String, Object> parameters);
+
+  private static Duration every(double hertz) {
     return Duration.ofNanos(Math.round(1e9 / hertz));
   }
 

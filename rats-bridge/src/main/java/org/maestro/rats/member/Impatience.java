@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.CostAnswer;
@@ -87,8 +88,7 @@ final class Impatience {
     if (watched.size() >= MOST_WATCHED) {
       forget(watched.keySet().iterator().next());
     }
-    Question question =
-        question(call.from(), profile.features().get(call.feature()), call.parameters());
+    Question question = question(call.from(), takenOver(call), call.parameters());
     Optional<Told> before = Optional.ofNullable(told.get(question));
     Watched one = new Watched(call, since, before.map(Told::cost));
     watched.put(key, one);
@@ -214,12 +214,17 @@ final class Impatience {
 
   /** Empty when it could not begin now. */
   private Optional<CostAnswer> price(Call call) {
-    MemberProfile.Feature feature = profile.features().get(call.feature());
+    MemberProfile.Feature feature = takenOver(call);
     boolean able =
         call.parameters().keySet().containsAll(feature.required())
             && condition.whyDisabled(feature.id()).isEmpty()
             && tasks.couldBegin(feature);
     return able ? Optional.of(cost(feature, call.parameters())) : Optional.empty();
+  }
+
+  /** The own feature by which it would do what the call asks for. */
+  private MemberProfile.Feature takenOver(Call call) {
+    return Objects.requireNonNull(profile.features().get(call.feature()));
   }
 
   private CostAnswer cost(MemberProfile.Feature feature, Map<String, Object> parameters) {

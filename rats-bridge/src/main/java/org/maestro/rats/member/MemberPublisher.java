@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.Deque;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Supplier;
@@ -90,7 +91,8 @@ final class MemberPublisher {
     try {
       bytes = wire.encode(result);
     } catch (IllegalArgumentException unsendable) {
-      bytes = wire.encode(unsendable(result, unsendable.getMessage()));
+      String why = Objects.requireNonNullElse(unsendable.getMessage(), unsendable.toString());
+      bytes = wire.encode(unsendable(result, why));
     }
     sendResult(Publication.reliable(topics.result(to, id), bytes, Optional.empty()));
   }

@@ -3,6 +3,7 @@ package org.maestro.rats.member;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Predicate;
 import org.maestro.rats.protocol.Call;
@@ -111,14 +112,14 @@ final class Reception {
   }
 
   private void refuseMalformed(Message message, MalformedMessageException malformed) {
-    complain(message, "is malformed: " + malformed.getMessage());
+    String what = Objects.requireNonNullElse(malformed.getMessage(), malformed.toString());
+    complain(message, "is malformed: " + what);
     Optional<String> caller = topics.callerOf(message.topic());
     wire.addressOf(message.payload())
         .filter(address -> address.member().equals(profile.id()) && caller.isPresent())
         .ifPresent(
             address ->
-                answers.rejectedUnremembered(
-                    address.id(), caller.get(), malformed.code(), malformed.getMessage()));
+                answers.rejectedUnremembered(address.id(), caller.get(), malformed.code(), what));
   }
 
   /** Everybody may end what it called itself. */

@@ -9,6 +9,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.Observation;
@@ -260,7 +261,7 @@ final class TaskQueue implements Task.Keeper {
         identity(one.parameters().get(name)), identity(other.parameters().get(name)));
   }
 
-  private static Object identity(Object argument) {
+  private static @Nullable Object identity(@Nullable Object argument) {
     return argument instanceof Map<?, ?> map && map.get("ref") != null ? map.get("ref") : argument;
   }
 

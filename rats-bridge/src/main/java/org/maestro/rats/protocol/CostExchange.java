@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What {@code $cost} carries (M54): a feature and parameter sets on the way there, one answer for
@@ -96,7 +97,7 @@ public record CostExchange(String feature, List<Map<String, Object>> sets) {
         cost.get("reason") instanceof String reason ? Optional.of(reason) : Optional.empty());
   }
 
-  private static Optional<Double> number(Object value) {
+  private static Optional<Double> number(@Nullable Object value) {
     return value instanceof Number number ? Optional.of(number.doubleValue()) : Optional.empty();
   }
 }

@@ -19,6 +19,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -415,6 +416,6 @@ public final class WireFormat {
   private static String firstLine(IOException unreadable) {
     return unreadable instanceof JsonProcessingException json
         ? json.getOriginalMessage()
-        : unreadable.getMessage();
+        : Objects.requireNonNullElse(unreadable.getMessage(), unreadable.toString());
   }
 }

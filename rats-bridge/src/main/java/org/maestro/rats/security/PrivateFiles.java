@@ -11,6 +11,7 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Objects;
 import java.util.Set;
 import java.util.stream.Stream;
 
@@ -51,7 +52,7 @@ final class PrivateFiles {
 
   /** Replaces the file at once: who reads it sees the old or the new one. */
   static void write(Path file, byte[] bytes) {
-    directory(file.toAbsolutePath().getParent());
+    directory(Objects.requireNonNull(file.toAbsolutePath().getParent()));
     Path draft = file.resolveSibling("." + file.getFileName() + ".new");
     try {
       Files.deleteIfExists(draft);

@@ -10,6 +10,7 @@ import java.util.PriorityQueue;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Time that jumps from event to event. It has no thread: whoever calls {@link #runUntil} drives it
@@ -28,7 +29,7 @@ public final class SteppedClock implements Clock {
   private final OptionalLong interleaving;
   private volatile Duration now = Duration.ZERO;
   private long nextSequence;
-  private Thread driver;
+  private @Nullable Thread driver;
 
   public SteppedClock() {
     this(DEFAULT_STALL_LIMIT);
@@ -151,7 +152,7 @@ public final class SteppedClock implements Clock {
     }
   }
 
-  private Event nextBefore(Duration end) {
+  private @Nullable Event nextBefore(Duration end) {
     synchronized (monitor) {
       Event event = events.peek();
       if (event == null || event.due.compareTo(end) > 0) {

@@ -4,6 +4,7 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Has actions done one at a time, in the order in which they came: by a thread of its own, or by
@@ -18,7 +19,7 @@ final class Turns {
   private final Executor own;
   private final Queue<Runnable> waiting = new ConcurrentLinkedQueue<>();
   private final AtomicInteger open = new AtomicInteger();
-  private volatile Thread atWork;
+  private volatile @Nullable Thread atWork;
 
   /** By actions of the thread at work; only that thread touches it. */
   private int broughtMeanwhile;

@@ -3,8 +3,10 @@ package org.maestro.rats.transport;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.maestro.rats.time.Clock;
 
 /** A client of the {@link InProcessBus}. */
@@ -15,7 +17,7 @@ final class InProcessTransport implements Transport {
   private final String clientId;
   private final List<Subscription> subscriptions = new ArrayList<>();
   private Optional<Will> will = Optional.empty();
-  private ConnectionListener listener;
+  private @Nullable ConnectionListener listener;
   private boolean wanted;
   private boolean away;
 
@@ -134,8 +136,13 @@ final class InProcessTransport implements Transport {
   }
 
   void accepted() {
-    clock.schedule(Duration.ZERO, clientId, () -> whileConnected(listener::connected));
+    clock.schedule(Duration.ZERO, clientId, () -> whileConnected(listener()::connected));
     subscriptions().forEach(this::sendRetained);
+  }
+
+  /** There from the opening on; nothing connects before. */
+  private ConnectionListener listener() {
+    return Objects.requireNonNull(listener);
   }
 
   void lost(String reason) {
@@ -144,7 +151,7 @@ final class InProcessTransport implements Transport {
         clientId,
         () -> {
           if (wanted()) {
-            listener.lost(reason);
+            listener().lost(reason);
           }
         });
   }

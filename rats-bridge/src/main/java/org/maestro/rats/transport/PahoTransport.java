@@ -4,11 +4,14 @@ import java.net.URI;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -38,8 +41,8 @@ public final class PahoTransport implements Transport {
   private final PublishQueue queue = new PublishQueue();
   private final CountDownLatch goodbye = new CountDownLatch(1);
   private Optional<Will> will = Optional.empty();
-  private ConnectionListener listener;
-  private PahoConnection connection;
+  private @Nullable ConnectionListener listener;
+  private @Nullable PahoConnection connection;
 
   /** Arrived before the listener was told of the connection. */
   private final List<Message> early = new ArrayList<>();
@@ -120,7 +123,7 @@ public final class PahoTransport implements Transport {
           more.add(subscription);
           subscriptions = List.copyOf(more);
           if (ready) {
-            PahoConnection current = connection;
+            PahoConnection current = connected();
             current.subscribe(List.of(subscription), failure -> subscribed(current, failure));
           }
         });
@@ -136,7 +139,7 @@ public final class PahoTransport implements Transport {
                   .filter(known -> known.filter().text().equals(filter))
                   .toList();
           if (ready && !leaving && !asked.isEmpty()) {
-            PahoConnection current = connection;
+            PahoConnection current = connected();
             current.subscribe(asked, failure -> subscribed(current, failure));
           }
         });
@@ -150,7 +153,8 @@ public final class PahoTransport implements Transport {
           listener = connectionListener;
           attempt();
         });
-    timers.scheduleWithFixedDelay(() -> perform(this::showLife), 1, 1, TimeUnit.SECONDS);
+    ScheduledFuture<?> unusedAsTheEndStopsAllTimers =
+        timers.scheduleWithFixedDelay(() -> perform(this::showLife), 1, 1, TimeUnit.SECONDS);
   }
 
   @Override
@@ -193,7 +197,8 @@ public final class PahoTransport implements Transport {
       awaitGoodbye();
       end();
     } else {
-      timers.schedule(this::end, GOODBYE_MILLIS, TimeUnit.MILLISECONDS);
+      ScheduledFuture<?> unusedAsNothingKeepsItFromEnding =
+          timers.schedule(this::end, GOODBYE_MILLIS, TimeUnit.MILLISECONDS);
     }
   }
 
@@ -273,7 +278,7 @@ public final class PahoTransport implements Transport {
           } else if (!ready) {
             ready = true;
             attempts = 0;
-            listener.connected();
+            listener().connected();
             List<Message> waiting = List.copyOf(early);
             early.clear();
             waiting.forEach(this::dispatch);
@@ -293,7 +298,7 @@ public final class PahoTransport implements Transport {
     later(this::attempt, delay);
     LOG.debug(
         "{} has no connection to {} ({}); next try in {} ms", clientId, broker, reason, delay);
-    listener.lost(reason);
+    listener().lost(reason);
   }
 
   private void drop(String reason) {
@@ -307,14 +312,25 @@ public final class PahoTransport implements Transport {
   }
 
   private void send(PublishQueue.Entry entry) {
-    connection.publish(
-        entry.publication(),
-        failure ->
-            perform(
-                () -> {
-                  queue.completed(entry, failure, this::send);
-                  sayGoodbyeWhenDone();
-                }));
+    connected()
+        .publish(
+            entry.publication(),
+            failure ->
+                perform(
+                    () -> {
+                      queue.completed(entry, failure, this::send);
+                      sayGoodbyeWhenDone();
+                    }));
+  }
+
+  /** Of the one connection, while this is ready. */
+  private PahoConnection connected() {
+    return Objects.requireNonNull(connection);
+  }
+
+  /** There from the opening on; nothing connects before. */
+  private ConnectionListener listener() {
+    return Objects.requireNonNull(listener);
   }
 
   private void showLife() {
@@ -352,7 +368,8 @@ public final class PahoTransport implements Transport {
   }
 
   private void later(Runnable action, long millis) {
-    timers.schedule(() -> perform(action), millis, TimeUnit.MILLISECONDS);
+    ScheduledFuture<?> unusedAsActionsLookWhetherTheyAreLate =
+        timers.schedule(() -> perform(action), millis, TimeUnit.MILLISECONDS);
   }
 
   private void guarded(Runnable action) {

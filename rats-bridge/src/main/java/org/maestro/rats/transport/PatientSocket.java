@@ -114,7 +114,7 @@ class PatientSocket extends Socket {
   }
 
   @Override
-  public void close() throws IOException {
+  public synchronized void close() throws IOException {
     ended.countDown();
     super.close();
   }

@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Has actions done one at a time, in the order in which they came, by whichever thread brings one
@@ -14,7 +15,7 @@ final class SerialExecutor {
 
   private final Queue<Runnable> waiting = new ConcurrentLinkedQueue<>();
   private final AtomicInteger open = new AtomicInteger();
-  private volatile Thread atWork;
+  private volatile @Nullable Thread atWork;
 
   /**
    * @param action that blocks nowhere, and throws nothing but what ends the thread

@@ -10,13 +10,14 @@ import java.net.SocketException;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.SSLParameters;
 import javax.net.ssl.SSLSocket;
+import org.jspecify.annotations.Nullable;
 
 /** The patient socket over TLS: it connects, shakes hands, and makes sure of the broker's name. */
 final class TlsSocket extends PatientSocket {
 
   private final SSLContext context;
   private final Socket plain = new Socket();
-  private volatile SSLSocket secured;
+  private volatile @Nullable SSLSocket secured;
 
   TlsSocket(SSLContext context) throws IOException {
     this.context = context;
@@ -57,17 +58,17 @@ final class TlsSocket extends PatientSocket {
   }
 
   @Override
-  public void setSoTimeout(int millis) throws SocketException {
+  public synchronized void setSoTimeout(int millis) throws SocketException {
     plain.setSoTimeout(millis);
   }
 
   @Override
-  public int getSoTimeout() throws SocketException {
+  public synchronized int getSoTimeout() throws SocketException {
     return plain.getSoTimeout();
   }
 
   @Override
-  public void close() throws IOException {
+  public synchronized void close() throws IOException {
     try {
       plain.close();
     } finally {
