@@ -3,6 +3,7 @@ package org.maestro.sim;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.Function;
@@ -183,7 +184,7 @@ final class FaultRunner {
   }
 
   private Position middleOf(String door) {
-    Segment opening = world.building().map().doors().get(door);
+    Segment opening = Objects.requireNonNull(world.building().map().doors().get(door));
     Point2 middle = opening.at(0.5);
     return Position.onFloor(middle);
   }

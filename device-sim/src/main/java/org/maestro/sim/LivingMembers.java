@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Random;
 import java.util.TreeMap;
@@ -43,7 +44,7 @@ final class LivingMembers {
 
   /** It joins the bus; it is ready some messages later. */
   void start(String id) {
-    DeviceMember member = members.get(id);
+    DeviceMember member = Objects.requireNonNull(members.get(id));
     RatsMember started =
         RatsMember.start(
             member.profile(),

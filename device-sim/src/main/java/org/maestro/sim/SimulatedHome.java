@@ -255,12 +255,14 @@ public final class SimulatedHome implements AutoCloseable {
 
   private Map<String, DeviceMember> described() {
     Map<String, DeviceMember> described = new LinkedHashMap<>();
-    driversOf.forEach(
-        (id, drivers) -> {
-          Device device = Nameplate.on(setup.home().devices().get(id), drivers);
-          String description = setup.descriptions().apply(device);
-          described.put(id, DeviceMember.of(device, drivers, setup.clock(), description));
-        });
+    for (Device declared : inDeclaredOrder(setup.home())) {
+      Drivers drivers = driversOf.get(declared.id());
+      if (drivers != null) {
+        Device device = Nameplate.on(declared, drivers);
+        String description = setup.descriptions().apply(device);
+        described.put(declared.id(), DeviceMember.of(device, drivers, setup.clock(), description));
+      }
+    }
     return described;
   }
 

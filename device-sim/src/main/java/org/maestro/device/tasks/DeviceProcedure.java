@@ -1,6 +1,7 @@
 package org.maestro.device.tasks;
 
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.maestro.hal.Completion;
 import org.maestro.ontology.vocabulary.FeatureType;
@@ -23,7 +24,7 @@ abstract class DeviceProcedure implements Procedure {
     try {
       start(execution, new CallParameters(execution.call().parameters()));
     } catch (InvalidCallException e) {
-      execution.fail(FeatureContext.invalid(e.getMessage()));
+      execution.fail(FeatureContext.invalid(reason(e)));
     }
   }
 
@@ -32,8 +33,12 @@ abstract class DeviceProcedure implements Procedure {
     try {
       return cost(new CallParameters(parameters));
     } catch (InvalidCallException e) {
-      return impossible(e.getMessage());
+      return impossible(reason(e));
     }
+  }
+
+  private static String reason(InvalidCallException e) {
+    return Objects.requireNonNullElse(e.getMessage(), e.toString());
   }
 
   /**

@@ -2,9 +2,11 @@ package org.maestro.device.tasks;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.maestro.hal.Area;
 import org.maestro.hal.Completion;
 import org.maestro.hal.Position;
@@ -35,7 +37,7 @@ final class PlaceTask extends ArmTask {
           "The pointer target comes without position and is no area of the map.");
     }
     exitSafely(execution);
-    AtomicReference<Position> spot = new AtomicReference<>();
+    AtomicReference<@Nullable Position> spot = new AtomicReference<>();
     new ActionSequence(
             context().device(),
             execution,
@@ -45,17 +47,22 @@ final class PlaceTask extends ArmTask {
                     point -> spot.set(Position.onFloor(point)),
                     "Cannot place at " + target.name()),
                 new ActionSequence.Action(
-                    "reach out", completion -> arm().extend(spot.get(), completion)),
+                    "reach out", completion -> arm().extend(chosen(spot), completion)),
                 new ActionSequence.Action(
                     "feel the place", this::feel, reason -> occupied(object, target, reason)),
                 new ActionSequence.Action(
                     "let go", arm()::release, reason -> lost(object, parameters, reason)),
                 new ActionSequence.Action("fold", arm()::fold)),
             () -> {
-              context().deposits().put(object.name(), spot.get());
+              context().deposits().put(object.name(), chosen(spot));
               execution.succeed(Map.of());
             })
         .run();
+  }
+
+  /** The approach, which comes first, has chosen it. */
+  private static Position chosen(AtomicReference<@Nullable Position> spot) {
+    return Objects.requireNonNull(spot.get());
   }
 
   private void feel(Completion completion) {

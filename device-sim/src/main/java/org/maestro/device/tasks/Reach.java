@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.maestro.device.navigation.Route;
 import org.maestro.device.navigation.RoutePlanner;
@@ -89,9 +90,8 @@ final class Reach {
     return robot
         .routeToNearest(List.copyOf(spotOfStand.keySet()))
         .map(
-            route -> {
-              return new Approach(route, spotOfStand.get(route.end(position)));
-            });
+            route ->
+                new Approach(route, Objects.requireNonNull(spotOfStand.get(route.end(position)))));
   }
 
   private List<Point2> freeOnes(List<Point2> spots) {

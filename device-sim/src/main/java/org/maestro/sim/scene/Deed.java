@@ -64,6 +64,9 @@ public enum Deed {
   CLOSE(Subject.DOOR);
 
   private final Subject subject;
+
+  /** Made by {@code List.of}, which nobody can change. */
+  @SuppressWarnings("ImmutableEnumChecker")
   private final List<Argument> arguments;
 
   Deed(Subject subject, Argument... arguments) {
