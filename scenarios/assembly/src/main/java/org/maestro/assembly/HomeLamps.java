@@ -3,6 +3,7 @@ package org.maestro.assembly;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -102,9 +103,13 @@ public final class HomeLamps implements LampRole {
     return Optional.empty();
   }
 
+  private Device lamp(String id) {
+    return Objects.requireNonNull(devices.get(id));
+  }
+
   @Override
   public String description(String id, ZigbeeLamp lamp) {
-    return descriptions.write(devices.get(id));
+    return descriptions.write(lamp(id));
   }
 
   @Override
@@ -124,7 +129,7 @@ public final class HomeLamps implements LampRole {
   @Override
   public String fact(String id, double level) {
     Map<String, Term> values = Map.of(Self.NAME, new Term.Name(id), LEVEL, new Term.Number(level));
-    String template = devices.get(id).reports().getOrDefault(LEVEL, "(= (level ?self) ?level)");
+    String template = lamp(id).reports().getOrDefault(LEVEL, "(= (level ?self) ?level)");
     return SlPrinter.print(new Substitution(values).apply(SlParser.fact(template)));
   }
 

@@ -69,7 +69,7 @@ public final class LocalSite implements AutoCloseable {
   private Optional<InProcessBus> bus = Optional.empty();
   private CallPolicy policy = CallPolicy.OPEN;
   private SiteKind kind = SiteKind.OPEN;
-  private MaestroPlatform platform;
+  private Optional<MaestroPlatform> platform = Optional.empty();
 
   private LocalSite(
       SiteSettings settings,
@@ -172,7 +172,7 @@ public final class LocalSite implements AutoCloseable {
     simulated.ifPresent(parts::opened);
     RatsLink link = link(CONTROLLER);
     parts.opened(link);
-    platform =
+    MaestroPlatform started =
         MaestroPlatform.start(
             new PlatformSettings(
                     settings.name(),
@@ -192,7 +192,8 @@ public final class LocalSite implements AutoCloseable {
             new ContainersNames(),
             clock,
             DescriptionReader.of(settings.home())::read);
-    parts.opened(platform);
+    platform = Optional.of(started);
+    parts.opened(started);
     awaitMembers(opening);
   }
 
@@ -232,15 +233,15 @@ public final class LocalSite implements AutoCloseable {
           "Within %d simulated seconds only these devices came: %s; expected were %s."
               .formatted(
                   opening.toSeconds(),
-                  String.join(", ", platform.presentMembers()),
+                  String.join(", ", platform().presentMembers()),
                   String.join(", ", expected)));
     }
   }
 
   /** One whose agent needs another host than this process comes when such a host does. */
   private boolean isThereOrHomeless(List<String> expected) {
-    Set<String> settled = new TreeSet<>(platform.presentMembers());
-    settled.addAll(platform.homeless());
+    Set<String> settled = new TreeSet<>(platform().presentMembers());
+    settled.addAll(platform().homeless());
     return settled.containsAll(expected);
   }
 
@@ -257,7 +258,7 @@ public final class LocalSite implements AutoCloseable {
   }
 
   public MaestroPlatform platform() {
-    return platform;
+    return platform.orElseThrow();
   }
 
   public Clock clock() {

@@ -2,8 +2,10 @@ package org.maestro.junit;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
 import org.maestro.agents.content.GoalReport;
 import org.maestro.assembly.LocalSite;
 import org.maestro.coordination.api.StoryEntry;
@@ -16,7 +18,7 @@ public final class Pursuit {
   private final String goal;
   private final Duration patience;
   private final AtomicReference<String> id = new AtomicReference<>("");
-  private final AtomicReference<GoalReport> report = new AtomicReference<>();
+  private final AtomicReference<@Nullable GoalReport> report = new AtomicReference<>();
   private final List<StoryEntry> stories = new CopyOnWriteArrayList<>();
 
   private Pursuit(LocalSite site, String goal, Duration patience) {
@@ -63,7 +65,7 @@ public final class Pursuit {
               + "; its story is:\n"
               + outcomeSoFar());
     }
-    return outcome(report.get());
+    return outcome(Objects.requireNonNull(report.get()));
   }
 
   private boolean tells(String part) {

@@ -2,6 +2,7 @@ package org.maestro.junit;
 
 import java.net.URI;
 import java.time.Duration;
+import java.util.Objects;
 import java.util.function.BooleanSupplier;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
@@ -76,7 +77,7 @@ public final class Stage implements AutoCloseable {
     try {
       return Pursuit.begin(site, goal, parsed(goal), patience);
     } catch (SlSyntaxException e) {
-      return Pursuit.refused(site, goal, e.getMessage());
+      return Pursuit.refused(site, goal, Objects.requireNonNullElse(e.getMessage(), e.toString()));
     }
   }
 
