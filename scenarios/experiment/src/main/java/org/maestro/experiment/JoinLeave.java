@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.OptionalDouble;
 import org.maestro.coordination.api.Ports;
 import org.maestro.experiment.drawing.Bars;
@@ -74,7 +75,7 @@ final class JoinLeave implements Experiment {
     }
     for (int run = 1; run <= request.runs(); run++) {
       for (JoinRun.Way way : JoinRun.Way.values()) {
-        runs.get(way).add(JoinRun.carryOut(run, request.seedOf(run), way, request.settings()));
+        by(way, runs).add(JoinRun.carryOut(run, request.seedOf(run), way, request.settings()));
       }
       JoinRun replanning = last(runs, JoinRun.Way.REPLANNING);
       progress.passed(
@@ -89,20 +90,26 @@ final class JoinLeave implements Experiment {
     return findings(request, runs);
   }
 
+  /** Each way has its runs. */
+  private static List<JoinRun> by(JoinRun.Way way, Map<JoinRun.Way, List<JoinRun>> runs) {
+    return Objects.requireNonNull(runs.get(way));
+  }
+
   private static JoinRun last(Map<JoinRun.Way, List<JoinRun>> runs, JoinRun.Way way) {
-    return runs.get(way).get(runs.get(way).size() - 1);
+    List<JoinRun> done = by(way, runs);
+    return done.get(done.size() - 1);
   }
 
   private static Findings findings(Request request, Map<JoinRun.Way, List<JoinRun>> runs) {
     Map<String, Table> tables = new LinkedHashMap<>();
     tables.put("runs", table(runs));
-    tables.put("story", story(runs.get(JoinRun.Way.REPLANNING)));
+    tables.put("story", story(by(JoinRun.Way.REPLANNING, runs)));
     List<Figure> figures = figures(runs);
     List<Findings.Result> results = new ArrayList<>();
-    results.add(new Findings.Result("goals", runs.get(JoinRun.Way.REPLANNING).size(), ""));
+    results.add(new Findings.Result("goals", by(JoinRun.Way.REPLANNING, runs).size(), ""));
     for (JoinRun.Way way : JoinRun.Way.values()) {
       results.add(
-          new Findings.Result(words(way) + ": reached", reached(runs.get(way)).hits(), "goals"));
+          new Findings.Result(words(way) + ": reached", reached(by(way, runs)).hits(), "goals"));
     }
     results.add(
         new Findings.Result(
@@ -122,7 +129,7 @@ final class JoinLeave implements Experiment {
 
   private static Spread replans(Map<JoinRun.Way, List<JoinRun>> runs) {
     return Spread.of(
-        runs.get(JoinRun.Way.REPLANNING).stream()
+        by(JoinRun.Way.REPLANNING, runs).stream()
             .mapToDouble(run -> run.ending().replans())
             .toArray());
   }
@@ -130,8 +137,8 @@ final class JoinLeave implements Experiment {
   /** Seconds more than undisturbed, of goals that were reached both times. */
   private static double[] added(Map<JoinRun.Way, List<JoinRun>> runs) {
     List<Double> added = new ArrayList<>();
-    List<JoinRun> undisturbed = runs.get(JoinRun.Way.UNDISTURBED);
-    List<JoinRun> replanning = runs.get(JoinRun.Way.REPLANNING);
+    List<JoinRun> undisturbed = by(JoinRun.Way.UNDISTURBED, runs);
+    List<JoinRun> replanning = by(JoinRun.Way.REPLANNING, runs);
     for (int i = 0; i < replanning.size(); i++) {
       if (replanning.get(i).success() && undisturbed.get(i).success()) {
         added.add(replanning.get(i).seconds() - undisturbed.get(i).seconds());
@@ -163,9 +170,9 @@ final class JoinLeave implements Experiment {
             "claimed",
             "events");
     for (JoinRun.Way way : JoinRun.Way.values()) {
-      List<JoinRun> undisturbed = runs.get(JoinRun.Way.UNDISTURBED);
-      for (int i = 0; i < runs.get(way).size(); i++) {
-        JoinRun run = runs.get(way).get(i);
+      List<JoinRun> undisturbed = by(JoinRun.Way.UNDISTURBED, runs);
+      for (int i = 0; i < by(way, runs).size(); i++) {
+        JoinRun run = by(way, runs).get(i);
         table.add(
             run.number(),
             run.seed(),
@@ -214,7 +221,7 @@ final class JoinLeave implements Experiment {
                     .map(entry -> new Stacks.Stack(words(entry.getKey()), counts(entry.getValue())))
                     .toList())));
     List<Bars.Bar> bars =
-        runs.get(JoinRun.Way.REPLANNING).stream()
+        by(JoinRun.Way.REPLANNING, runs).stream()
             .sorted(Comparator.comparingDouble(JoinRun::seconds))
             .map(
                 run ->
@@ -227,7 +234,7 @@ final class JoinLeave implements Experiment {
             .toList();
     double mean =
         Spread.of(
-                runs.get(JoinRun.Way.UNDISTURBED).stream().mapToDouble(JoinRun::seconds).toArray())
+                by(JoinRun.Way.UNDISTURBED, runs).stream().mapToDouble(JoinRun::seconds).toArray())
             .mean();
     figures.add(
         Figure.of(
@@ -277,18 +284,18 @@ final class JoinLeave implements Experiment {
                 new Page.Row(
                     "goals reached while agents come and go",
                     "\"more flexible and reliable\", without figures",
-                    reached(runs.get(JoinRun.Way.REPLANNING)).text(),
+                    reached(by(JoinRun.Way.REPLANNING, runs)).text(),
                     "judged from the simulated world"),
                 new Page.Row(
                     "the same with a fixed plan",
                     "not told",
-                    reached(runs.get(JoinRun.Way.FIXED_PLAN)).text(),
+                    reached(by(JoinRun.Way.FIXED_PLAN, runs)).text(),
                     "the platform's own first plan, everything being known, followed until a step"
                         + " fails or the rest is impossible"),
                 new Page.Row(
                     "undisturbed",
                     "not told",
-                    reached(runs.get(JoinRun.Way.UNDISTURBED)).text(),
+                    reached(by(JoinRun.Way.UNDISTURBED, runs)).text(),
                     "the same goals without events"),
                 new Page.Row(
                     "plans made again",
@@ -315,7 +322,7 @@ final class JoinLeave implements Experiment {
     page.heading("Goals that were not reached, plans being made again")
         .table(
             List.of("goal", "what happened", "why"),
-            runs.get(JoinRun.Way.REPLANNING).stream()
+            by(JoinRun.Way.REPLANNING, runs).stream()
                 .filter(run -> !run.success())
                 .map(
                     run ->

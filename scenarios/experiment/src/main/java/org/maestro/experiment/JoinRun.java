@@ -38,11 +38,18 @@ record JoinRun(
   /** How the goal is pursued. */
   enum Way {
     /** Nobody comes, goes or fails. */
-    UNDISTURBED,
+    UNDISTURBED(0),
     /** The platform plans again whenever its plan does not hold any more. */
-    REPLANNING,
+    REPLANNING(1),
     /** The same first plan, with everything known, is followed until it does not hold any more. */
-    FIXED_PLAN
+    FIXED_PLAN(2);
+
+    /** In the names of sites. */
+    private final int number;
+
+    Way(int number) {
+      this.number = number;
+    }
   }
 
   static JoinRun carryOut(int number, long seed, Way way, Settings settings) {
@@ -53,7 +60,7 @@ record JoinRun(
         way == Way.UNDISTURBED ? new Comings(List.of()) : Comings.drawn(seed, ROBOTS, others);
     Trial trial =
         new Trial(
-            "join-%d-%d".formatted(way.ordinal(), number),
+            "join-%d-%d".formatted(way.number, number),
             home,
             scene(home, seed),
             seed,

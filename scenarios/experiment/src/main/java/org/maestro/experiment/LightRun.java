@@ -54,9 +54,16 @@ record LightRun(
   /** What happens. */
   enum Case {
     /** Nobody sees to the light: 16 to 19 lux, as in the paper. */
-    DARK,
+    DARK(0),
     /** Light falls to 40 lux, and an agent sees to it. */
-    RECOVERY
+    RECOVERY(1);
+
+    /** In the names of sites. */
+    private final int number;
+
+    Case(int number) {
+      this.number = number;
+    }
   }
 
   /**
@@ -74,7 +81,7 @@ record LightRun(
         kind == Case.DARK ? Shipped.home("arena") : Shipped.home("arena", ILLUMINATION_AGENT);
     Trial trial =
         new Trial(
-            "light-" + kind.ordinal() + "-" + number,
+            "light-" + kind.number + "-" + number,
             home,
             Shipped.scene("arena-light", home),
             seed,

@@ -6,11 +6,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
-import java.util.stream.Collectors;
 import org.maestro.experiment.drawing.Figure;
 import org.maestro.experiment.running.Ending;
 import org.maestro.experiment.running.Trail;
@@ -143,16 +143,23 @@ record MoveRun(
           brightest,
           world.distance(job.carried(), job.target()),
           trail,
-          Laboratory.THINGS.stream()
-              .filter(thing -> before.get(thing).distance(places(world).get(thing)) > MOVED_METRES)
+          before.entrySet().stream()
+              .filter(then -> then.getValue().distance(place(world, then.getKey())) > MOVED_METRES)
+              .map(Map.Entry::getKey)
               .toList(),
           pictures);
     }
   }
 
+  /** In the order of the things. */
   private static Map<String, Position> places(World world) {
-    return Laboratory.THINGS.stream()
-        .collect(Collectors.toMap(thing -> thing, thing -> world.position(thing).orElseThrow()));
+    Map<String, Position> places = new LinkedHashMap<>();
+    Laboratory.THINGS.forEach(thing -> places.put(thing, place(world, thing)));
+    return places;
+  }
+
+  private static Position place(World world, String thing) {
+    return world.position(thing).orElseThrow();
   }
 
   private static Figure photo(TrialSite site, int number) {

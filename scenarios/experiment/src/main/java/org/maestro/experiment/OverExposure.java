@@ -97,7 +97,7 @@ final class OverExposure implements Experiment {
                 2 * run <= request.runs() + 1 ? MoveObject.FIRST : MoveObject.SECOND,
                 condition.of(request.settings()),
                 OptionalDouble.empty(),
-                run == 1 && condition != CONDITIONS.get(1));
+                run == 1 && !condition.equals(CONDITIONS.get(1)));
         runs.add(carriedOut);
         done++;
         progress.passed(

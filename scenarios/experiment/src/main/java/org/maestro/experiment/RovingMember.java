@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
@@ -49,7 +50,7 @@ final class RovingMember {
     site.join(
         new MemberProfile(
             id,
-            new DescriptionWriter(home).write(home.devices().get(id)),
+            new DescriptionWriter(home).write(Objects.requireNonNull(home.devices().get(id))),
             Set.of("standby", "at-work"),
             "standby",
             Set.of("standby"),

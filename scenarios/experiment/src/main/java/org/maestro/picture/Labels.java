@@ -8,6 +8,7 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * Names beside their symbols, each where it covers least; those asked for first choose first, and
@@ -74,7 +75,7 @@ final class Labels {
         }
       }
     }
-    return best;
+    return Objects.requireNonNull(best);
   }
 
   private static List<Rectangle2D> around(

@@ -32,6 +32,9 @@ final class Legend {
     SHUTTER("window, shutter", Legend::window);
 
     private final String meaning;
+
+    /** Draws, and keeps nothing. */
+    @SuppressWarnings("ImmutableEnumChecker")
     private final Symbol symbol;
 
     Entry(String meaning, Symbol symbol) {
@@ -68,8 +71,10 @@ final class Legend {
   }
 
   private void entry(Graphics2D canvas, Entry entry) {
-    double x = Scale.MARGIN + 30 + (place % 4) * (double) COLUMN;
-    double y = scale.heightPixels() - Scale.LEGEND + 70 + (place / 4) * (double) ROW;
+    int column = place % 4;
+    int row = place / 4;
+    double x = Scale.MARGIN + 30 + column * (double) COLUMN;
+    double y = scale.heightPixels() - Scale.LEGEND + 70 + row * (double) ROW;
     Point2D at = new Point2D.Double(x, y);
     entry.symbol.draw(canvas, at);
     Texts.draw(canvas, entry.meaning, x + 42, y + 9, Texts.SMALL, Palette.INK);

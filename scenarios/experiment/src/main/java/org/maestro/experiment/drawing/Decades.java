@@ -34,7 +34,7 @@ final class Decades extends NumberAxis {
         if (place >= getLowerBound() - NEAR && place <= getUpperBound() + NEAR) {
           String label = BigDecimal.valueOf(mantissa).scaleByPowerOfTen(exponent).toPlainString();
           TextAnchor anchor =
-              edge == RectangleEdge.LEFT ? TextAnchor.CENTER_RIGHT : TextAnchor.CENTER_LEFT;
+              edge.equals(RectangleEdge.LEFT) ? TextAnchor.CENTER_RIGHT : TextAnchor.CENTER_LEFT;
           ticks.add(new NumberTick(place, label, anchor, TextAnchor.CENTER, 0));
         }
       }

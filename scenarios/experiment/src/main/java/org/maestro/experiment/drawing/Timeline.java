@@ -3,6 +3,7 @@ package org.maestro.experiment.drawing;
 import java.awt.Color;
 import java.awt.Paint;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -40,8 +41,9 @@ public final class Timeline {
    */
   public static BufferedImage draw(String title, String axis, List<Deed> deeds) {
     Map<String, Ink> inks = new LinkedHashMap<>();
+    List<Ink> inkOfRow = new ArrayList<>();
     for (Deed deed : deeds) {
-      inks.putIfAbsent(deed.who(), INKS.get(inks.size() % INKS.size()));
+      inkOfRow.add(inks.computeIfAbsent(deed.who(), who -> INKS.get(inks.size() % INKS.size())));
     }
     IntervalBarRenderer renderer =
         new IntervalBarRenderer() {
@@ -50,7 +52,7 @@ public final class Timeline {
           @Override
           public Paint getItemPaint(int row, int column) {
             Deed deed = deeds.get(column);
-            return deed.done() ? inks.get(deed.who()).color() : Ink.GREY.color();
+            return deed.done() ? inkOfRow.get(column).color() : Ink.GREY.color();
           }
         };
     renderer.setBarPainter(new StandardBarPainter());

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.stream.Stream;
 import org.maestro.sim.parameters.PhysicalParameters;
 import org.maestro.sim.parameters.PhysicalSettings;
@@ -61,7 +62,7 @@ public final class Physics {
   public static Setting setting(String name) {
     return new Setting(
         name,
-        USUAL.get(name),
+        Objects.requireNonNull(USUAL.get(name)),
         new Setting.Range.Physical(),
         "physics; what it is, its unit and its source are stated in " + statedIn(name));
   }
