@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.DescriptionWriter;
@@ -132,7 +133,7 @@ final class BusyWorld implements AutoCloseable {
 
   private Map<String, Object> pointer(String name) {
     Map<String, Object> pointer = new LinkedHashMap<>();
-    pointer.put("ref", home.individuals().get(name).iri());
+    pointer.put("ref", Objects.requireNonNull(home.individuals().get(name)).iri());
     Optional<Position> place = simulated.world().position(name);
     place.ifPresent(at -> pointer.put("position", List.of(at.x(), at.y(), at.z())));
     return pointer;

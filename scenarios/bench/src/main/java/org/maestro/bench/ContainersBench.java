@@ -226,7 +226,7 @@ public final class ContainersBench {
     double all = seconds(begin);
     Map<String, Double> taken = CpuByPart.now().since(before);
     row("goals ended", reports.size(), "goals");
-    row("goals reached", reports.stream().filter(GoalReport::reached).count(), "goals");
+    row("goals reached", (double) reports.stream().filter(GoalReport::reached).count(), "goals");
     row("processes killed meanwhile", dead, "processes");
     row("agents in other processes, at the end", elsewhere(platform), "agents");
     row("goals a second, %d at a time".formatted(UNDER_WAY), reports.size() / all, "goals/s");

@@ -186,7 +186,7 @@ public record ContractNetRounds(int agents, double ours, double plain) {
   }
 
   private static String freePort() {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
+    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
       return String.valueOf(socket.getLocalPort());
     } catch (IOException e) {
       throw new SiteException("No free port on loopback.", e);

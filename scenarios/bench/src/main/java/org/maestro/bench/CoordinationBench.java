@@ -195,7 +195,7 @@ public final class CoordinationBench {
     rows.add(
         BenchReport.Row.of(
             "burst: goals awarded or queued within 5 s",
-            seconds.stream().filter(s -> s <= BURST_LIMIT_SECONDS).count(),
+            (double) seconds.stream().filter(s -> s <= BURST_LIMIT_SECONDS).count(),
             "goals"));
     rows.add(BenchReport.Row.of("burst: goals stated", accepted.size(), "goals"));
     if (!seconds.isEmpty()) {

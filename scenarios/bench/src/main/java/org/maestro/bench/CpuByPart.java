@@ -6,6 +6,7 @@ import java.lang.management.ThreadMXBean;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.Predicate;
 
 /**
@@ -72,7 +73,8 @@ final class CpuByPart {
     Map<String, Double> since = new LinkedHashMap<>();
     double parts = 0;
     for (Map.Entry<String, Double> part : secondsByPart.entrySet()) {
-      double taken = Math.max(0, part.getValue() - before.secondsByPart.get(part.getKey()));
+      double then = Objects.requireNonNull(before.secondsByPart.get(part.getKey()));
+      double taken = Math.max(0, part.getValue() - then);
       since.put(part.getKey(), taken);
       parts += taken;
     }

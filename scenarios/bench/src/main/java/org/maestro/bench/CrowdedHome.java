@@ -57,7 +57,8 @@ record CrowdedHome(int devices, int perHall) {
   }
 
   private double x(int device) {
-    return SIDE_METRES * (device / perHall) + 0.5 + 0.95 * (device % perHall % COLUMNS);
+    int hall = device / perHall;
+    return SIDE_METRES * hall + 0.5 + 0.95 * (device % perHall % COLUMNS);
   }
 
   private double y(int device) {

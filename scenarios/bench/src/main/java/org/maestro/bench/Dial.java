@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.maestro.rats.member.Execution;
 import org.maestro.rats.member.MemberProfile;
 import org.maestro.rats.member.Procedure;
@@ -36,7 +36,7 @@ record Dial(int number) {
   }
 
   RatsMember join(Transport transport, String site, Clock clock, int containers) {
-    AtomicReference<Integer> level = new AtomicReference<>(0);
+    AtomicInteger level = new AtomicInteger();
     return RatsMember.start(
         new MemberProfile(
             id(),

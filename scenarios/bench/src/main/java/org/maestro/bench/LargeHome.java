@@ -201,7 +201,8 @@ public record LargeHome(int rooms, int robots, int thingsPerRoom, boolean robots
   }
 
   private static double y(int room) {
-    return SIDE_METRES * (room / ROOMS_PER_ROW);
+    int row = room / ROOMS_PER_ROW;
+    return SIDE_METRES * row;
   }
 
   private static String format(String text, Object... values) {

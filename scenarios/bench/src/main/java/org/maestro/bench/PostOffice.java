@@ -5,11 +5,13 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import org.maestro.assembly.BusWitness;
 import org.maestro.ontology.home.DescriptionWriter;
+import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.rats.broker.EmbeddedBroker;
@@ -48,8 +50,9 @@ public final class PostOffice implements AutoCloseable {
     Home home = new HomeLoader().load(homeText(), "post.ttl");
     DescriptionWriter descriptions = new DescriptionWriter(home);
     for (int number = 0; number < lettersByPress.size(); number++) {
-      presses.add(
-          press("press-" + number, descriptions.write(home.devices().get("press-" + number))));
+      String id = "press-" + number;
+      Device press = Objects.requireNonNull(home.devices().get(id));
+      presses.add(press(id, descriptions.write(press)));
     }
   }
 

@@ -12,6 +12,7 @@ import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeMap;
@@ -44,8 +45,10 @@ final class Ledger implements AutoCloseable {
   private final Set<String> accepted = new LinkedHashSet<>();
   private final Map<String, GoalState> told = new TreeMap<>();
   private final List<String> findings = new ArrayList<>();
-  private JournalFile journal;
-  private Home home;
+  private Optional<Begun> begun = Optional.empty();
+
+  /** What is written, and the home whose words it takes to read it. */
+  private record Begun(JournalFile journal, Home home) {}
 
   Ledger(long seed) {
     this.disk = new FaultyDisk(seed);
@@ -89,12 +92,12 @@ final class Ledger implements AutoCloseable {
   }
 
   Journal begin(Home home, Clock clock) {
-    this.home = home;
-    this.journal = open(disk.path(directory), clock);
+    JournalFile journal = open(disk.path(directory), clock, home);
+    begun = Optional.of(new Begun(journal, home));
     return journal;
   }
 
-  private JournalFile open(Path path, Clock clock) {
+  private static JournalFile open(Path path, Clock clock, Home home) {
     return JournalFile.open(path, clock, home.vocabulary()::isFluent);
   }
 
@@ -108,16 +111,18 @@ final class Ledger implements AutoCloseable {
 
   /** To be asked when the run is over. */
   List<String> findings() {
-    if (journal != null) {
-      disk.heal();
-      journal.close();
-      lookForCalls();
-      try (JournalFile again = open(directory, new SteppedClock())) {
-        compare(again.recovery());
-      }
-      journal = null;
-    }
+    begun.ifPresent(this::examine);
+    begun = Optional.empty();
     return List.copyOf(findings);
+  }
+
+  private void examine(Begun written) {
+    disk.heal();
+    written.journal().close();
+    lookForCalls();
+    try (JournalFile again = open(directory, new SteppedClock(), written.home())) {
+      compare(again.recovery());
+    }
   }
 
   private void compare(Recovery found) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.maestro.hal.Position;
@@ -48,7 +49,7 @@ final class Floor {
   }
 
   Polygon outline(String zone) {
-    return zones.get(zone);
+    return Objects.requireNonNull(zones.get(zone));
   }
 
   /** Where the light of each zone and desk is measured. */
@@ -58,8 +59,9 @@ final class Floor {
 
   /** The darkest places of a zone, of which a camera tells when it cannot see all of it. */
   List<Position> corners(String zone) {
-    Point2 middle = zones.get(zone).centroid();
-    return zones.get(zone).corners().stream()
+    Polygon outline = outline(zone);
+    Point2 middle = outline.centroid();
+    return outline.corners().stream()
         .map(corner -> Position.onFloor(between(corner, middle)))
         .toList();
   }
@@ -79,7 +81,7 @@ final class Floor {
   }
 
   Position location(String name) {
-    return locations.get(name);
+    return Objects.requireNonNull(locations.get(name));
   }
 
   /** The zone around it, or itself. */
@@ -89,12 +91,12 @@ final class Floor {
 
   /** How far a place is from a zone; 0 within it. */
   double distance(String zone, Position place) {
-    return zones.get(zone).contains(place.floor()) ? 0 : borderDistance(zone, place);
+    return outline(zone).contains(place.floor()) ? 0 : borderDistance(zone, place);
   }
 
   /** How far it is from the border of the zone, on either side. */
   double borderDistance(String zone, Position place) {
-    return zones.get(zone).edges().stream()
+    return outline(zone).edges().stream()
         .mapToDouble(edge -> edge.distance(place.floor()))
         .min()
         .orElseThrow();
@@ -112,7 +114,7 @@ final class Floor {
 
   /** Whether the camera has nearly all of the zone in view, doors shut. */
   boolean covers(String camera, String zone) {
-    List<Point2> samples = zones.get(zone).samples(SAMPLE_METRES);
+    List<Point2> samples = outline(zone).samples(SAMPLE_METRES);
     long seen = samples.stream().filter(p -> sees(camera, Position.onFloor(p), List.of())).count();
     return seen >= COVERED_SHARE * samples.size();
   }

@@ -92,7 +92,9 @@ final class FreeFloor {
   }
 
   private Point2 middle(int cell) {
-    return new Point2((cell % columns + 0.5) * CELL, (cell / columns + 0.5) * CELL);
+    int column = cell % columns;
+    int row = cell / columns;
+    return new Point2((column + 0.5) * CELL, (row + 0.5) * CELL);
   }
 
   private boolean isFree(Point2 point, double radius) {

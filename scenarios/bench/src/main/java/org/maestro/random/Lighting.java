@@ -170,7 +170,7 @@ final class Lighting {
     if (isInRoom(lamp, place)) {
       return level;
     }
-    double now = moment.levels().get(lamp);
+    double now = moment.level(lamp);
     return forLight ? Math.min(level, now) : Math.max(level, now);
   }
 

@@ -3,6 +3,7 @@ package org.maestro.random;
 import java.time.Duration;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -77,8 +78,13 @@ record Moment(
         daylight);
   }
 
+  /** All that is asked for was looked at in that moment. */
+  private static <K, V> V noted(Map<K, V> values, K of) {
+    return Objects.requireNonNull(values.get(of));
+  }
+
   Position place(String thing) {
-    return places.get(thing);
+    return noted(places, thing);
   }
 
   Optional<String> zone(String thing) {
@@ -99,14 +105,19 @@ record Moment(
 
   /** What comes in there by the window, its shutter open. */
   double daylight(Position place) {
-    return daylight.get(place);
+    return noted(daylight, place);
   }
 
   double lux(String thing) {
-    return luxByThing.get(thing);
+    return noted(luxByThing, thing);
+  }
+
+  /** Of a lamp or a shutter. */
+  double level(String device) {
+    return noted(levels, device);
   }
 
   double light(String location) {
-    return luxByLocation.get(location);
+    return noted(luxByLocation, location);
   }
 }

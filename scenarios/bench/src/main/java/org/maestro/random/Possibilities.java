@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -176,11 +177,15 @@ final class Possibilities {
         Truths.Constraint.light(zone, Site.CAMERA_GREATEST_LUX, false));
   }
 
+  private FreeFloor floor(String robot) {
+    return Objects.requireNonNull(floors.get(robot));
+  }
+
   private boolean canTake(String robot, String item) {
     if (moment.holder(item).isPresent()) {
       return moment.holder(item).get().equals(robot);
     }
-    return site.mass(item) <= site.payload(robot) && floors.get(robot).reaches(moment.place(item));
+    return site.mass(item) <= site.payload(robot) && floor(robot).reaches(moment.place(item));
   }
 
   private boolean holds(List<Formula> parts, Map<String, End> ends) {
@@ -280,7 +285,7 @@ final class Possibilities {
   private boolean canGoElsewhere(String robot, String place, Map<String, String> robotZones) {
     if (!robotZones.containsKey(robot)) {
       site.floor().zones().stream()
-          .filter(zone -> !zone.equals(place) && floors.get(robot).reaches(zone))
+          .filter(zone -> !zone.equals(place) && floor(robot).reaches(zone))
           .findFirst()
           .ifPresent(zone -> robotZones.put(robot, zone));
     }

@@ -123,10 +123,13 @@ public final class RandomHomes {
     FloorDraft.Room room = floor.rooms().get(0);
     double x = round(room.x() + chance.number(0.3, 1.2));
     home(
-        "window a maestro:Window ; maestro:glassFrom \"%s 0 0.9\" ; maestro:glassTo \"%s 0 %s\"",
-        number(x), number(round(x + chance.number(0.6, 1.4))), number(chance.number(1.6, 2.4)));
+        "window a maestro:Window ; maestro:glassFrom \"%s 0 0.9\" ; maestro:glassTo \"%s 0 %s\""
+            .formatted(
+                number(x),
+                number(round(x + chance.number(0.6, 1.4))),
+                number(chance.number(1.6, 2.4))));
     device(cast.shutters, "shutter", ":Shutter", "maestro:shades home:window");
-    scene("shutter> scene:opening %s", chance.oneOf(List.of("0", "0.5", "1")));
+    scene("shutter> scene:opening %s".formatted(chance.oneOf(List.of("0", "0.5", "1"))));
     scene.append(
         "<> scene:latitude 49 ; scene:dayOfYear %d ; scene:solarTime \"%02d:00\" ; scene:north 90 ; scene:cloudCover 1 ; scene:cloudChange 0 ; scene:cloudMinutes 60 .\n"
             .formatted(chance.whole(60, 300), chance.whole(6, 18)));
@@ -155,14 +158,16 @@ public final class RandomHomes {
     for (FloorDraft.Room room : floor.rooms()) {
       String outline = outline(room);
       home(
-          "room-%s a maestro:Room ; maestro:outline \"%s\" ; maestro:height 2.8",
-          room.letter(), outline);
+          "room-%s a maestro:Room ; maestro:outline \"%s\" ; maestro:height 2.8"
+              .formatted(room.letter(), outline));
       home(
-          "%s a maestro:Zone ; maestro:outline \"%s\" ; maestro:referencePoint \"%s 0\"",
-          room.zone(), outline, text(reference(room)));
+          "%s a maestro:Zone ; maestro:outline \"%s\" ; maestro:referencePoint \"%s 0\""
+              .formatted(room.zone(), outline, text(reference(room))));
       scene(
-          "%s> scene:ambientLux %s",
-          room.zone(), number(chance.happens(0.3) ? chance.number(80, 400) : chance.number(0, 60)));
+          "%s> scene:ambientLux %s"
+              .formatted(
+                  room.zone(),
+                  number(chance.happens(0.3) ? chance.number(80, 400) : chance.number(0, 60))));
       cast.zones.add(room.zone());
       if (chance.happens(0.2)) {
         desk(room);
@@ -170,17 +175,20 @@ public final class RandomHomes {
     }
     for (FloorDraft.Door door : floor.doors()) {
       home(
-          "%s a %s ; maestro:openingFrom \"%s\" ; maestro:openingTo \"%s\" ; :side home:%s ,"
-              + " home:%s%s%s",
-          door.name(),
-          door.kind().isDriven() ? ":DrivenDoor ; maestro:order " + ++order : "maestro:Door",
-          text(door.from()),
-          text(door.to()),
-          door.first().zone(),
-          door.second().zone(),
-          door.kind().isOpen() && !door.kind().isDriven() ? " ; :open true" : "",
-          door.kind() == FloorDraft.Kind.DRIVEN_LOCKED ? " ; :locked true" : "");
-      scene("%s> scene:open %s", door.name(), door.kind().isOpen());
+          ("%s a %s ; maestro:openingFrom \"%s\" ; maestro:openingTo \"%s\" ; :side home:%s ,"
+                  + " home:%s%s%s")
+              .formatted(
+                  door.name(),
+                  door.kind().isDriven()
+                      ? ":DrivenDoor ; maestro:order " + ++order
+                      : "maestro:Door",
+                  text(door.from()),
+                  text(door.to()),
+                  door.first().zone(),
+                  door.second().zone(),
+                  door.kind().isOpen() && !door.kind().isDriven() ? " ; :open true" : "",
+                  door.kind() == FloorDraft.Kind.DRIVEN_LOCKED ? " ; :locked true" : ""));
+      scene("%s> scene:open %s".formatted(door.name(), door.kind().isOpen()));
       cast.doors.add(door.name());
       if (door.kind().isDriven()) {
         cast.devices.add(door.name());
@@ -193,18 +201,19 @@ public final class RandomHomes {
     double x = round(room.x() + room.width() - 0.6);
     double y = round(room.y() + room.depth() - 0.5);
     home(
-        "desk-%s a maestro:Location ; maestro:outline \"%s %s, %s %s, %s %s, %s %s\" ;"
-            + " maestro:referencePoint \"%s 0.75\"",
-        room.letter(),
-        number(x - 0.4),
-        number(y - 0.3),
-        number(x + 0.4),
-        number(y - 0.3),
-        number(x + 0.4),
-        number(y + 0.3),
-        number(x - 0.4),
-        number(y + 0.3),
-        text(new Point2(x, y)));
+        ("desk-%s a maestro:Location ; maestro:outline \"%s %s, %s %s, %s %s, %s %s\" ;"
+                + " maestro:referencePoint \"%s 0.75\"")
+            .formatted(
+                room.letter(),
+                number(x - 0.4),
+                number(y - 0.3),
+                number(x + 0.4),
+                number(y - 0.3),
+                number(x + 0.4),
+                number(y + 0.3),
+                number(x - 0.4),
+                number(y + 0.3),
+                text(new Point2(x, y))));
     cast.desks.add("desk-" + room.letter());
     deskPoints.add(new Point2(x, y));
   }
@@ -267,10 +276,10 @@ public final class RandomHomes {
                 chance.oneOf(List.of(110, 120)),
                 chance.whole(4, 30)));
     if (chance.happens(0.3)) {
-      scene("%s> scene:level 1.0", name);
+      scene("%s> scene:level 1.0".formatted(name));
     }
     if (chance.happens(0.25)) {
-      scene("%s> scene:strength %s", name, number(chance.number(0.3, 0.95)));
+      scene("%s> scene:strength %s".formatted(name, number(chance.number(0.3, 0.95))));
     }
   }
 
@@ -286,8 +295,9 @@ public final class RandomHomes {
           ":colour \"%s\" ; :size \"0.58 0.38 0.4\" ; :speed %s ; :payload %s"
               .formatted(nextColour(), speed, payload));
       scene(
-          "%s> scene:position \"%s\" ; scene:speed %s ; scene:payload %s",
-          name, text(floor.place(floor.anyRoom(), ROBOT_RADIUS, 0.5)), speed, payload);
+          "%s> scene:position \"%s\" ; scene:speed %s ; scene:payload %s"
+              .formatted(
+                  name, text(floor.place(floor.anyRoom(), ROBOT_RADIUS, 0.5)), speed, payload));
     }
     for (String name : PERSONS.subList(0, chance.whole(0, 2))) {
       body(cast.persons, name, ":Person", "0.5 0.5 1.2", PERSON_RADIUS, "");
@@ -307,20 +317,22 @@ public final class RandomHomes {
             ? " ; :usuallyIn home:" + (chance.happens(0.7) ? room : floor.anyRoom()).zone()
             : "";
     home(
-        "%s a %s ; :colour \"%s\" ; :size \"%s\"%s%s",
-        name, type, nextColour(), size, mass.isEmpty() ? "" : " ; :mass " + mass, usual);
+        "%s a %s ; :colour \"%s\" ; :size \"%s\"%s%s"
+            .formatted(
+                name, type, nextColour(), size, mass.isEmpty() ? "" : " ; :mass " + mass, usual));
     scene(
-        "%s> scene:position \"%s\" ; scene:radius %s%s%s",
-        name,
-        text(floor.place(room, radius, radius + 0.2)),
-        number(radius),
-        mass.isEmpty() ? "" : " ; scene:mass " + mass,
-        !mass.isEmpty() && chance.happens(0.06) ? " ; scene:hidden true" : "");
+        "%s> scene:position \"%s\" ; scene:radius %s%s%s"
+            .formatted(
+                name,
+                text(floor.place(room, radius, radius + 0.2)),
+                number(radius),
+                mass.isEmpty() ? "" : " ; scene:mass " + mass,
+                !mass.isEmpty() && chance.happens(0.06) ? " ; scene:hidden true" : ""));
     list.add(name);
   }
 
   private void device(List<String> list, String name, String type, String rest) {
-    home("%s a %s ; maestro:order %d ; %s", name, type, ++order, rest);
+    home("%s a %s ; maestro:order %d ; %s".formatted(name, type, ++order, rest));
     list.add(name);
     cast.devices.add(name);
   }
@@ -329,12 +341,12 @@ public final class RandomHomes {
     return COLOURS.get(colour++);
   }
 
-  private void home(String format, Object... values) {
-    home.append("home:").append(format.formatted(values)).append(" .\n");
+  private void home(String statement) {
+    home.append("home:").append(statement).append(" .\n");
   }
 
-  private void scene(String format, Object... values) {
-    scene.append("<#").append(format.formatted(values)).append(" .\n");
+  private void scene(String statement) {
+    scene.append("<#").append(statement).append(" .\n");
   }
 
   private static Point2 reference(FloorDraft.Room room) {

@@ -2,6 +2,7 @@ package org.maestro.random;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
 import org.maestro.hal.Position;
@@ -82,7 +83,7 @@ final class Site {
   }
 
   double strength(String lamp) {
-    return strengths.get(lamp);
+    return Objects.requireNonNull(strengths.get(lamp));
   }
 
   void weakened(String lamp, double strength) {
@@ -144,6 +145,7 @@ final class Site {
   }
 
   private List<Term> values(String name, String property) {
-    return home.individuals().get(name).properties().getOrDefault(property, List.of());
+    Individual individual = Objects.requireNonNull(home.individuals().get(name));
+    return individual.properties().getOrDefault(property, List.of());
   }
 }
