@@ -13,9 +13,11 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.maestro.agents.calls.FormerCalls;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Replies;
@@ -62,12 +64,20 @@ public final class GenericAgent extends MaestroAgent {
   /** How it was started, in words: this is what travels. */
   private String configuration = "";
 
-  private Movement movement;
+  private @Nullable Movement movement;
 
   private transient Optional<Surroundings> here = Optional.empty();
   private transient Map<String, MemberProxy> proxies = Map.of();
+
+  // JADE has an agent set itself up in each container before it acts, and where it is cannot be
+  // known earlier.
+  @SuppressWarnings("NullAway.Init")
   private transient PriceResponder prices;
+
+  @SuppressWarnings("NullAway.Init")
   private transient Settling settling;
+
+  @SuppressWarnings("NullAway.Init")
   private transient RequestGuard door;
 
   /** Made by JADE, which has its arguments. */
@@ -299,7 +309,8 @@ public final class GenericAgent extends MaestroAgent {
           ACLMessage.AGREE,
           Words.content("perform", Words.named("action", Words.name("move"))));
       movement = new Movement(message, container);
-      movement.goWhen(this, this::isIdle, () -> stay("is still at what it was ordered to do"));
+      movement.goWhen(
+          this, this::isIdle, () -> stay(message, "is still at what it was ordered to do"));
     }
   }
 
@@ -309,8 +320,8 @@ public final class GenericAgent extends MaestroAgent {
         && proxies.values().stream().allMatch(proxy -> proxy.actions().isIdle());
   }
 
-  private void stay(String why) {
-    refuse(movement.request(), ACLMessage.FAILURE, getLocalName() + " " + why + ".");
+  private void stay(ACLMessage asked, String why) {
+    refuse(asked, ACLMessage.FAILURE, getLocalName() + " " + why + ".");
     movement = null;
   }
 
@@ -365,7 +376,7 @@ public final class GenericAgent extends MaestroAgent {
   @Override
   protected void afterMove() {
     super.afterMove();
-    ACLMessage asked = movement.request();
+    ACLMessage asked = Objects.requireNonNull(movement).request();
     movement = null;
     if (asked.getSender() != null) {
       reply(

@@ -6,6 +6,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.stream.Stream;
@@ -100,9 +101,14 @@ public final class KnowledgeAgent extends MaestroAgent {
       try {
         received(message, content);
       } catch (KnowledgeException e) {
-        refuse(message, ACLMessage.REFUSE, e.getMessage());
+        refuse(message, e);
       }
     }
+  }
+
+  private void refuse(ACLMessage message, RuntimeException why) {
+    String sentence = Objects.requireNonNullElse(why.getMessage(), why.toString());
+    refuse(message, ACLMessage.REFUSE, sentence);
   }
 
   private void received(ACLMessage message, Content content) {
@@ -158,6 +164,7 @@ public final class KnowledgeAgent extends MaestroAgent {
   }
 
   /** To look through a home for permissions takes long where many devices come at once. */
+  @SuppressWarnings("ReferenceEquality") // Another state of the home is another object.
   private AccessList access() {
     Home now = knowledge.home();
     if (accessRead.isEmpty() || accessRead.get().home() != now) {
@@ -256,7 +263,7 @@ public final class KnowledgeAgent extends MaestroAgent {
     try {
       reply(message, ACLMessage.INFORM, Pointers.answer(knowledge, call));
     } catch (Pointers.UnknownThing e) {
-      refuse(message, ACLMessage.REFUSE, e.getMessage());
+      refuse(message, e);
     }
   }
 

@@ -6,6 +6,7 @@ import jade.lang.acl.ACLMessage;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.maestro.agents.device.PriceResponder;
@@ -112,7 +113,8 @@ public final class PriceFair {
               .map(Proposal::member)
               .findFirst()
               .orElseThrow(() -> new IllegalStateException("Nobody at the fair names a price."));
-      Step step = new Step(1, winner, wanted.get(winner), Map.of(), 1, 1, true, Set.of());
+      FeatureType feature = Objects.requireNonNull(wanted.get(winner));
+      Step step = new Step(1, winner, feature, Map.of(), 1, 1, true, Set.of());
       tender.award(Map.of(winner, List.of(step)));
       contracts.whenSettled(NO_GOAL, winner, broken -> closed.run());
     }

@@ -3,6 +3,7 @@ package org.maestro.agents;
 import jade.lang.acl.ACLMessage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -171,7 +172,7 @@ public final class SupervisorAgent extends MaestroAgent {
                       "The bus of this platform lives in its own process; agents elsewhere could"
                           + " not reach it."));
     } catch (IllegalArgumentException e) {
-      refuse(message, ACLMessage.REFUSE, e.getMessage());
+      refuse(message, ACLMessage.REFUSE, Objects.requireNonNullElse(e.getMessage(), e.toString()));
     }
   }
 

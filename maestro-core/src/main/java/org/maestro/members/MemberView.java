@@ -204,8 +204,9 @@ public final class MemberView {
     Set<String> over = over(state);
     OptionalLong goesOn =
         Stream.concat(state.running().stream(), state.queue().stream())
-            .filter(ended::containsKey)
-            .mapToLong(call -> ended.get(call).number())
+            .map(ended::get)
+            .filter(Objects::nonNull)
+            .mapToLong(Moment::number)
             .min();
     OptionalLong latest =
         state.recent().stream()

@@ -1,6 +1,7 @@
 package org.maestro.members;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.rats.protocol.Complaints;
@@ -49,7 +50,7 @@ final class SaidFacts {
     try {
       fact = SlParser.fact(text);
     } catch (SlSyntaxException noFact) {
-      return Optional.of(noFact.getMessage());
+      return Optional.of(Objects.requireNonNullElse(noFact.getMessage(), noFact.toString()));
     }
     if (!isGround(fact)) {
       return Optional.of("It has variables; it must name the things in it.");

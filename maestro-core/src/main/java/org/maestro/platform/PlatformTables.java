@@ -105,18 +105,18 @@ final class PlatformTables {
     Map<String, AgentRow> rowByAgent = new TreeMap<>();
     rows.forEach(row -> rowByAgent.put(row.agent(), row));
     List<Content> lines = new ArrayList<>();
-    rows.forEach(row -> lines.add(line(row, services.get(row.agent()))));
+    rows.forEach(row -> lines.add(line(row, services)));
     directory.agents().stream()
         .filter(entry -> !rowByAgent.containsKey(entry.agent()))
         .map(
             entry ->
                 new AgentRow(entry.agent(), entry.container(), List.of(), "-", "-", entry.since()))
-        .forEach(row -> lines.add(line(row, services.get(row.agent()))));
+        .forEach(row -> lines.add(line(row, services)));
     directory.containers().forEach(place -> lines.add(line(place)));
     return lines;
   }
 
-  private Content line(AgentRow row, Set<String> services) {
+  private Content line(AgentRow row, Map<String, ? extends Set<String>> services) {
     return Words.content(
         "inform",
         Words.named("agent", Words.text(row.agent())),
@@ -131,7 +131,10 @@ final class PlatformTables {
         age(row.since()),
         Words.named(
             "services",
-            Optional.ofNullable(services).map(Set::copyOf).orElse(Set.of()).stream()
+            Optional.<Set<String>>ofNullable(services.get(row.agent()))
+                .map(Set::copyOf)
+                .orElse(Set.of())
+                .stream()
                 .sorted()
                 .map(Words::text)
                 .toList()));

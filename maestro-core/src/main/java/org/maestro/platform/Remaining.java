@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.maestro.ontology.home.Device;
@@ -24,8 +25,9 @@ final class Remaining {
       new TreeSet<>(other.features().stream().map(feature -> feature.name()).toList())
           .stream()
               .filter(name -> !other.id().equals(lost.id()))
-              .filter(othersByFeature::containsKey)
-              .forEach(name -> othersByFeature.get(name).add(other.id()));
+              .map(othersByFeature::get)
+              .filter(Objects::nonNull)
+              .forEach(able -> able.add(other.id()));
     }
     List<String> parts = new ArrayList<>();
     Map<String, List<String>> featuresByOthers = new TreeMap<>();

@@ -5,6 +5,7 @@ import java.nio.channels.ClosedChannelException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
+import java.util.Objects;
 
 /** Why storage does not take what is to be kept, as a clause; Java says of some only the file. */
 public final class StorageFault {
@@ -23,6 +24,6 @@ public final class StorageFault {
     if (failure instanceof ClosedChannelException) {
       return "the file was closed";
     }
-    return failure.getMessage();
+    return Objects.requireNonNullElse(failure.getMessage(), failure.toString());
   }
 }

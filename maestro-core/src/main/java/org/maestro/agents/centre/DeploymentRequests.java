@@ -13,7 +13,7 @@ import org.maestro.sl.SlSyntaxException;
  * supervisor, and the answer back. Agent thread only.
  */
 public final class DeploymentRequests {
-  private static final Duration LONGEST = Duration.ofSeconds(120);
+  private static final Duration LONGEST = Duration.ofMinutes(2);
 
   private final MaestroAgent agent;
 

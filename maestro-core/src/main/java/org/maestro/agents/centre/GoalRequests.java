@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.maestro.agents.content.GoalWords;
@@ -69,14 +70,15 @@ public final class GoalRequests {
               + ".");
       return;
     }
-    Formula goal = words.find("goal").map(this::formula).orElse(null);
-    if (goal == null) {
+    Optional<Formula> stated = words.find("goal").flatMap(this::formula);
+    if (stated.isEmpty()) {
       agent.refuse(
           message,
           ACLMessage.NOT_UNDERSTOOD,
           "initCNP needs a goal, such as (initCNP (:goal (nextTo Cup Bob))).");
       return;
     }
+    Formula goal = stated.get();
     Caller requester = Caller.of(message, agent.getHap());
     if (!AccessList.of(knowledge.home()).knows(requester.names())) {
       agent.refuse(
@@ -93,7 +95,8 @@ public final class GoalRequests {
           news -> answer(message, news),
           outcome -> endings.ended(goal, outcome));
     } catch (InvalidGoalException e) {
-      agent.refuse(message, ACLMessage.REFUSE, e.getMessage());
+      agent.refuse(
+          message, ACLMessage.REFUSE, Objects.requireNonNullElse(e.getMessage(), e.toString()));
     }
   }
 
@@ -123,11 +126,10 @@ public final class GoalRequests {
   }
 
   /** A goal is a formula, or its text; a class atom may have been read as a term. */
-  private Formula formula(Words words) {
+  private Optional<Formula> formula(Words words) {
     return words
         .formula()
-        .or(() -> words.terms().stream().findFirst().map(t -> parse(Words.plain(t))))
-        .orElse(null);
+        .or(() -> words.terms().stream().findFirst().map(t -> parse(Words.plain(t))));
   }
 
   private Formula parse(String text) {

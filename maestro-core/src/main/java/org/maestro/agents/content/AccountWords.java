@@ -15,13 +15,13 @@ public final class AccountWords {
   public static Content.Argument.Named of(StepAccount account) {
     List<Content.Argument> parts = new ArrayList<>();
     parts.add(Words.named("listener", Words.text(account.ended().listener())));
-    parts.add(Words.named("begun", Words.number(account.begun().number())));
-    parts.add(Words.named("ended", Words.number(account.ended().number())));
+    parts.add(Words.named("begun", Words.number((double) account.begun().number())));
+    parts.add(Words.named("ended", Words.number((double) account.ended().number())));
     account
         .last()
         .ifPresent(
             word -> {
-              parts.add(Words.named("said", Words.number(word.moment().number())));
+              parts.add(Words.named("said", Words.number((double) word.moment().number())));
               parts.add(facts(word));
             });
     parts.add(Words.named("includesStep", Words.name(String.valueOf(account.includesStep()))));

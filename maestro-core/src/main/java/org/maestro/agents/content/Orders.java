@@ -46,7 +46,7 @@ public final class Orders {
     order.call().ifPresent(call -> arguments.addAll(call(call, caller)));
     client.ifPresent(name -> arguments.add(Words.named("for", Words.text(name))));
     arguments.add(Words.named("feature", Words.name(order.step().feature().name())));
-    arguments.add(Words.named("timeout", Words.number(order.timeout().toMillis())));
+    arguments.add(Words.named("timeout", Words.number((double) order.timeout().toMillis())));
     arguments.add(Words.named("cost", Words.number(order.step().cost())));
     arguments.add(Words.named("seconds", Words.number(order.step().seconds())));
     arguments.add(parameters("parameters", order.parameters()));

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.maestro.coordination.api.Proposal;
@@ -73,7 +74,9 @@ public final class ProposalReader {
         default -> fault("answered the call for prices with " + performative(answer));
       };
     } catch (SlSyntaxException e) {
-      return fault("answered the call for prices unreadably: " + Replies.shortened(e.getMessage()));
+      return fault(
+          "answered the call for prices unreadably: "
+              + Replies.shortened(Objects.requireNonNullElse(e.getMessage(), e.toString())));
     }
   }
 

@@ -115,7 +115,10 @@ public final class MemberProxy implements MemberNews.Listener {
    * @throws RuntimeException with one sentence when the description is faulty
    */
   public void configure(Optional<String> description) {
-    description.ifPresent(text -> here.describedBy().apply(text, member));
+    description.ifPresent(
+        text -> {
+          Device unusedAsOnlyFaultsCountHere = here.describedBy().apply(text, member);
+        });
     configured = description;
     news.readAgain();
   }
@@ -246,7 +249,7 @@ public final class MemberProxy implements MemberNews.Listener {
                   "inform",
                   Words.named("source", Words.name(member)),
                   Words.named("listener", Words.text(word.moment().listener())),
-                  Words.named("said", Words.number(word.moment().number())),
+                  Words.named("said", Words.number((double) word.moment().number())),
                   AccountWords.facts(word))));
     }
   }

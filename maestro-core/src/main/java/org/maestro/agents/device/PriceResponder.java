@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -113,7 +114,7 @@ public final class PriceResponder {
       }
     } catch (SlSyntaxException e) {
       answer.setPerformative(ACLMessage.NOT_UNDERSTOOD);
-      answer.setContent(reason(e.getMessage()));
+      answer.setContent(reason(Objects.requireNonNullElse(e.getMessage(), e.toString())));
     }
     return answer;
   }

@@ -24,7 +24,7 @@ public final class RequestGuard {
   private final Once objections = new Once();
 
   /**
-   * @param voices of the members, by id
+   * @param proxies of the members, by id
    */
   public RequestGuard(MaestroAgent agent, Map<String, MemberProxy> proxies) {
     this.agent = agent;

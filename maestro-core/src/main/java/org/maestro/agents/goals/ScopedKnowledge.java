@@ -5,6 +5,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 import org.maestro.knowledge.api.ForwardingKnowledge;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.home.Device;
@@ -30,7 +31,7 @@ final class ScopedKnowledge extends ForwardingKnowledge {
   }
 
   private final Predicate<String> scope;
-  private volatile Part last;
+  private volatile @Nullable Part last;
 
   ScopedKnowledge(KnowledgeBase knowledge, Predicate<String> scope) {
     super(knowledge);
@@ -38,6 +39,7 @@ final class ScopedKnowledge extends ForwardingKnowledge {
   }
 
   @Override
+  @SuppressWarnings("ReferenceEquality") // Another state of the home is another object.
   public Home home() {
     Home whole = super.home();
     Set<String> inScope = new TreeSet<>(whole.devices().keySet());

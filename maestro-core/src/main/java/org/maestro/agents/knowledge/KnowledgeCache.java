@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.Consumer;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Replies;
@@ -140,7 +141,10 @@ public final class KnowledgeCache {
     } catch (SlSyntaxException e) {
       entries.remove(question, entry);
       end(entry);
-      tell(entry, new Known(List.of(), Duration.ZERO, e.getMessage()));
+      tell(
+          entry,
+          new Known(
+              List.of(), Duration.ZERO, Objects.requireNonNullElse(e.getMessage(), e.toString())));
     }
   }
 

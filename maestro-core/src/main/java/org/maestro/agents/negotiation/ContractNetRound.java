@@ -12,9 +12,11 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Vector;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.maestro.agents.content.Orders;
 import org.maestro.agents.content.ProposalReader;
 import org.maestro.agents.content.Replies;
@@ -53,7 +55,7 @@ final class ContractNetRound extends ContractNetInitiator {
   private final transient List<String> receivers = new ArrayList<>();
   private transient Clock.Timer timer = () -> {};
   private boolean awarding;
-  private volatile String conversation;
+  private volatile @Nullable String conversation;
   private int waits;
 
   ContractNetRound(
@@ -75,7 +77,8 @@ final class ContractNetRound extends ContractNetInitiator {
 
   /** Whether there is an answer to be read, or it is not known yet what answers look like. */
   boolean hasMail() {
-    return conversation == null || agent.hasMailOf(conversation);
+    String own = conversation;
+    return own == null || agent.hasMailOf(own);
   }
 
   @Override
@@ -97,8 +100,12 @@ final class ContractNetRound extends ContractNetInitiator {
         new ArrayList<>(Orders.member(member, receiver.getLocalName()));
     arguments.add(Words.named("goal", Words.name(call.goalId()), Words.formula(call.goal())));
     arguments.add(
-        Words.named("features", call.features().get(member).stream().map(Words::name).toList()));
+        Words.named("features", featuresWanted(member).stream().map(Words::name).toList()));
     return new Content("cost", arguments);
+  }
+
+  private List<String> featuresWanted(String member) {
+    return Objects.requireNonNull(call.features().get(member));
   }
 
   /** Sends the calls, and later the decisions; then waits for the clock instead of JADE's. */
@@ -115,7 +122,7 @@ final class ContractNetRound extends ContractNetInitiator {
         memberByKey.put(message.getReplyWith(), receivers.get(i));
       }
     }
-    agent.conversations().adopt(conversation);
+    agent.conversations().adopt(Objects.requireNonNull(conversation));
     if (sessions.size() > 0) {
       endWaitAfter(awarding ? patience().contract() : patience().bid());
     }
@@ -164,7 +171,8 @@ final class ContractNetRound extends ContractNetInitiator {
   }
 
   private boolean isFrom(String member, ACLMessage reply) {
-    return agents.get(member).equals(reply.getSender()) || Replies.isFromPlatform(reply);
+    AID asked = Objects.requireNonNull(agents.get(member));
+    return asked.equals(reply.getSender()) || Replies.isFromPlatform(reply);
   }
 
   private void answered(String member, ACLMessage reply, boolean inSequence) {
@@ -176,9 +184,8 @@ final class ContractNetRound extends ContractNetInitiator {
   }
 
   private void settle(String member, ACLMessage reply, boolean inSequence) {
-    Contracts.Contract contract = awarded.get(member);
     if (inSequence && reply.getPerformative() == ACLMessage.INFORM) {
-      contract.held();
+      contractWith(member).held();
       return;
     }
     String why = Replies.reason(reply).map(Replies::shortened).map(r -> ": " + r).orElse("");
@@ -193,7 +200,11 @@ final class ContractNetRound extends ContractNetInitiator {
 
   private void broken(String member, String how) {
     misconduct.noted(call.goalId(), member + how);
-    awarded.get(member).broken(member + how);
+    contractWith(member).broken(member + how);
+  }
+
+  private Contracts.Contract contractWith(String winner) {
+    return Objects.requireNonNull(awarded.get(winner));
   }
 
   /** A reply that nothing was waiting for. */
@@ -239,7 +250,10 @@ final class ContractNetRound extends ContractNetInitiator {
   @Override
   public int onEnd() {
     timer.cancel();
-    agent.conversations().leave(conversation);
+    String own = conversation;
+    if (own != null) {
+      agent.conversations().leave(own);
+    }
     awarded.forEach(
         (member, contract) -> {
           if (!contract.isSettled()) {
@@ -267,7 +281,7 @@ final class ContractNetRound extends ContractNetInitiator {
                 misconduct.noted(call.goalId(), member + " " + silence);
                 bids.add(new Proposal(member, Map.of(), Optional.of(silence)));
               } else {
-                ProposalReader reader = new ProposalReader(member, call.features().get(member));
+                ProposalReader reader = new ProposalReader(member, featuresWanted(member));
                 bids.add(reader.read(answer));
                 reader.faults().forEach(fault -> misconduct.noted(call.goalId(), fault));
               }
@@ -304,7 +318,7 @@ final class ContractNetRound extends ContractNetInitiator {
       }
     }
 
-    private ACLMessage late() {
+    private @Nullable ACLMessage late() {
       return awarding ? null : agent.receive(replyTemplate);
     }
 

@@ -25,7 +25,7 @@ public final class Contracts {
   }
 
   /** A part awarded to a member; it is settled exactly once, later calls change nothing. */
-  final class Contract {
+  static final class Contract {
     private final Standing standing;
     private final List<Consumer<Optional<String>>> waiting = new ArrayList<>();
     private boolean settled;

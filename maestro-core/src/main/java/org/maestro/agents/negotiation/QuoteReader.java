@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import org.maestro.agents.content.ProposalReader;
 import org.maestro.agents.content.Replies;
@@ -63,7 +64,10 @@ final class QuoteReader {
       contents = Words.parse(reply.getContent());
     } catch (SlSyntaxException e) {
       return unanswered(
-          "said unreadably what " + feature + " would cost: " + Replies.shortened(e.getMessage()));
+          "said unreadably what "
+              + feature
+              + " would cost: "
+              + Replies.shortened(Objects.requireNonNullElse(e.getMessage(), e.toString())));
     }
     if (contents.size() != asked) {
       return unanswered(

@@ -1,6 +1,7 @@
 package org.maestro.agents.pulse;
 
 import java.time.Duration;
+import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentSkipListMap;
@@ -48,18 +49,18 @@ final class Census {
   /** Asks those whose turn it is. */
   synchronized void ask(Duration now) {
     int asked = 0;
-    for (String name : agents.tailMap(last + '\0').keySet()) {
+    for (Map.Entry<String, Asked> agent : agents.tailMap(last + '\0').entrySet()) {
       if (++asked > MOST_ASKED) {
         return;
       }
-      last = name;
-      ask(agents.get(name), now);
+      last = agent.getKey();
+      ask(agent.getValue(), now);
     }
     last = "";
   }
 
   private static void ask(Asked agent, Duration now) {
-    if (agent != null && agent.unansweredSinceMillis.compareAndSet(-1, now.toMillis())) {
+    if (agent.unansweredSinceMillis.compareAndSet(-1, now.toMillis())) {
       agent.tell.accept(() -> agent.unansweredSinceMillis.set(-1));
     }
   }

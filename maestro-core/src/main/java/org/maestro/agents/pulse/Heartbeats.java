@@ -70,7 +70,7 @@ final class Heartbeats {
                 : new Heard(
                     at,
                     before.condition(),
-                    Math.max(at.minus(before.at()).toNanos(), FADES * before.pauseNanos()),
+                    Math.max((double) at.minus(before.at()).toNanos(), FADES * before.pauseNanos()),
                     lostAfter()));
   }
 

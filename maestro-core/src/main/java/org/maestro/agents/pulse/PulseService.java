@@ -31,6 +31,7 @@ import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.maestro.rats.time.Clock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -48,8 +49,13 @@ public final class PulseService extends BaseService {
   private final PulseSlice slice = new Local();
   private final Filter nodes = new Nodes();
   private final Filter silence = new Silence();
-  private volatile OwnPulse own;
   private volatile Optional<ContainerWatch> watch = Optional.empty();
+
+  // JADE makes a service by its class name, and says where it is before anything uses it.
+  @SuppressWarnings("NullAway.Init")
+  private volatile OwnPulse own;
+
+  @SuppressWarnings("NullAway.Init")
   private volatile AgentContainer container;
 
   @Override
@@ -61,15 +67,12 @@ public final class PulseService extends BaseService {
   public void init(AgentContainer its, Profile profile) throws ProfileException {
     super.init(its, profile);
     container = its;
-    boolean shared =
+    ProcessPulse pulse =
         profile instanceof ProfileImpl all
-            && all.getProperties().get(ProcessPulse.KEY) instanceof ProcessPulse;
-    own =
-        new OwnPulse(
-            shared
-                ? (ProcessPulse) ((ProfileImpl) profile).getProperties().get(ProcessPulse.KEY)
-                : new ProcessPulse(),
-            new Road());
+                && all.getProperties().get(ProcessPulse.KEY) instanceof ProcessPulse shared
+            ? shared
+            : new ProcessPulse();
+    own = new OwnPulse(pulse, new Road());
   }
 
   @Override
@@ -284,7 +287,7 @@ public final class PulseService extends BaseService {
     }
 
     @Override
-    public VerticalCommand serve(HorizontalCommand command) {
+    public @Nullable VerticalCommand serve(HorizontalCommand command) {
       if (command.getName().equals(END)) {
         try {
           takeOut((String) command.getParam(0));

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.agents.content.Replies;
@@ -195,7 +196,7 @@ public final class Conversations {
     String id = message.getConversationId();
     Open conversation = open.get(id);
     if (conversation == null) {
-      thread.work(() -> ended.get(id).late.accept(message));
+      thread.work(() -> over(id).late.accept(message));
       return true;
     }
     if (!conversation.lasting && isFinal(message)) {
@@ -203,6 +204,11 @@ public final class Conversations {
     }
     thread.work(() -> conversation.listener.accept(message));
     return true;
+  }
+
+  /** What is not open any more when an answer is taken is over. */
+  private Ended over(String id) {
+    return Objects.requireNonNull(ended.get(id));
   }
 
   private void timedOut(String id, Open conversation, Clock.Timer timer, Duration timeout) {

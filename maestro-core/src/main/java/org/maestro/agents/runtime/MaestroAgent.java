@@ -10,7 +10,9 @@ import jade.domain.FIPANames;
 import jade.lang.acl.ACLMessage;
 import jade.lang.acl.MessageTemplate;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.Date;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
@@ -40,8 +42,14 @@ public abstract class MaestroAgent extends Agent {
   private static final long serialVersionUID = 1L;
   private static final Logger LOG = LoggerFactory.getLogger(MaestroAgent.class);
 
+  /** Made with the agent, or when JADE, which made it, gives it a place in a container. */
+  @SuppressWarnings("NullAway.Init")
   private transient volatile Equipment equipment;
+
+  /** JADE has it made before anything else can reach the agent. */
+  @SuppressWarnings("NullAway.Init")
   private transient volatile TicketedQueue queue;
+
   private transient volatile boolean forsaken;
   private transient volatile Optional<Pulse> pulse = Optional.empty();
 
@@ -115,9 +123,9 @@ public abstract class MaestroAgent extends Agent {
 
   /** What to write into the reply-by slot: the time of other agents is wall time, if any is. */
   public final Date replyBy(Duration wallTime) {
-    return clock().isStepped()
-        ? Date.from(clock().instant().plus(wallTime))
-        : new Date(System.currentTimeMillis() + wallTime.toMillis());
+    Instant now =
+        clock().isStepped() ? clock().instant() : Instant.ofEpochMilli(System.currentTimeMillis());
+    return Date.from(now.plus(wallTime));
   }
 
   public final Conversations conversations() {
@@ -375,7 +383,8 @@ public abstract class MaestroAgent extends Agent {
       try {
         received(message);
       } catch (SlSyntaxException | KnowledgeException e) {
-        equipment.protest.against(message, e.getMessage());
+        equipment.protest.against(
+            message, Objects.requireNonNullElse(e.getMessage(), e.toString()));
       } catch (RuntimeException e) {
         LOG.error(
             "{} could not handle {}",

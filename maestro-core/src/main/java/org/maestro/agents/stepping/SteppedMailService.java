@@ -10,6 +10,7 @@ import jade.core.messaging.GenericMessage;
 import jade.core.messaging.MessagingSlice;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A JADE kernel service that hands the messages of stepped agents to their {@link SteppedMail}.
@@ -33,7 +34,7 @@ public final class SteppedMailService extends BaseService {
   }
 
   @Override
-  public Filter getCommandFilter(boolean direction) {
+  public @Nullable Filter getCommandFilter(boolean direction) {
     return direction == Filter.OUTGOING ? outgoing : null;
   }
 

@@ -9,6 +9,7 @@ import java.util.Deque;
 import java.util.HashMap;
 import java.util.Iterator;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /**
  * An agent's message queue that tells when a message is taken out, and whether any is there of a
@@ -66,7 +67,7 @@ public final class TicketedQueue implements MessageQueue {
   }
 
   @Override
-  public synchronized ACLMessage receive(MessageTemplate pattern) {
+  public synchronized @Nullable ACLMessage receive(MessageTemplate pattern) {
     for (Iterator<ACLMessage> iterator = messages.iterator(); iterator.hasNext(); ) {
       ACLMessage message = iterator.next();
       if (pattern == null || pattern.match(message)) {

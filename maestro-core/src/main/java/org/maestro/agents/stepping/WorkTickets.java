@@ -4,7 +4,6 @@ import jade.lang.acl.ACLMessage;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import org.maestro.rats.time.Clock;
 
 /**
@@ -15,7 +14,7 @@ import org.maestro.rats.time.Clock;
 public final class WorkTickets {
   private final Clock clock;
   private final String holder;
-  private final Map<ACLMessage, Clock.Ticket> delivered = new IdentityHashMap<>();
+  private final IdentityHashMap<ACLMessage, Clock.Ticket> delivered = new IdentityHashMap<>();
   private final List<Clock.Ticket> taken = new ArrayList<>();
 
   public WorkTickets(Clock clock, String holder) {

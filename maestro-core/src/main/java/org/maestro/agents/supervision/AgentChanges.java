@@ -4,6 +4,7 @@ import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.Consumer;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.StartWords;
@@ -37,7 +38,8 @@ public final class AgentChanges {
     try {
       containers.requireMovable(agent, container);
     } catch (DeploymentException e) {
-      supervisor.refuse(message, ACLMessage.REFUSE, e.getMessage());
+      supervisor.refuse(
+          message, ACLMessage.REFUSE, Objects.requireNonNullElse(e.getMessage(), e.toString()));
       return;
     }
     send(

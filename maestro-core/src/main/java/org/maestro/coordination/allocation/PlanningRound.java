@@ -134,7 +134,7 @@ public final class PlanningRound {
   private final Set<StepKey> declined = new HashSet<>();
   private final Set<StepKey> unanswered = new HashSet<>();
   private final Map<StepKey, String> reasons = new HashMap<>();
-  private CandidateProposals proposals;
+  private final CandidateProposals proposals;
   private int questions;
   private int lastChances;
 
@@ -166,13 +166,12 @@ public final class PlanningRound {
     this.trusting = trusting;
     this.facts = facts;
     this.then = then;
+    Map<String, List<String>> candidates = candidates(ports.knowledge().home());
+    candidates.keySet().removeAll(without);
+    this.proposals = new CandidateProposals(candidates, roster);
   }
 
   public void start() {
-    Home home = ports.knowledge().home();
-    Map<String, List<String>> candidates = candidates(home);
-    candidates.keySet().removeAll(without);
-    proposals = new CandidateProposals(candidates, roster);
     Set<String> first = proposals.atFirst();
     if (first.isEmpty()) {
       solve();
@@ -314,7 +313,7 @@ public final class PlanningRound {
    */
   private boolean mayAskAgain() {
     boolean again =
-        lastChances < LAST_CHANCES && (exactPrices.forgetUnanswered() | !unanswered.isEmpty());
+        lastChances < LAST_CHANCES && (exactPrices.forgetUnanswered() || !unanswered.isEmpty());
     lastChances++;
     unanswered.clear();
     return again;

@@ -86,7 +86,7 @@ public final class Roster {
   /** Those of them that were lost later than that. */
   public Set<String> lostSince(Duration time) {
     Set<String> lost = lost();
-    lost.removeIf(member -> lostByMember.get(member).compareTo(time) <= 0);
+    lost.removeIf(member -> lostAt(member).filter(at -> at.compareTo(time) > 0).isEmpty());
     return lost;
   }
 

@@ -3,6 +3,7 @@ package org.maestro.coordination.contention;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import org.maestro.coordination.facts.Sensing;
@@ -44,11 +45,14 @@ final class ExecutionOrder {
         .toList();
   }
 
+  private Set<Integer> allBefore(Step step) {
+    return Objects.requireNonNull(before.get(step.number()));
+  }
+
   private boolean serves(Step step, List<Step> sensingLeft) {
     return sensingLeft.stream()
         .anyMatch(
             sensing ->
-                sensing.number() == step.number()
-                    || before.get(sensing.number()).contains(step.number()));
+                sensing.number() == step.number() || allBefore(sensing).contains(step.number()));
   }
 }

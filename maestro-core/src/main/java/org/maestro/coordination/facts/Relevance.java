@@ -26,9 +26,9 @@ public final class Relevance {
   private final Set<String> relevant = new TreeSet<>();
 
   /** By identity, as devices of a kind are many and share what their features say. */
-  private final Map<Effect, Set<String>> changedBy = new IdentityHashMap<>();
+  private final IdentityHashMap<Effect, Set<String>> changedBy = new IdentityHashMap<>();
 
-  private final Map<Object, Object> included = new IdentityHashMap<>();
+  private final IdentityHashMap<Object, Object> included = new IdentityHashMap<>();
 
   private Relevance(Home home) {
     this.home = home;
@@ -43,13 +43,12 @@ public final class Relevance {
         home.devices().values().stream()
             .sorted(Comparator.comparingDouble(Device::order).thenComparing(Device::id))
             .toList();
-    devices.forEach(device -> candidates.put(device.id(), new ArrayList<>()));
     boolean grew = true;
     while (grew) {
       grew = false;
       for (Device device : devices) {
+        List<String> chosen = candidates.computeIfAbsent(device.id(), id -> new ArrayList<>());
         for (FeatureType feature : device.features()) {
-          List<String> chosen = candidates.get(device.id());
           if (!chosen.contains(feature.name()) && relevance.changesRelevant(feature)) {
             chosen.add(feature.name());
             relevance.includeNeeds(feature.precondition(), feature.effect());

@@ -80,17 +80,17 @@ public final class JournalImage {
    * many bytes of memory.
    */
   public void forgetEnded(Duration before, long mostBytes) {
-    List<String> ended =
+    List<Map.Entry<String, GoalImage>> ended =
         goals.entrySet().stream()
             .filter(e -> e.getValue().overSince().isPresent())
             .sorted(Comparator.comparing(e -> e.getValue().overSince().orElseThrow()))
-            .map(Map.Entry::getKey)
             .toList();
-    long bytes = ended.stream().mapToLong(id -> goals.get(id).bytes()).sum();
-    for (String id : ended) {
-      boolean old = goals.get(id).overSince().orElseThrow().compareTo(before) < 0;
+    long bytes = ended.stream().mapToLong(e -> e.getValue().bytes()).sum();
+    for (Map.Entry<String, GoalImage> goal : ended) {
+      boolean old = goal.getValue().overSince().orElseThrow().compareTo(before) < 0;
       if (old || bytes > mostBytes) {
-        bytes -= goals.remove(id).bytes();
+        bytes -= goal.getValue().bytes();
+        goals.remove(goal.getKey());
       }
     }
   }

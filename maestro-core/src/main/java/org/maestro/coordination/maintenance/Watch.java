@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.facts.Sensing;
 import org.maestro.coordination.facts.Symbols;
@@ -36,7 +37,7 @@ import org.maestro.sl.TypedVariable;
 final class Watch {
   private final Formula goal;
   private final Map<StepKey, Stream> streams = new LinkedHashMap<>();
-  private Home home;
+  private @Nullable Home home;
   private Set<String> watchable = Set.of();
 
   /** What a stream tells of: an atom or fluent by name, of a state variable without its value. */
@@ -94,6 +95,7 @@ final class Watch {
   }
 
   /** Names on which the goal rests and which a continuous feature of some device senses. */
+  @SuppressWarnings("ReferenceEquality") // Another state of the home is another object.
   private Set<String> watchable(Home now) {
     if (now != home) {
       home = now;

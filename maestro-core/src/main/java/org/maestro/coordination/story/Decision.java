@@ -30,7 +30,7 @@ public record Decision(PlanningTask task, Plan plan, List<Proposal> bids, int qu
     long prices =
         task.features().stream().mapToLong(feature -> 1 + feature.exact().size()).sum()
             + bids.stream().mapToLong(bid -> bid.prices().size()).sum();
-    long reasons = bids.size() + task.whyBarred().size() + task.unavailable().size();
+    long reasons = (long) bids.size() + task.whyBarred().size() + task.unavailable().size();
     return BYTES
         + BYTES_OF_A_PRICE * (prices + plan.steps().size())
         + BYTES_OF_A_REASON * (reasons + task.barred().size());

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -54,7 +55,7 @@ public final class KnownOf {
 
   /** What the home says of it in words that goals use, in the order in which people read it. */
   private Stream<String> stated(String name) {
-    Individual individual = home.individuals().get(name);
+    Individual individual = individual(name);
     List<String> facts = new ArrayList<>();
     for (Map.Entry<String, List<Term>> property : individual.properties().entrySet()) {
       Optional<PredicateDeclaration> declared = home.vocabulary().predicate(property.getKey());
@@ -63,6 +64,11 @@ public final class KnownOf {
       }
     }
     return facts.stream().sorted(Comparator.comparing(sentences::fact));
+  }
+
+  /** Only of what the home has anything is asked. */
+  private Individual individual(String name) {
+    return Objects.requireNonNull(home.individuals().get(name));
   }
 
   private static Optional<String> fact(PredicateDeclaration declared, Term subject, Term value) {
@@ -86,7 +92,7 @@ public final class KnownOf {
 
   /** Whether it is of a kind that members look for, and the home does not say where it is. */
   private boolean canBeSomewhere(String name) {
-    Individual individual = home.individuals().get(name);
+    Individual individual = individual(name);
     return !individual.properties().containsKey(POSE)
         && places()
             .map(place -> place.parameters().get(0).className())

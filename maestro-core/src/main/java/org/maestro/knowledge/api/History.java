@@ -8,6 +8,7 @@ import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
@@ -60,17 +61,20 @@ public final class History {
     while (past.size() > mostOfEach || past.size() > 1 && isTooOld(past.getFirst(), now)) {
       forgotten.add(forget(past.getFirst()));
     }
-    while (!followed.isEmpty()
-        && (bytes > mostBytes || isTooOld(followed.get(followed.firstKey()), now))) {
-      forgotten.add(forget(followed.get(followed.firstKey())));
+    while (!followed.isEmpty() && (bytes > mostBytes || isTooOld(oldestFollowed(), now))) {
+      forgotten.add(forget(oldestFollowed()));
     }
     return forgotten;
+  }
+
+  private Note oldestFollowed() {
+    return followed.values().iterator().next();
   }
 
   /** The first of its variable. */
   private Note forget(Note old) {
     followed.remove(old.serial());
-    pasts.get(old.variable()).removeFirst();
+    Objects.requireNonNull(pasts.get(old.variable())).removeFirst();
     bytes -= bytes(old);
     return old;
   }

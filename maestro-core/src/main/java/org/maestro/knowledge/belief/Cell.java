@@ -137,6 +137,7 @@ public final class Cell {
    * Once nobody who counts says anything else, what was overruled counts again where its source
    * goes on saying so: that is no word of the past.
    */
+  @SuppressWarnings("ReferenceEquality") // The one that was found, and none that says the same.
   Cell goingOn(Predicate<Claim> stillSaid, Instant now) {
     Settled present = settled(held -> held.isFresh(now));
     if (overruled.isEmpty() || present.value().isPresent()) {

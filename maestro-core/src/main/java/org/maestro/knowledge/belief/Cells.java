@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BiConsumer;
+import org.jspecify.annotations.Nullable;
 import org.maestro.knowledge.api.StateVariable;
 
 /**
@@ -43,7 +44,7 @@ public final class Cells {
         : Optional.ofNullable(at(number));
   }
 
-  private Cell at(int number) {
+  private @Nullable Cell at(int number) {
     Object[] node = root;
     for (int level = shift; level > 0; level -= BITS) {
       node = (Object[]) node[number >>> level & MASK];
@@ -66,7 +67,7 @@ public final class Cells {
     return new Cells(numbers, changed(top, level, number, cell), level);
   }
 
-  private static Object[] changed(Object[] node, int level, int number, Cell cell) {
+  private static Object[] changed(Object @Nullable [] node, int level, int number, Cell cell) {
     Object[] copy = node == null ? new Object[WIDTH] : Arrays.copyOf(node, WIDTH);
     int place = number >>> level & MASK;
     copy[place] = level == 0 ? cell : changed((Object[]) copy[place], level - BITS, number, cell);
@@ -112,8 +113,8 @@ public final class Cells {
   }
 
   private void compare(
-      Object[] mine,
-      Object[] others,
+      Object @Nullable [] mine,
+      Object @Nullable [] others,
       int level,
       int first,
       BiConsumer<StateVariable, Optional<Cell>> visitor) {

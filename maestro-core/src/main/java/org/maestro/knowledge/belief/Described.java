@@ -99,7 +99,7 @@ final class Described {
   }
 
   Stream<Term.Name> names() {
-    return byClass.get("").stream();
+    return individuals("").stream();
   }
 
   private boolean isSymmetric(String predicate) {

@@ -46,6 +46,7 @@ public record World(
    * The variables of which something else may count now than in the other world then; empty when
    * the home is described otherwise.
    */
+  @SuppressWarnings("ReferenceEquality") // Each description makes other objects.
   Optional<Set<Object>> changedSince(World other, Instant then, Instant now) {
     if (described != other.described || measures != other.measures || home != other.home) {
       return Optional.empty();

@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.maestro.knowledge.api.Belief;
 import org.maestro.knowledge.api.Source;
@@ -30,11 +31,16 @@ public final class StoredHistory {
    */
   public List<HistoryFile.Line> read(Instant since, Instant now) {
     return storage.select(graphs.statementsQuery()).stream()
-        .sorted(Comparator.comparingLong(row -> number(row.get("statement"))))
+        .sorted(Comparator.comparingLong(row -> number(told(row, "statement"))))
         .map(row -> line(row, now))
         .flatMap(Optional::stream)
         .filter(line -> !line.belief().since().isBefore(since))
         .toList();
+  }
+
+  /** For what the query asks of every statement. */
+  private static String told(Map<String, String> row, String variable) {
+    return Objects.requireNonNull(row.get(variable));
   }
 
   private static long number(String observation) {
@@ -48,16 +54,17 @@ public final class StoredHistory {
   /** Others may write to an endpoint, too: what cannot be read is left out. */
   private static Optional<HistoryFile.Line> line(Map<String, String> row, Instant now) {
     try {
-      Instant since = Instant.parse(row.get("time"));
-      String agent = row.get("agent");
-      FactReader.read(row.get("fact"), agent);
-      Source.Kind kind = Source.Kind.valueOf(row.get("kind").toUpperCase(Locale.ROOT));
+      Instant since = Instant.parse(told(row, "time"));
+      String agent = told(row, "agent");
+      String fact = told(row, "fact");
+      FactReader.read(fact, agent);
+      Source.Kind kind = Source.Kind.valueOf(told(row, "kind").toUpperCase(Locale.ROOT));
       Belief belief =
           new Belief(
-              row.get("fact"),
+              fact,
               new Source(kind, agent),
               since.isAfter(now) ? now : since,
-              Double.parseDouble(row.get("confidence")));
+              Double.parseDouble(told(row, "confidence")));
       return Optional.of(new HistoryFile.Line(belief, row.containsKey("believed")));
     } catch (DateTimeParseException | IllegalArgumentException damaged) {
       return Optional.empty();

@@ -96,7 +96,11 @@ final class OwnWord {
 
   /** What the member said of it last, where that is not known yet. */
   List<Fact> news(StateVariable variable) {
-    return isNews(variable) ? said.get(variable) : List.of();
+    return isNews(variable) ? saidOf(variable) : List.of();
+  }
+
+  private List<Fact> saidOf(StateVariable variable) {
+    return said.getOrDefault(variable, List.of());
   }
 
   Verdict verdict(StateVariable variable, Fact predicted) {
@@ -109,7 +113,7 @@ final class OwnWord {
     if (isOverlapped(variable)) {
       return Verdict.OPEN;
     }
-    List<Fact> words = said.get(variable);
+    List<Fact> words = saidOf(variable);
     if (words.stream().noneMatch(word -> knowsBetter(word, predicted))) {
       return Verdict.PREDICTED;
     }
@@ -128,7 +132,7 @@ final class OwnWord {
 
   /** Whether the member has said just that since the step began. */
   boolean agrees(StateVariable variable, Fact predicted) {
-    return isSaidSinceBegun(variable) && said.get(variable).contains(predicted);
+    return isSaidSinceBegun(variable) && saidOf(variable).contains(predicted);
   }
 
   private boolean includesStep() {
@@ -240,7 +244,7 @@ final class OwnWord {
   }
 
   private OptionalDouble number(StateVariable variable) {
-    return said.get(variable).stream()
+    return saidOf(variable).stream()
         .filter(fact -> fact instanceof Fact.Equation own && own.value() instanceof Term.Number)
         .mapToDouble(fact -> ((Term.Number) ((Fact.Equation) fact).value()).value())
         .findFirst();

@@ -37,7 +37,7 @@ public final class DatasetStorage implements GraphStorage {
   /** TDB2 only ever appends; beyond this it is written anew when it is opened. */
   private static final long COMPACTED_FROM_BYTES = 256L << 20;
 
-  /**
+  /*
    * Files are not mapped into memory: who touches a page for which a full disk has no room gets an
    * error of the virtual machine, and none that could be lived with. It can be said once only.
    */

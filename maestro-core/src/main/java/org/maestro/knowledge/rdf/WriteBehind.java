@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.maestro.knowledge.api.KnowledgeException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -104,9 +105,9 @@ final class WriteBehind implements GraphStorage {
       }
       return true;
     } catch (RuntimeException e) {
-      if (failed(e.getMessage()).isEmpty()) {
-        LOG.error(
-            "{} What is said meanwhile is kept aside, and it is tried again.", e.getMessage());
+      String why = Objects.requireNonNullElse(e.getMessage(), e.toString());
+      if (failed(why).isEmpty()) {
+        LOG.error("{} What is said meanwhile is kept aside, and it is tried again.", why);
       }
       return false;
     }
@@ -131,6 +132,7 @@ final class WriteBehind implements GraphStorage {
     return !closed && waited(MILLIS_BETWEEN_TRIES);
   }
 
+  @SuppressWarnings("WaitNotInLoop") // Who calls looks again, or tries again, which may be early.
   private boolean waited(long millis) {
     try {
       wait(millis);

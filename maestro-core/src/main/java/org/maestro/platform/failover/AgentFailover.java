@@ -39,6 +39,7 @@ public final class AgentFailover {
   private final Predicate<String> mayBeUsed;
   private final Clock clock;
   private final Backoff backoff = new Backoff(Duration.ofSeconds(1), Duration.ofMinutes(1));
+  private final Provision own;
   private final Map<String, Provision> provisionByHost = new TreeMap<>();
   private final Map<String, String> hostByMember = new TreeMap<>();
   private final Map<String, String> controllerByMember = new TreeMap<>();
@@ -75,6 +76,7 @@ public final class AgentFailover {
     this.mayBeUsed = mayBeUsed;
     this.ways = ways;
     this.clock = clock;
+    this.own = own;
     provisionByHost.put(OWN, own);
     holderByController.put(controller, OWN);
   }
@@ -96,7 +98,7 @@ public final class AgentFailover {
 
   /** Whether this process provides what the member's agent needs. */
   public synchronized boolean fitsHere(String member) {
-    return provisionByHost.get(OWN).lacks(ways.needs(member)).isEmpty();
+    return own.lacks(ways.needs(member)).isEmpty();
   }
 
   /**

@@ -9,9 +9,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 import org.maestro.platform.hosts.Backoff;
 import org.maestro.platform.hosts.HostStart;
 import org.slf4j.Logger;
@@ -61,12 +63,13 @@ public final class HostSupervisor implements AutoCloseable {
    * @param grace for those that outlived the process whose place this one takes
    */
   public void begin(Duration grace) {
-    hosts.keySet().forEach(name -> later(name, grace));
+    hosts.values().forEach(host -> later(host, grace));
   }
 
   /** The container is not there any more. What is left of its process ends first. */
   public synchronized void gone(String name) {
-    if (!hosts.containsKey(name)) {
+    HostStart host = hosts.get(name);
+    if (host == null) {
       return;
     }
     Process left = running.get(name);
@@ -74,22 +77,24 @@ public final class HostSupervisor implements AutoCloseable {
       // That it has ended is told by its end.
       left.destroyForcibly();
     } else {
-      died(name, left);
+      died(host, left);
     }
   }
 
-  private void later(String name, Duration delay) {
+  private void later(HostStart host, Duration delay) {
     if (!soon.isShutdown()) {
-      soon.schedule(() -> start(name), delay.toMillis(), TimeUnit.MILLISECONDS);
+      Future<?> unusedAsCloseEndsThemAll =
+          soon.schedule(() -> start(host), delay.toMillis(), TimeUnit.MILLISECONDS);
     }
   }
 
-  private synchronized void start(String name) {
+  private synchronized void start(HostStart host) {
+    String name = host.name();
     Process former = running.get(name);
     if (soon.isShutdown() || isThere.test(name) || (former != null && former.isAlive())) {
       return;
     }
-    List<String> command = hosts.get(name).command(main);
+    List<String> command = host.command(main);
     File said = directory.resolve(name + ".log").toFile();
     try {
       Process process =
@@ -100,15 +105,17 @@ public final class HostSupervisor implements AutoCloseable {
       process.getOutputStream().close();
       running.put(name, process);
       LOG.info("The process of {} is started: {}", name, String.join(" ", command));
-      process.onExit().thenAccept(ended -> died(name, ended));
+      Future<?> unusedAsDiedSaysAllThereIs =
+          process.onExit().thenAccept(ended -> died(host, ended));
     } catch (IOException e) {
       LOG.warn("The process of {} cannot be started: {}", name, e.getMessage());
-      died(name, former);
+      died(host, former);
     }
   }
 
   /** Told once of each process; one that is not the last any more does not count. */
-  private synchronized void died(String name, Process process) {
+  private synchronized void died(HostStart host, @Nullable Process process) {
+    String name = host.name();
     if (soon.isShutdown() || running.get(name) != process) {
       return;
     }
@@ -119,7 +126,7 @@ public final class HostSupervisor implements AutoCloseable {
         name,
         delay.toSeconds(),
         directory.resolve(name + ".log"));
-    later(name, delay);
+    later(host, delay);
   }
 
   /** The processes that were started here end. */

@@ -10,6 +10,7 @@ import java.net.Socket;
 import java.nio.file.Path;
 import java.security.cert.X509Certificate;
 import java.time.Duration;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -98,21 +99,22 @@ public final class Guard {
 
   /** Ends the connections of those who are containers of the site no more. */
   void cutRevoked() {
-    for (SSLSocket socket : connected) {
-      try {
-        if (socket.isClosed()) {
-          connected.remove(socket);
-        } else if (holder(socket).isEmpty()) {
-          refusals.log(
-              "The connection with %s ends: the certificate %s is no longer good."
-                  .formatted(
-                      socket.getRemoteSocketAddress(), socket.getSession().getPeerPrincipal()));
-          connected.remove(socket);
-          socket.close();
-        }
-      } catch (IOException gone) {
-        connected.remove(socket);
+    connected.removeIf(this::isOver);
+  }
+
+  private boolean isOver(SSLSocket connection) {
+    try {
+      if (!connection.isClosed() && holder(connection).isEmpty()) {
+        refusals.log(
+            "The connection with %s ends: the certificate %s is no longer good."
+                .formatted(
+                    connection.getRemoteSocketAddress(),
+                    connection.getSession().getPeerPrincipal()));
+        connection.close();
       }
+      return connection.isClosed();
+    } catch (IOException gone) {
+      return true;
     }
   }
 
@@ -130,7 +132,7 @@ public final class Guard {
       connect(host, port, false).close();
       return Optional.empty();
     } catch (IOException refused) {
-      return Optional.of(refused.getMessage());
+      return Optional.of(Objects.requireNonNullElse(refused.getMessage(), refused.toString()));
     }
   }
 

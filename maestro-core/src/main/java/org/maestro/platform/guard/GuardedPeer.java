@@ -21,7 +21,10 @@ import org.maestro.rats.security.SecurityFilesException;
 public final class GuardedPeer extends JICPPeer {
   private static final int BACKLOG = 50;
 
+  // JADE makes a peer by its class name, and activates it before anything uses it.
+  @SuppressWarnings("NullAway.Init")
   private Guard guard;
+
   private Wires wires = new Wires();
 
   @Override

@@ -13,6 +13,7 @@ import jade.core.mobility.AgentMobilityHelper;
 import jade.core.mobility.AgentMobilityService;
 import jade.core.mobility.AgentMobilitySlice;
 import java.io.IOException;
+import org.jspecify.annotations.Nullable;
 
 /**
  * JADE's service for agents that move, without code that moves: an agent arrives only if its
@@ -47,7 +48,7 @@ public final class HomeMobilityService extends AgentMobilityService {
     }
 
     @Override
-    public VerticalCommand serve(HorizontalCommand command) {
+    public @Nullable VerticalCommand serve(HorizontalCommand command) {
       return switch (command.getName()) {
         case AgentMobilitySlice.H_CREATEAGENT -> arrive(command);
         case AgentMobilitySlice.H_FETCHCLASSFILE -> {
@@ -61,7 +62,7 @@ public final class HomeMobilityService extends AgentMobilityService {
   }
 
   /** As JADE does it, but for the way in which the agent is read. */
-  private VerticalCommand arrive(HorizontalCommand command) {
+  private @Nullable VerticalCommand arrive(HorizontalCommand command) {
     try {
       Agent read = Arrival.of((byte[]) command.getParam(1));
       GenericCommand moved =
@@ -79,7 +80,7 @@ public final class HomeMobilityService extends AgentMobilityService {
     }
   }
 
-  private VerticalCommand refuse(HorizontalCommand command, String reason) {
+  private @Nullable VerticalCommand refuse(HorizontalCommand command, String reason) {
     String name = command.getParam(0) instanceof AID agent ? agent.getName() : "without a name";
     String sentence = "An agent that moves here, %s, was refused: %s.".formatted(name, reason);
     refusals.log(sentence);

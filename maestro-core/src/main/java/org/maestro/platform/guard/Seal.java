@@ -100,7 +100,10 @@ record Seal(String life, long number, X509Certificate certificate, byte[] signat
       part(out, message.getConversationId());
       part(out, message.getReplyWith());
       part(out, message.getInReplyTo());
-      out.writeLong(message.getReplyByDate() == null ? 0 : message.getReplyByDate().getTime());
+      out.writeLong(
+          message.getReplyByDate() == null
+              ? 0
+              : message.getReplyByDate().toInstant().toEpochMilli());
       for (Iterator<?> answered = message.getAllReplyTo(); answered.hasNext(); ) {
         part(out, ((AID) answered.next()).getName());
       }

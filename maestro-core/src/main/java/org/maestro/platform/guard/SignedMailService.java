@@ -22,6 +22,7 @@ import java.security.cert.CertificateEncodingException;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.atomic.AtomicLong;
+import org.jspecify.annotations.Nullable;
 import org.maestro.agents.runtime.Caller;
 import org.maestro.rats.security.SecurityFilesException;
 
@@ -45,8 +46,15 @@ public final class SignedMailService extends BaseService {
   private final Filter outgoing = new Outgoing();
   private final Filter incoming = new Incoming();
   private final Local local = new Local();
+
+  // JADE makes a service by its class name, and says where it is before anything uses it.
+  @SuppressWarnings("NullAway.Init")
   private AgentContainer container;
+
+  @SuppressWarnings("NullAway.Init")
   private Guard guard;
+
+  @SuppressWarnings("NullAway.Init")
   private Holders holders;
 
   @Override
@@ -228,7 +236,7 @@ public final class SignedMailService extends BaseService {
     }
 
     @Override
-    public VerticalCommand serve(HorizontalCommand command) {
+    public @Nullable VerticalCommand serve(HorizontalCommand command) {
       if (command.getName().equals(SignedMailSlice.CERTIFICATE)) {
         try {
           command.setReturnValue(guard.access().certificate().getEncoded());

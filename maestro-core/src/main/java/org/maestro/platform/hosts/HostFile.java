@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 import org.maestro.deployment.Deployment;
@@ -91,7 +92,8 @@ public final class HostFile {
               });
       return host;
     } catch (RuntimeException e) {
-      throw fault(source, e.getMessage().replaceAll("\\.$", ""));
+      throw fault(
+          source, Objects.requireNonNullElse(e.getMessage(), e.toString()).replaceAll("\\.$", ""));
     }
   }
 

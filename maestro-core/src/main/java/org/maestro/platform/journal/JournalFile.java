@@ -5,14 +5,14 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
-import java.util.stream.Collectors;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Recovery;
@@ -196,15 +196,14 @@ public final class JournalFile implements Journal, AutoCloseable {
     threads.ifPresentOrElse(
         own -> {
           flushSoon(own);
-          own.watch()
-              .schedule(
-                  () ->
-                      admission.refuse(
-                          "the disk has not taken it within "
-                              + JournalCodec.seconds(patience).stripTrailingZeros().toPlainString()
-                              + " s"),
-                  patience.toMillis(),
-                  TimeUnit.MILLISECONDS);
+          String late =
+              "the disk has not taken it within "
+                  + JournalCodec.seconds(patience).stripTrailingZeros().toPlainString()
+                  + " s";
+          Future<?> unusedAsWhatIsAnsweredIsNotRefused =
+              own.watch()
+                  .schedule(
+                      () -> admission.refuse(late), patience.toMillis(), TimeUnit.MILLISECONDS);
         },
         this::flush);
   }
@@ -244,7 +243,7 @@ public final class JournalFile implements Journal, AutoCloseable {
     } catch (IOException e) {
       failed(StorageFault.words(e));
     } catch (PlatformStartException e) {
-      failed(e.getMessage());
+      failed(Objects.requireNonNullElse(e.getMessage(), e.toString()));
     } catch (RuntimeException e) {
       LOG.error("The journal in {} could not be written", directory, e);
     }
@@ -252,13 +251,13 @@ public final class JournalFile implements Journal, AutoCloseable {
 
   /** First, so that nothing new is written on a disk that refuses it after all. */
   private void writeWhatWaited() throws IOException {
-    Map<Boolean, List<Item>> isNew =
-        unwritten.stream().collect(Collectors.partitioningBy(Admission.class::isInstance));
-    write(isNew.get(false));
-    unwritten = new ArrayList<>(isNew.get(true));
+    List<Item> waited = unwritten.stream().filter(i -> !(i instanceof Admission)).toList();
+    List<Item> admissions = unwritten.stream().filter(Admission.class::isInstance).toList();
+    write(waited);
+    unwritten = new ArrayList<>(admissions);
     failing = false;
     LOG.warn("The journal in {} can be written again.", directory);
-    isNew.get(false).forEach(this::written);
+    waited.forEach(this::written);
   }
 
   /** All of them or none. */
@@ -319,7 +318,8 @@ public final class JournalFile implements Journal, AutoCloseable {
           synchronized (this) {
             flushIsDue = true;
           }
-          own.writer().schedule(this::flush, BETWEEN_TRIES.toMillis(), TimeUnit.MILLISECONDS);
+          Future<?> unusedAsFlushTellsWhatFails =
+              own.writer().schedule(this::flush, BETWEEN_TRIES.toMillis(), TimeUnit.MILLISECONDS);
         },
         () -> clock.schedule(BETWEEN_TRIES, "journal", this::flush));
   }

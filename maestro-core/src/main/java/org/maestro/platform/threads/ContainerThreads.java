@@ -20,6 +20,7 @@ public final class ContainerThreads implements ResourceManager {
   }
 
   @Override
+  @SuppressWarnings("ThreadPriorityCheck") // Nothing rests on it.
   public Thread getThread(int purpose, String name, Runnable work) {
     if (kind == AgentThreads.VIRTUAL && purpose == USER_AGENTS && work instanceof GenericAgent) {
       return VirtualThreads.make(name, work);
