@@ -66,7 +66,7 @@ public final class KnownOf {
     return facts.stream().sorted(Comparator.comparing(sentences::fact));
   }
 
-  /** Only of what the home has anything is asked. */
+  /** Only what the home has is asked for. */
   private Individual individual(String name) {
     return Objects.requireNonNull(home.individuals().get(name));
   }

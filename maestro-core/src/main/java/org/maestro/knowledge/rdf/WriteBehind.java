@@ -132,7 +132,7 @@ final class WriteBehind implements GraphStorage {
     return !closed && waited(MILLIS_BETWEEN_TRIES);
   }
 
-  @SuppressWarnings("WaitNotInLoop") // Who calls looks again, or tries again, which may be early.
+  @SuppressWarnings("WaitNotInLoop") // Who calls looks again, or tries again.
   private boolean waited(long millis) {
     try {
       wait(millis);
