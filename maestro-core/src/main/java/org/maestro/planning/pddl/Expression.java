@@ -8,8 +8,8 @@ sealed interface Expression {
 
   /** Line and column are counted from 1. */
   record Position(String source, int line, int column) {
-    PddlException error(String problem, Object... values) {
-      return new PddlException(source, line, column, problem.formatted(values));
+    PddlException error(String problem) {
+      return new PddlException(source, line, column, problem);
     }
 
     @Override
@@ -40,13 +40,13 @@ sealed interface Expression {
     if (this instanceof Word word) {
       return word;
     }
-    throw position().error("Expected %s, found a list.", expected);
+    throw position().error("Expected %s, found a list.".formatted(expected));
   }
 
   default Group group(String expected) {
     if (this instanceof Group group) {
       return group;
     }
-    throw position().error("Expected %s, found %s.", expected, ((Word) this).text());
+    throw position().error("Expected %s, found %s.".formatted(expected, ((Word) this).text()));
   }
 }

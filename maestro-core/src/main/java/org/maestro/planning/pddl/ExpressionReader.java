@@ -51,7 +51,7 @@ final class ExpressionReader {
       char next = text.charAt(at);
       if (next == '(') {
         if (open.size() == MOST_NESTED) {
-          throw here().error("Lists are more than %d deep in each other.", MOST_NESTED);
+          throw here().error("Lists are more than %d deep in each other.".formatted(MOST_NESTED));
         }
         open.addLast(new Group(here(), new ArrayList<>()));
         at++;

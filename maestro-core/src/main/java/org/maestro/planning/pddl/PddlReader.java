@@ -122,7 +122,7 @@ public final class PddlReader {
       if (!REQUIREMENTS.contains(requirement.text())) {
         throw requirement
             .position()
-            .error("The requirement %s is not supported.", requirement.text());
+            .error("The requirement %s is not supported.".formatted(requirement.text()));
       }
     }
   }
@@ -133,7 +133,8 @@ public final class PddlReader {
       if (items.get(i) instanceof Word word && word.text().equals("-")) {
         Word type = ++i < items.size() ? items.get(i).word("number") : word;
         if (!type.text().equals("number")) {
-          throw type.position().error("Functions have to be numbers, found %s.", type.text());
+          throw type.position()
+              .error("Functions have to be numbers, found %s.".formatted(type.text()));
         }
       } else {
         symbols.addFunction(items.get(i).group("a function"));
@@ -145,7 +146,8 @@ public final class PddlReader {
     name(text, "problem");
     List<Group> sections = sections(text);
     if (sections.stream().noneMatch(section -> section.head().equals(":domain"))) {
-      throw text.position().error("The problem does not name its (:domain %s).", domainName);
+      throw text.position()
+          .error("The problem does not name its (:domain %s).".formatted(domainName));
     }
     refuseTwo(":goal", sections);
     refuseTwo(":metric", sections);
@@ -194,7 +196,7 @@ public final class PddlReader {
   private static void refuseTwo(String head, List<Group> sections) {
     List<Group> such = sections.stream().filter(part -> part.head().equals(head)).toList();
     if (such.size() > 1) {
-      throw such.get(1).position().error("(%s ...) is there twice.", head);
+      throw such.get(1).position().error("(%s ...) is there twice.".formatted(head));
     }
   }
 
@@ -205,7 +207,7 @@ public final class PddlReader {
             : new Word(section.position(), "");
     if (!name.text().equals(domainName)) {
       throw name.position()
-          .error("The problem is of the domain %s, not of %s.", name.text(), domainName);
+          .error("The problem is of the domain %s, not of %s.".formatted(name.text(), domainName));
     }
   }
 
@@ -216,7 +218,7 @@ public final class PddlReader {
       if (section.items().size() > 1
           && section.items().get(1) instanceof Word name
           && !names.add(name.text())) {
-        throw name.position().error("The action %s is there twice.", name.text());
+        throw name.position().error("The action %s is there twice.".formatted(name.text()));
       }
     }
   }
@@ -234,10 +236,10 @@ public final class PddlReader {
     for (int i = 2; i < section.items().size(); i += 2) {
       Word key = section.items().get(i).word("a part such as :effect");
       if (!Set.of(":parameters", ":precondition", ":effect").contains(key.text())) {
-        throw key.position().error("%s is not supported in an action.", key.text());
+        throw key.position().error("%s is not supported in an action.".formatted(key.text()));
       }
       if (i + 1 == section.items().size()) {
-        throw key.position().error("Expected something after %s.", key.text());
+        throw key.position().error("Expected something after %s.".formatted(key.text()));
       }
       parts.put(key.text(), section.items().get(i + 1));
     }
@@ -263,14 +265,14 @@ public final class PddlReader {
         }
         Word number = group.items().get(2).word("a number");
         if (!SchemaReader.isNumber(number.text())) {
-          throw number.position().error("Expected a number, found %s.", number.text());
+          throw number.position().error("Expected a number, found %s.".formatted(number.text()));
         }
         BigDecimal value = new BigDecimal(number.text());
         BigDecimal before = values.put(reader.groundFunction(group.items().get(1)), value);
         if (before != null && before.compareTo(value) != 0) {
           throw group
               .position()
-              .error("This function has the value %s already.", before.toPlainString());
+              .error("This function has the value %s already.".formatted(before.toPlainString()));
         }
       }
       case "at" -> {
@@ -296,7 +298,9 @@ public final class PddlReader {
     }
     Word direction = section.items().get(1).word("minimize");
     if (!direction.text().equals("minimize")) {
-      throw direction.position().error("Only minimize is supported, found %s.", direction.text());
+      throw direction
+          .position()
+          .error("Only minimize is supported, found %s.".formatted(direction.text()));
     }
     Map<Integer, BigDecimal> factors = new LinkedHashMap<>();
     addMetric(section.items().get(2), BigDecimal.ONE, factors);
@@ -337,7 +341,7 @@ public final class PddlReader {
         && group.items().size() == 2) {
       return group.items().get(1).word("a name").text();
     }
-    throw text.position().error("Expected (define (%s NAME) ...).", kind);
+    throw text.position().error("Expected (define (%s NAME) ...).".formatted(kind));
   }
 
   private static List<Group> sections(Group text) {

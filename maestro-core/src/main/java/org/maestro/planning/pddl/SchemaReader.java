@@ -18,14 +18,6 @@ import org.maestro.planning.pddl.Symbols.Signature;
 
 /** Reads the parameters, condition and effect of one action, or a goal. */
 final class SchemaReader {
-  private static final Map<String, Relation> RELATIONS =
-      Map.of(
-          "<", Relation.LESS,
-          "<=", Relation.AT_MOST,
-          "=", Relation.EQUAL,
-          ">=", Relation.AT_LEAST,
-          ">", Relation.MORE);
-
   private final Symbols symbols;
   private final String name;
   private final Expression.Position position;
@@ -84,9 +76,15 @@ final class SchemaReader {
       case "and" -> group.rest().forEach(this::condition);
       case "not" -> negated(only(group));
       case "exists" -> exists(group);
-      case "=", "<", "<=", ">", ">=" -> relation(group);
+      case "=" -> relation(group, Relation.EQUAL);
+      case "<" -> relation(group, Relation.LESS);
+      case "<=" -> relation(group, Relation.AT_MOST);
+      case ">" -> relation(group, Relation.MORE);
+      case ">=" -> relation(group, Relation.AT_LEAST);
       case "or", "imply", "forall", "when", "preference" ->
-          throw group.position().error("(%s ...) in a condition is not supported.", group.head());
+          throw group
+              .position()
+              .error("(%s ...) in a condition is not supported.".formatted(group.head()));
       case "" -> {
         if (!group.items().isEmpty()) {
           throw group.position().error("Expected a condition, found a list of lists.");
@@ -102,7 +100,7 @@ final class SchemaReader {
       case "not" -> condition(only(group));
       case "=" -> sameness(group, false);
       case "and", "or", "imply", "forall", "exists", "<", "<=", ">", ">=" ->
-          throw group.position().error("(not (%s ...)) is not supported.", group.head());
+          throw group.position().error("(not (%s ...)) is not supported.".formatted(group.head()));
       default -> conditions.add(new Literal(atom(group, symbols.predicates, "predicate"), false));
     }
   }
@@ -118,19 +116,18 @@ final class SchemaReader {
     scope.putAll(outside);
   }
 
-  private void relation(Group group) {
+  private void relation(Group group, Relation relation) {
     if (group.items().size() != 3) {
       throw group.position().error("Expected two things to compare.");
     }
-    if (group.head().equals("=") && isTerm(group.items().get(1)) && isTerm(group.items().get(2))) {
+    if (relation == Relation.EQUAL
+        && isTerm(group.items().get(1))
+        && isTerm(group.items().get(2))) {
       sameness(group, true);
       return;
     }
     comparisons.add(
-        new Comparison(
-            RELATIONS.get(group.head()),
-            amount(group.items().get(1)),
-            amount(group.items().get(2))));
+        new Comparison(relation, amount(group.items().get(1)), amount(group.items().get(2))));
   }
 
   private boolean isTerm(Expression expression) {
@@ -158,7 +155,9 @@ final class SchemaReader {
       case "increase" -> increase(group, false);
       case "decrease" -> increase(group, true);
       case "assign", "scale-up", "scale-down", "when", "forall" ->
-          throw group.position().error("(%s ...) in an effect is not supported.", group.head());
+          throw group
+              .position()
+              .error("(%s ...) in an effect is not supported.".formatted(group.head()));
       case "" -> {
         if (!group.items().isEmpty()) {
           throw group.position().error("Expected an effect, found a list of lists.");
@@ -170,7 +169,7 @@ final class SchemaReader {
 
   private void increase(Group group, boolean less) {
     if (group.items().size() != 3) {
-      throw group.position().error("Expected (%s function amount).", group.head());
+      throw group.position().error("Expected (%s function amount).".formatted(group.head()));
     }
     Expression changed = group.items().get(1);
     Amount amount = amount(group.items().get(2));
@@ -198,12 +197,12 @@ final class SchemaReader {
         && group.head().length() == 1) {
       List<Expression> operands = group.rest();
       if (operands.isEmpty()) {
-        throw group.position().error("Expected amounts after %s.", group.head());
+        throw group.position().error("Expected amounts after %s.".formatted(group.head()));
       }
       char operator = group.head().charAt(0);
       if (operands.size() == 1) {
         if (operator != '-') {
-          throw group.position().error("Expected two amounts after %s.", group.head());
+          throw group.position().error("Expected two amounts after %s.".formatted(group.head()));
         }
         return new Amount.Operation(
             '-', new Amount.Constant(BigDecimal.ZERO), amount(operands.get(0)));
@@ -225,14 +224,14 @@ final class SchemaReader {
     Word head = group.items().get(0).word("a " + kind + "'s name");
     Signature signature = among.get(head.text());
     if (signature == null) {
-      throw head.position().error("There is no %s %s.", kind, head.text());
+      throw head.position().error("There is no %s %s.".formatted(kind, head.text()));
     }
     List<Expression> arguments = group.rest();
     if (arguments.size() != signature.types().size()) {
       throw head.position()
           .error(
-              "%s takes %d arguments, found %d.",
-              head.text(), signature.types().size(), arguments.size());
+              "%s takes %d arguments, found %d."
+                  .formatted(head.text(), signature.types().size(), arguments.size()));
     }
     int[] terms = new int[arguments.size()];
     for (int i = 0; i < terms.length; i++) {
@@ -253,8 +252,8 @@ final class SchemaReader {
       throw argument
           .position()
           .error(
-              "%s takes an object of the type %s here, and %s is none.",
-              head.text(), String.join(" or ", types), argument.text());
+              "%s takes an object of the type %s here, and %s is none."
+                  .formatted(head.text(), String.join(" or ", types), argument.text()));
     }
   }
 
@@ -275,14 +274,14 @@ final class SchemaReader {
     }
     Integer parameter = scope.get(word.text());
     if (parameter == null) {
-      throw word.position().error("There is no parameter %s here.", word.text());
+      throw word.position().error("There is no parameter %s here.".formatted(word.text()));
     }
     return Atom.parameter(parameter);
   }
 
   private static Expression only(Group group) {
     if (group.items().size() != 2) {
-      throw group.position().error("Expected one thing after %s.", group.head());
+      throw group.position().error("Expected one thing after %s.".formatted(group.head()));
     }
     return group.items().get(1);
   }

@@ -55,20 +55,32 @@ final class Symbols {
 
   private void addMember(Position position, String type, int object, int depth) {
     if (depth > parents.size()) {
-      throw position.error("The type %s is below itself.", type);
+      throw position.error("The type %s is below itself.".formatted(type));
     }
-    checkType(position, type);
+    List<String> above = parents(position, type);
     members.computeIfAbsent(type, absent -> new BitSet()).set(object);
     members.computeIfAbsent(OBJECT, absent -> new BitSet()).set(object);
-    for (String parent : parents.get(type)) {
+    for (String parent : above) {
       addMember(position, parent, object, depth + 1);
     }
   }
 
   void checkType(Position position, String type) {
     if (!parents.containsKey(type)) {
-      throw position.error("There is no type %s; declare it in (:types ...).", type);
+      throw noType(position, type);
     }
+  }
+
+  private List<String> parents(Position position, String type) {
+    List<String> above = parents.get(type);
+    if (above == null) {
+      throw noType(position, type);
+    }
+    return above;
+  }
+
+  private static PddlException noType(Position position, String type) {
+    return position.error("There is no type %s; declare it in (:types ...).".formatted(type));
   }
 
   void addPredicate(Group declaration) {
@@ -81,7 +93,9 @@ final class Symbols {
 
   private void declare(Map<String, Signature> among, Group declaration, String kind) {
     if (declaration.items().isEmpty()) {
-      throw declaration.position().error("Expected a %s's name, found an empty list.", kind);
+      throw declaration
+          .position()
+          .error("Expected a %s's name, found an empty list.".formatted(kind));
     }
     Word name = declaration.items().get(0).word("a " + kind + "'s name");
     List<List<String>> types = new ArrayList<>();
@@ -90,7 +104,7 @@ final class Symbols {
       types.add(argument.types());
     }
     if (among.putIfAbsent(name.text(), new Signature(among.size(), types)) != null) {
-      throw name.position().error("The %s %s is declared twice.", kind, name.text());
+      throw name.position().error("The %s %s is declared twice.".formatted(kind, name.text()));
     }
   }
 
@@ -98,7 +112,7 @@ final class Symbols {
     Integer number = objects.get(word.text());
     if (number == null) {
       throw word.position()
-          .error("There is no object %s; declare it in (:objects ...).", word.text());
+          .error("There is no object %s; declare it in (:objects ...).".formatted(word.text()));
     }
     return number;
   }
@@ -133,7 +147,9 @@ final class Symbols {
       if (!word.text().equals("-")) {
         if (variables != word.isVariable()) {
           throw word.position()
-              .error("Expected %s, found %s.", variables ? "a variable" : "a name", word.text());
+              .error(
+                  "Expected %s, found %s."
+                      .formatted(variables ? "a variable" : "a name", word.text()));
         }
         waiting.add(word);
         continue;

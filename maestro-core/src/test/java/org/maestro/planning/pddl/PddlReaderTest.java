@@ -92,6 +92,8 @@ class PddlReaderTest {
         .hasMessage("p:3:32: There is no object z; declare it in (:objects ...).");
     assertThatThrownBy(() -> PddlReader.parse("d", DOMAIN, "p", PROBLEM.replace("(:goal", "(:g")))
         .hasMessageStartingWith("p:5:3: (:g ...) is not supported.");
+    assertThatThrownBy(() -> PddlReader.parse("d", DOMAIN, "p", PROBLEM.replace("(:goal", "(:g%d")))
+        .hasMessageStartingWith("p:5:3: (:g%d ...) is not supported.");
     String twice = PROBLEM.replace("(= (lux s) 0)", "(= (lux s) 0) (= (lux s) 0.0) (= (lux s) 1)");
     assertThatThrownBy(() -> PddlReader.parse("d", DOMAIN, "p", twice))
         .hasMessage("p:3:102: This function has the value 0.0 already.");
