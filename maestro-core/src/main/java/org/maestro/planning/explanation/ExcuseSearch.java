@@ -198,11 +198,13 @@ final class ExcuseSearch {
     if (!(stronger instanceof Condition.Compare a) || !(weaker instanceof Condition.Compare b)) {
       return false;
     }
-    Threshold high = Threshold.of(a);
-    Threshold low = Threshold.of(b);
-    return high != null
-        && low != null
-        && high.variable() == low.variable()
+    Optional<Threshold> high = Threshold.of(a);
+    Optional<Threshold> low = Threshold.of(b);
+    return high.isPresent() && low.isPresent() && isHigher(high.get(), low.get());
+  }
+
+  private static boolean isHigher(Threshold high, Threshold low) {
+    return high.variable() == low.variable()
         && high.upward() == low.upward()
         && (high.upward() ? high.bound() > low.bound() : high.bound() < low.bound());
   }

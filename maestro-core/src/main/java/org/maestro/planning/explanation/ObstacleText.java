@@ -87,10 +87,17 @@ public final class ObstacleText {
         new Formula.Comparison(
             compare.relation(), expression(compare.left()), expression(compare.right()));
     String condition = SlPrinter.print(compare.positive() ? formula : new Formula.Not(formula));
-    Threshold threshold = Threshold.of(compare);
-    if (threshold == null) {
-      return FixedObstacle.stated(Kind.FACT, condition, "true", "false");
-    }
+    return Threshold.of(compare)
+        .map(threshold -> ofThreshold(threshold, condition, numbers, settings, moved))
+        .orElseGet(() -> FixedObstacle.stated(Kind.FACT, condition, "true", "false"));
+  }
+
+  private static Obstacle ofThreshold(
+      Threshold threshold,
+      String condition,
+      NumberVector numbers,
+      SettingAnalysis settings,
+      Set<Object> moved) {
     String needed =
         (threshold.upward() ? ">" : "<")
             + (threshold.strict() ? " " : "= ")
@@ -115,11 +122,12 @@ public final class ObstacleText {
   private static OptionalDouble missing(
       Threshold threshold, NumberVector numbers, SettingAnalysis settings, Set<Object> moved) {
     NumberVariable variable = threshold.variable();
-    SettingSum sum = settings.sum(variable);
-    if (sum == null && moved.contains(variable)) {
+    Optional<SettingSum> sum = settings.sum(variable);
+    if (sum.isEmpty() && moved.contains(variable)) {
       return OptionalDouble.empty();
     }
-    double best = sum == null ? variable.initial() : sum.extreme(numbers, threshold.upward());
+    double best =
+        sum.map(all -> all.extreme(numbers, threshold.upward())).orElse(variable.initial());
     double missing = Quantity.rounded(threshold.missing(best));
     return missing > 0 ? OptionalDouble.of(missing) : OptionalDouble.empty();
   }

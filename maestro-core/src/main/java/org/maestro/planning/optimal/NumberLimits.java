@@ -17,7 +17,6 @@ import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.NumberVariable;
 import org.maestro.planning.problem.Operator;
 import org.maestro.planning.problem.SettingAnalysis;
-import org.maestro.planning.problem.SettingSum;
 import org.maestro.planning.problem.SettledSums;
 import org.maestro.planning.problem.State;
 import org.maestro.planning.problem.Successors;
@@ -59,12 +58,16 @@ public final class NumberLimits {
     if (obstacle.kind() == Kind.UNKNOWN) {
       return obstacle.with(othersCouldMoveIt(leaf) ? Extent.LIMIT_NOW : Extent.LIMIT);
     }
-    if (obstacle.kind() != Kind.NUMBER
-        || !(leaf instanceof Condition.Compare compare)
-        || Threshold.of(compare) == null) {
+    if (obstacle.kind() != Kind.NUMBER || !(leaf instanceof Condition.Compare compare)) {
       return obstacle;
     }
-    Best best = best(Threshold.of(compare), problem(leaf, possible));
+    return Threshold.of(compare)
+        .map(threshold -> limited(obstacle, leaf, threshold))
+        .orElse(obstacle);
+  }
+
+  private Obstacle limited(Obstacle obstacle, Condition leaf, Threshold threshold) {
+    Best best = best(threshold, problem(leaf, possible));
     return obstacle.with(
         SlPrinter.print(best.value()),
         best.proven() ? othersCouldMoveIt(leaf) ? Extent.LIMIT_NOW : Extent.LIMIT : Extent.FOUND);
@@ -91,11 +94,11 @@ public final class NumberLimits {
     NumberVariable variable = threshold.variable();
     double sign = threshold.upward() ? 1 : -1;
     SettingAnalysis settings = new SettingAnalysis(problem);
-    SettingSum sum = settings.sum(variable);
     double bound =
-        sum == null
-            ? Double.POSITIVE_INFINITY
-            : sign * sum.extreme(problem.initial().numbers(), threshold.upward());
+        settings
+            .sum(variable)
+            .map(sum -> sign * sum.extreme(problem.initial().numbers(), threshold.upward()))
+            .orElse(Double.POSITIVE_INFINITY);
     SettledSums settled = new SettledSums(settings, problem.initial().numbers());
     Set<State> seen = new HashSet<>();
     PriorityQueue<Entry> open =

@@ -7,7 +7,10 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.maestro.planning.problem.Achievement;
 import org.maestro.planning.problem.Change;
 import org.maestro.planning.problem.Condition;
@@ -49,7 +52,7 @@ public final class RelaxedProblem {
   private final double[] operatorCosts;
   private final boolean[] paidForByThreshold;
   private int payers;
-  private int[][] consumers;
+  private int @Nullable [][] consumers;
   private final int goal;
 
   private record OperatorChange(int operator, Change change) {}
@@ -73,11 +76,11 @@ public final class RelaxedProblem {
     for (int proposition = 1; proposition < leaves.size(); proposition++) {
       Condition leaf = leaves.get(proposition);
       if (leaf != Constant.FALSE) {
-        Threshold threshold = thresholdOfSum(leaf);
-        if (threshold != null) {
-          thresholds.computeIfAbsent(threshold, absent -> new ArrayList<>()).add(proposition);
+        Optional<Threshold> threshold = thresholdOfSum(leaf);
+        if (threshold.isPresent()) {
+          thresholds.computeIfAbsent(threshold.get(), absent -> new ArrayList<>()).add(proposition);
         }
-        addAchievers(proposition, leaf, threshold != null);
+        addAchievers(proposition, leaf, threshold.isPresent());
       }
     }
     prices = new ThresholdPrices(settings.sums(), thresholds.keySet());
@@ -106,7 +109,7 @@ public final class RelaxedProblem {
   }
 
   /** The propositions that together mean the condition; null when it is false. */
-  private int[] propositions(Condition condition) {
+  private int @Nullable [] propositions(Condition condition) {
     List<Condition> conjuncts = condition.conjuncts();
     int[] result = new int[conjuncts.size()];
     for (int i = 0; i < result.length; i++) {
@@ -137,9 +140,10 @@ public final class RelaxedProblem {
     return leaves.size() - 1;
   }
 
-  private Threshold thresholdOfSum(Condition leaf) {
-    Threshold threshold = leaf instanceof Condition.Compare compare ? Threshold.of(compare) : null;
-    return threshold != null && settings.sum(threshold.variable()) != null ? threshold : null;
+  private Optional<Threshold> thresholdOfSum(Condition leaf) {
+    return leaf instanceof Condition.Compare compare
+        ? Threshold.of(compare).filter(found -> settings.sum(found.variable()).isPresent())
+        : Optional.empty();
   }
 
   private void addAchievers(int proposition, Condition leaf, boolean ofSum) {
@@ -214,7 +218,9 @@ public final class RelaxedProblem {
         actions.add(new Action(payer++, new int[] {before}, new int[] {here}));
         for (Threshold threshold : cluster) {
           int[] reached =
-              propositionsOf.get(threshold).stream().mapToInt(Integer::intValue).toArray();
+              Objects.requireNonNull(propositionsOf.get(threshold)).stream()
+                  .mapToInt(Integer::intValue)
+                  .toArray();
           actions.add(new Action(payer++, new int[] {here}, reached));
         }
         before = here;

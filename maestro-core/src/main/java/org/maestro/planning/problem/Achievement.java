@@ -1,5 +1,6 @@
 package org.maestro.planning.problem;
 
+import java.util.Optional;
 import org.maestro.planning.problem.Condition.Constant;
 import org.maestro.planning.problem.Condition.Literal;
 import org.maestro.planning.problem.Condition.Question;
@@ -83,17 +84,17 @@ public final class Achievement {
   }
 
   private static Condition ofComparison(Change.Adjust adjust, Condition.Compare compare) {
-    Threshold threshold = Threshold.of(compare);
-    if (threshold == null
+    Optional<Threshold> threshold = Threshold.of(compare);
+    if (threshold.isEmpty()
         || !(adjust.value() instanceof NumberExpression.Constant constant)
         || Quantity.isUnknown(constant.number())) {
       return Constant.TRUE;
     }
     if (adjust.assignment() == Assignment.ASSIGN) {
-      return Constant.of(threshold.isMetBy(constant.number()));
+      return Constant.of(threshold.get().isMetBy(constant.number()));
     }
     boolean raises = adjust.assignment() == Assignment.INCREASE == constant.number() > 0;
-    return constant.number() != 0 && raises == threshold.upward()
+    return constant.number() != 0 && raises == threshold.get().upward()
         ? new Condition.NumberKnown(adjust.variable(), true)
         : Constant.FALSE;
   }

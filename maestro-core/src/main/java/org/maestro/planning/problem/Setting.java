@@ -2,6 +2,8 @@ package org.maestro.planning.problem;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.TreeSet;
 import org.maestro.sl.Effect.Assignment;
 
@@ -15,32 +17,34 @@ import org.maestro.sl.Effect.Assignment;
 public record Setting(NumberVariable variable, double[] values, double[][] distance) {
 
   /**
-   * The setting that the variable is, or null when it is none.
+   * The setting that the variable is, if it is one.
    *
    * @param operators all that change the variable
    */
-  static Setting of(NumberVariable variable, List<Operator> operators, NumberVector initial) {
+  static Optional<Setting> of(
+      NumberVariable variable, List<Operator> operators, NumberVector initial) {
     if (Quantity.isUnknown(variable.initial())) {
-      return null;
+      return Optional.empty();
     }
     TreeSet<Double> values = new TreeSet<>(List.of(variable.initial()));
     for (Operator operator : operators) {
-      Double set = constantSetBy(operator, variable);
-      if (set == null) {
-        return null;
+      OptionalDouble set = constantSetBy(operator, variable);
+      if (set.isEmpty()) {
+        return Optional.empty();
       }
-      values.add(set);
+      values.add(set.getAsDouble());
     }
     double[] sorted = values.stream().mapToDouble(Double::doubleValue).toArray();
-    return new Setting(variable, sorted, distances(variable, sorted, operators, initial));
+    return Optional.of(
+        new Setting(variable, sorted, distances(variable, sorted, operators, initial)));
   }
 
   /**
-   * The constant, or null when the operator does anything else to the variable, or its price reads
+   * The constant; empty when the operator does anything else to the variable, or its price reads
    * other variables.
    */
-  private static Double constantSetBy(Operator operator, NumberVariable variable) {
-    Double set = null;
+  private static OptionalDouble constantSetBy(Operator operator, NumberVariable variable) {
+    OptionalDouble set = OptionalDouble.empty();
     for (Change change : operator.changes()) {
       if (change.target() == variable && !(change instanceof Change.Measure)) {
         if (!(change instanceof Change.Adjust adjust
@@ -48,13 +52,13 @@ public record Setting(NumberVariable variable, double[] values, double[][] dista
                 && adjust.assignment() == Assignment.ASSIGN
                 && adjust.value() instanceof NumberExpression.Constant constant
                 && Double.isFinite(constant.number()))
-            || set != null) {
-          return null;
+            || set.isPresent()) {
+          return OptionalDouble.empty();
         }
-        set = Quantity.rounded(constant.number());
+        set = OptionalDouble.of(Quantity.rounded(constant.number()));
       }
     }
-    return readsOnly(operator.price().cost(), variable) ? set : null;
+    return readsOnly(operator.price().cost(), variable) ? set : OptionalDouble.empty();
   }
 
   static boolean readsNone(NumberExpression expression, NumberVariable variable) {
@@ -78,7 +82,7 @@ public record Setting(NumberVariable variable, double[] values, double[][] dista
       distance[from][from] = 0;
       NumberVector numbers = initial.with(variable.index(), values[from]);
       for (Operator operator : operators) {
-        int to = Arrays.binarySearch(values, constantSetBy(operator, variable));
+        int to = Arrays.binarySearch(values, constantSetBy(operator, variable).orElseThrow());
         double cost = operator.price().cost(numbers);
         if (cost < distance[from][to]) {
           distance[from][to] = cost;

@@ -21,10 +21,8 @@ public final class SettingAnalysis {
     Map<NumberVariable, List<Operator>> changing = changing(problem);
     changing.forEach(
         (number, operators) -> {
-          Setting setting = Setting.of(number, operators, initial);
-          if (setting != null) {
-            settings.put(setting, operators);
-          }
+          Setting.of(number, operators, initial)
+              .ifPresent(setting -> settings.put(setting, operators));
         });
     dropSharedOperators();
     settings.forEach(
@@ -34,12 +32,9 @@ public final class SettingAnalysis {
         });
     changing.forEach(
         (number, operators) -> {
-          SettingSum sum =
-              isSetting(number)
-                  ? null
-                  : SettingSum.of(number, operators, settings, settingOf, initial);
-          if (sum != null) {
-            sums.put(number, sum);
+          if (!isSetting(number)) {
+            SettingSum.of(number, operators, settings, settingOf, initial)
+                .ifPresent(sum -> sums.put(number, sum));
           }
         });
   }
@@ -53,7 +48,7 @@ public final class SettingAnalysis {
         List<Operator> operators =
             change.target() instanceof NumberVariable number ? changing.get(number) : null;
         if (operators != null
-            && (operators.isEmpty() || operators.get(operators.size() - 1) != operator)) {
+            && (operators.isEmpty() || !operators.get(operators.size() - 1).equals(operator))) {
           operators.add(operator);
         }
       }
@@ -64,9 +59,10 @@ public final class SettingAnalysis {
 
   /** An operator that sets two numbers at once would be paid for twice. */
   private void dropSharedOperators() {
-    Map<Operator, Integer> uses = new HashMap<>();
-    settings.values().forEach(all -> all.forEach(o -> uses.merge(o, 1, Integer::sum)));
-    settings.values().removeIf(all -> all.stream().anyMatch(o -> uses.get(o) > 1));
+    Set<Operator> seen = new HashSet<>();
+    Set<Operator> shared = new HashSet<>();
+    settings.values().forEach(all -> all.stream().filter(o -> !seen.add(o)).forEach(shared::add));
+    settings.values().removeIf(all -> all.stream().anyMatch(shared::contains));
   }
 
   /** Whether the number is always known. */
@@ -96,9 +92,9 @@ public final class SettingAnalysis {
     return least;
   }
 
-  /** The sum that the number is, or null. */
-  public SettingSum sum(NumberVariable variable) {
-    return sums.get(variable);
+  /** The sum that the number is, if it is one. */
+  public Optional<SettingSum> sum(NumberVariable variable) {
+    return Optional.ofNullable(sums.get(variable));
   }
 
   public Map<NumberVariable, SettingSum> sums() {

@@ -6,6 +6,7 @@ import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.maestro.sl.Effect.Assignment;
 
@@ -18,13 +19,13 @@ public record SettingSum(NumberVariable variable, List<Part> parts) {
   public record Part(Setting setting, double factor) {}
 
   /**
-   * The sum that the variable is, or null when it is none.
+   * The sum that the variable is, if it is one.
    *
    * @param operators all that change the variable
    * @param settings with all operators that change them
    * @param settingOf the setting that an operator changes
    */
-  static SettingSum of(
+  static Optional<SettingSum> of(
       NumberVariable variable,
       List<Operator> operators,
       Map<Setting, List<Operator>> settings,
@@ -36,7 +37,7 @@ public record SettingSum(NumberVariable variable, List<Part> parts) {
       if (setting != null) {
         moving.add(setting);
       } else if (operator.changes().stream().anyMatch(c -> isAdjustOf(c, variable))) {
-        return null;
+        return Optional.empty();
       }
     }
     Map<Setting, Double> factors = new LinkedHashMap<>();
@@ -46,7 +47,7 @@ public record SettingSum(NumberVariable variable, List<Part> parts) {
           double factor = factor(variable, operator, setting.getKey(), initial);
           Double before = factors.putIfAbsent(setting.getKey(), factor);
           if (Double.isNaN(factor) || before != null && Math.abs(before - factor) > 1e-6) {
-            return null;
+            return Optional.empty();
           }
         }
       }
@@ -58,7 +59,9 @@ public record SettingSum(NumberVariable variable, List<Part> parts) {
             parts.add(new Part(setting, factor));
           }
         });
-    return parts.isEmpty() ? null : new SettingSum(variable, List.copyOf(parts));
+    return parts.isEmpty()
+        ? Optional.empty()
+        : Optional.of(new SettingSum(variable, List.copyOf(parts)));
   }
 
   private static boolean isAdjustOf(Change change, NumberVariable variable) {

@@ -1,5 +1,6 @@
 package org.maestro.planning.problem;
 
+import java.util.Optional;
 import org.maestro.sl.Formula.Relation;
 
 /**
@@ -9,10 +10,10 @@ import org.maestro.sl.Formula.Relation;
  */
 public record Threshold(NumberVariable variable, boolean upward, double bound, boolean strict) {
 
-  /** The threshold that the comparison is, or null when it is none. */
-  public static Threshold of(Condition.Compare compare) {
+  /** The threshold that the comparison is, if it is one. */
+  public static Optional<Threshold> of(Condition.Compare compare) {
     if (compare.relation() == Relation.EQUAL) {
-      return null;
+      return Optional.empty();
     }
     boolean upward =
         compare.relation() == Relation.AT_LEAST || compare.relation() == Relation.GREATER;
@@ -28,14 +29,14 @@ public record Threshold(NumberVariable variable, boolean upward, double bound, b
         && compare.left() instanceof NumberExpression.Constant bound) {
       return of(read, !upward, bound, strict);
     }
-    return null;
+    return Optional.empty();
   }
 
-  private static Threshold of(
+  private static Optional<Threshold> of(
       NumberExpression.Read read, boolean upward, NumberExpression.Constant bound, boolean strict) {
     return Double.isFinite(bound.number())
-        ? new Threshold(read.variable(), upward, bound.number(), strict)
-        : null;
+        ? Optional.of(new Threshold(read.variable(), upward, bound.number(), strict))
+        : Optional.empty();
   }
 
   public boolean isMetBy(double value) {
