@@ -78,6 +78,7 @@ final class KeptChecks {
   }
 
   /** Lists that are made anew of the same features are compared by these. */
+  @SuppressWarnings("ReferenceEquality") // To compare whole descriptions would take too long.
   private static boolean areTheSame(List<PricedFeature> some, List<PricedFeature> others) {
     if (some == others) {
       return true;

@@ -119,7 +119,7 @@ public final class PddlWriter {
       words.add(SlPrinter.print(value));
     }
     String name = String.join("__", words);
-    for (StepCases.Case one : new StepCases(operator, problem, ranges, conditions).all()) {
+    for (StepCases.Case one : new StepCases(operator, ranges, conditions).all()) {
       List<String> effects = new ArrayList<>();
       one.effects().forEach((fact, holds) -> effects.add(literal(fact, holds)));
       one.increases()

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.maestro.planning.problem.Change;
-import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.NumberVariable;
 import org.maestro.planning.problem.NumberVector;
 import org.maestro.planning.problem.Operator;
@@ -24,7 +23,6 @@ final class StepCases {
   private static final int MOST_CASES = 2000;
 
   private final Operator operator;
-  private final GroundProblem problem;
   private final NumberRanges ranges;
   private final ClauseCompiler conditions;
 
@@ -57,10 +55,8 @@ final class StepCases {
   /** What becomes of a variable under a condition. */
   private record Way(Clause condition, Map<Clause.Fact, Boolean> effects) {}
 
-  StepCases(
-      Operator operator, GroundProblem problem, NumberRanges ranges, ClauseCompiler conditions) {
+  StepCases(Operator operator, NumberRanges ranges, ClauseCompiler conditions) {
     this.operator = operator;
-    this.problem = problem;
     this.ranges = ranges;
     this.conditions = conditions;
   }

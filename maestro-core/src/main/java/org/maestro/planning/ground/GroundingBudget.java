@@ -32,7 +32,8 @@ public final class GroundingBudget {
   public static GroundingBudget seconds(double seconds, BooleanSupplier cancelled) {
     double nanos = seconds * 1e9;
     return new GroundingBudget(
-        nanos > Long.MAX_VALUE / 4 ? Long.MAX_VALUE : System.nanoTime() + (long) nanos, cancelled);
+        nanos > Long.MAX_VALUE / 4.0 ? Long.MAX_VALUE : System.nanoTime() + (long) nanos,
+        cancelled);
   }
 
   /** Until a part of the time that is left has passed. */

@@ -78,7 +78,7 @@ public final class Grounder {
    */
   public static Grounder forExplanation(PlanningTask task) {
     List<PricedFeature> features = new ArrayList<>(task.features());
-    Map<PricedFeature, Unavailable> missing = new IdentityHashMap<>();
+    IdentityHashMap<PricedFeature, Unavailable> missing = new IdentityHashMap<>();
     for (Unavailable unavailable : task.unavailable()) {
       features.add(unavailable.feature());
       missing.put(unavailable.feature(), unavailable);
@@ -200,7 +200,7 @@ public final class Grounder {
   }
 
   private static Operator withWhatIsMissing(
-      Operator operator, PlanningTask task, Map<PricedFeature, Unavailable> missing) {
+      Operator operator, PlanningTask task, IdentityHashMap<PricedFeature, Unavailable> missing) {
     List<Condition> conditions = new ArrayList<>(List.of(operator.precondition()));
     if (task.barred().contains(operator.key())) {
       String reason =

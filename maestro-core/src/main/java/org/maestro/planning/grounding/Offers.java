@@ -6,6 +6,7 @@ import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.OptionalInt;
 import java.util.Set;
 import org.maestro.ontology.vocabulary.FeatureType;
@@ -19,7 +20,7 @@ final class Offers {
 
   private final List<PricedFeature> features = new ArrayList<>();
   private final List<OptionalInt> kin = new ArrayList<>();
-  private final Map<FeatureType, Set<String>> addedBy = new IdentityHashMap<>();
+  private final IdentityHashMap<FeatureType, Set<String>> addedBy = new IdentityHashMap<>();
   private final Map<String, List<Integer>> changing = new HashMap<>();
   private final Map<Integer, Integer> ranks = new HashMap<>();
   private final Set<String> removed = new HashSet<>();
@@ -37,7 +38,7 @@ final class Offers {
     changing.clear();
     ranks.clear();
     removed.clear();
-    Map<FeatureType, Set<String>> changedBy = new IdentityHashMap<>();
+    IdentityHashMap<FeatureType, Set<String>> changedBy = new IdentityHashMap<>();
     for (PricedFeature feature : next) {
       int number = number(feature, known.getOrDefault(name(feature), List.of()));
       ranks.put(number, ranks.size());
@@ -53,6 +54,7 @@ final class Offers {
     return new Name(feature.member(), feature.type().name());
   }
 
+  @SuppressWarnings("ReferenceEquality") // A type is told by its object, as in addedBy.
   private int number(PricedFeature feature, List<Integer> known) {
     for (int number : known) {
       if (!ranks.containsKey(number) && features.get(number).equals(feature)) {
@@ -93,9 +95,9 @@ final class Offers {
     return ranks.containsKey(number);
   }
 
-  /** The feature's place in the task's order. */
+  /** The place in the task's order of a feature that is there. */
   int rank(int number) {
-    return ranks.get(number);
+    return Objects.requireNonNull(ranks.get(number));
   }
 
   /** Numbers of the features that may change a predicate or fluent, in the task's order. */

@@ -82,6 +82,7 @@ public sealed interface Condition {
     }
 
     @Override
+    @SuppressWarnings("EnumOrdinal") // Other than the question's own hash, the same in every run.
     public int hashCode() {
       return 31 * (31 * variable.hashCode() + value) + question.ordinal();
     }

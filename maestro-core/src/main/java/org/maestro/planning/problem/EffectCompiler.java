@@ -18,7 +18,7 @@ import org.maestro.sl.Term;
 public final class EffectCompiler {
   private final ConditionCompiler conditions;
   private final Variables variables;
-  private final Map<Effect, Part> parts = new IdentityHashMap<>();
+  private final IdentityHashMap<Effect, Part> parts = new IdentityHashMap<>();
 
   /** A part of an effect, with what it changes by the values of its variables. */
   private record Part(List<String> variables, Map<List<Term>, List<Change>> changes) {}

@@ -115,7 +115,7 @@ public record GroundProblem(
 
   private static void add(Operator operator, Object want, Map<Object, List<Operator>> byWant) {
     List<Operator> changing = byWant.computeIfAbsent(want, absent -> new ArrayList<>());
-    if (changing.isEmpty() || changing.get(changing.size() - 1) != operator) {
+    if (changing.isEmpty() || !changing.get(changing.size() - 1).equals(operator)) {
       changing.add(operator);
     }
   }

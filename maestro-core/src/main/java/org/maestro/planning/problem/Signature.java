@@ -26,7 +26,7 @@ public final class Signature {
   private final Vocabulary vocabulary;
   private final Set<String> changed = new HashSet<>();
   private final Map<String, Boolean> dynamicDerived = new HashMap<>();
-  private final Map<Formula, Boolean> dynamicFormulas = new IdentityHashMap<>();
+  private final IdentityHashMap<Formula, Boolean> dynamicFormulas = new IdentityHashMap<>();
 
   public Signature(Vocabulary vocabulary, List<PricedFeature> features) {
     this.vocabulary = vocabulary;

@@ -3,6 +3,7 @@ package org.maestro.planning.search;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
@@ -10,6 +11,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.maestro.planning.ground.GroundOperator;
@@ -166,12 +168,12 @@ final class SettledTask {
   /** Operators that share facts of their own, in the order of the first. */
   private static List<List<GroundOperator>> groups(List<GroundOperator> movers) {
     Map<Integer, List<GroundOperator>> groupOf = new HashMap<>();
-    Map<List<GroundOperator>, Boolean> groups = new IdentityHashMap<>();
+    Set<List<GroundOperator>> groups = Collections.newSetFromMap(new IdentityHashMap<>());
     List<List<GroundOperator>> inOrder = new ArrayList<>();
     for (GroundOperator mover : movers) {
       List<GroundOperator> group = new ArrayList<>();
       inOrder.add(group);
-      groups.put(group, true);
+      groups.add(group);
       group.add(mover);
       TreeSet<Integer> facts = new TreeSet<>();
       Arrays.stream(mover.needed()).forEach(facts::add);
@@ -186,7 +188,7 @@ final class SettledTask {
         groupOf.put(fact, group);
       }
     }
-    return inOrder.stream().filter(groups::containsKey).toList();
+    return inOrder.stream().filter(groups::contains).toList();
   }
 
   private Optional<List<Position>> positions(List<GroundOperator> together, BitSet own) {
