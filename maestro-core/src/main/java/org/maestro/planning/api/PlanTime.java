@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import org.maestro.sl.Effect;
 
@@ -34,7 +35,7 @@ public final class PlanTime {
         if (serving.contains(step.number()) == first) {
           double start = first ? 0 : sensed;
           for (int number : step.after()) {
-            start = Math.max(start, end.get(number));
+            start = Math.max(start, Objects.requireNonNull(end.get(number)));
           }
           end.put(step.number(), start + step.seconds());
         }

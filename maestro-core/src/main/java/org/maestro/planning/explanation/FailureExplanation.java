@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
@@ -175,8 +176,13 @@ public final class FailureExplanation {
 
   private List<Obstacle> named(Map<Condition, Optional<StepKey>> neededBy) {
     List<Obstacle> named = new ArrayList<>();
-    neededBy.forEach((leaf, step) -> named.add(obstacles.get(leaf).neededBy(step)));
+    neededBy.forEach((leaf, step) -> named.add(obstacle(leaf).neededBy(step)));
     return named;
+  }
+
+  /** Of a condition that may be assumed. */
+  private Obstacle obstacle(Condition condition) {
+    return Objects.requireNonNull(obstacles.get(condition));
   }
 
   private boolean helps(List<Obstacle> cured) {
@@ -190,7 +196,7 @@ public final class FailureExplanation {
       others.remove(entry.getKey());
       result.add(
           limits
-              .limited(obstacles.get(entry.getKey()), entry.getKey())
+              .limited(obstacle(entry.getKey()), entry.getKey())
               .neededBy(entry.getValue())
               .withCures(cures(entry.getKey(), others)));
     }
@@ -200,16 +206,16 @@ public final class FailureExplanation {
   /** What would do instead of the condition, the others being given. */
   private List<Cure> cures(Condition condition, Set<Condition> others) {
     Map<Condition, Double> open = new LinkedHashMap<>(weights);
-    open.remove(condition);
+    double weight = Objects.requireNonNull(open.remove(condition));
     open.keySet().removeAll(others);
     List<Cure> cures = new ArrayList<>();
-    List<Obstacle> given = others.stream().map(obstacles::get).toList();
+    List<Obstacle> given = others.stream().map(this::obstacle).toList();
     for (int i = 0; i < MOST_CURES; i++) {
       if (!(search.run(open, others) instanceof ExcuseSearch.Outcome.Found found)) {
         break;
       }
       double total = found.neededBy().keySet().stream().mapToDouble(open::get).sum();
-      if (total > weights.get(condition) + HEAVIER || found.neededBy().isEmpty()) {
+      if (total > weight + HEAVIER || found.neededBy().isEmpty()) {
         break;
       }
       List<Obstacle> named = named(found.neededBy());

@@ -73,7 +73,8 @@ final class NumberRanges {
       }
       for (Map.Entry<NumberVariable, List<Change.Adjust>> own : adjusted.entrySet()) {
         for (List<Change> some : parts(own.getValue())) {
-          grew |= values.containsKey(own.getKey()) && grows(own.getKey(), some);
+          TreeSet<Double> known = values.get(own.getKey());
+          grew |= known != null && grows(own.getKey(), known, some);
         }
       }
     }
@@ -95,9 +96,10 @@ final class NumberRanges {
   }
 
   /**
+   * @param known the number's values so far
    * @param changes of the number, which all happen
    */
-  private boolean grows(NumberVariable variable, List<Change> changes) {
+  private boolean grows(NumberVariable variable, Set<Double> known, List<Change> changes) {
     Set<NumberVariable> read = new LinkedHashSet<>();
     for (Change change : changes) {
       Change.Adjust adjust = (Change.Adjust) change;
@@ -111,8 +113,8 @@ final class NumberRanges {
     }
     Set<Double> reached = new TreeSet<>();
     forEachChoice(read, numbers -> reached.add(Successors.after(changes, numbers, variable)));
-    boolean grew = values.get(variable).addAll(reached);
-    if (values.get(variable).size() > MOST_VALUES) {
+    boolean grew = known.addAll(reached);
+    if (known.size() > MOST_VALUES) {
       values.remove(variable);
     }
     return grew;

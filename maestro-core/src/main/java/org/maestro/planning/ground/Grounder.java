@@ -2,6 +2,7 @@ package org.maestro.planning.ground;
 
 import java.math.BigDecimal;
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Makes a task with parameters ground: only what can be reached, and only what can matter for the
@@ -18,7 +19,7 @@ public final class Grounder implements GrowingTask {
   private BigDecimal unit = BigDecimal.ONE;
   private GroundTask ground;
 
-  private Grounder(LiftedTask task, GroundingBudget patience) {
+  private Grounder(LiftedTask task, double cost, GroundingBudget patience) {
     this.task = task;
     int symbols = task.predicates().size();
     changing = new boolean[symbols];
@@ -34,11 +35,12 @@ public final class Grounder implements GrowingTask {
         relations[atom.symbol()].add(atom.terms());
       }
     }
-    Relation[] statics = new Relation[symbols];
+    @Nullable Relation[] statics = new Relation[symbols];
     Arrays.setAll(statics, symbol -> changing[symbol] ? null : relations[symbol]);
     instances =
         new Instances(
             task, relations, changing, new RelevantAtoms(task, statics, patience), patience);
+    number(cost, patience);
   }
 
   /**
@@ -48,9 +50,7 @@ public final class Grounder implements GrowingTask {
    * @throws GroundingException when the task is of a kind that cannot be solved
    */
   public static GroundTask ground(LiftedTask task, GroundingBudget patience) {
-    Grounder grounder = new Grounder(task, patience);
-    grounder.number(Double.POSITIVE_INFINITY, patience);
-    return grounder.ground;
+    return new Grounder(task, Double.POSITIVE_INFINITY, patience).ground;
   }
 
   /**
@@ -61,9 +61,7 @@ public final class Grounder implements GrowingTask {
    * @throws GroundingException when the task is of a kind that cannot be solved
    */
   public static GrowingTask growing(LiftedTask task, GroundingBudget patience) {
-    Grounder grounder = new Grounder(task, patience);
-    grounder.number(0, patience);
-    return grounder;
+    return new Grounder(task, 0, patience);
   }
 
   @Override

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.PriorityQueue;
+import org.jspecify.annotations.Nullable;
 import org.maestro.planning.ground.Relation.Matches;
 
 /**
@@ -29,6 +31,9 @@ final class Instances {
     }
   }
 
+  /** No schema is being joined yet. */
+  private static final int NONE = -1;
+
   private final LiftedTask task;
   private final LeastCosts costs;
   private final Relation[] relations;
@@ -48,7 +53,7 @@ final class Instances {
   private final List<Schema> schemas;
 
   private Schema schema;
-  private int schemaNumber;
+  private int schemaNumber = NONE;
   private List<Atom> atoms = List.of();
   private boolean[] joined = {};
   private int[] binding = {};
@@ -75,7 +80,8 @@ final class Instances {
     this.costOf = new double[relations.length][4];
     this.costs = new LeastCosts(task);
     this.schemas = new ArrayList<>(task.schemas());
-    schemas.add(task.goal());
+    this.schema = task.goal();
+    schemas.add(schema);
     begin();
   }
 
@@ -175,7 +181,7 @@ final class Instances {
   }
 
   private void start(int number, int position, int fact) {
-    if (schema != schemas.get(number)) {
+    if (schemaNumber != number) {
       schema = schemas.get(number);
       schemaNumber = number;
       atoms = schema.conditions().stream().filter(Literal::positive).map(Literal::atom).toList();
@@ -189,7 +195,7 @@ final class Instances {
   }
 
   /** Binds the atom's parameters to the objects; what was bound, or null when they do not fit. */
-  private int[] match(Atom atom, int[] objects) {
+  private int @Nullable [] match(Atom atom, int[] objects) {
     int[] terms = atom.terms();
     int bound = 0;
     int[] trail = new int[terms.length];
@@ -197,7 +203,8 @@ final class Instances {
       int term = terms[i];
       if (term >= 0) {
         if (term != objects[i]) {
-          return undo(trail, bound);
+          undo(trail, bound);
+          return null;
         }
         continue;
       }
@@ -206,20 +213,21 @@ final class Instances {
         binding[parameter] = objects[i];
         trail[bound++] = parameter;
       } else if (binding[parameter] != objects[i]) {
-        return undo(trail, bound);
+        undo(trail, bound);
+        return null;
       }
     }
     if (!differencesHold()) {
-      return undo(trail, bound);
+      undo(trail, bound);
+      return null;
     }
     return Arrays.copyOf(trail, bound);
   }
 
-  private int[] undo(int[] trail, int bound) {
+  private void undo(int[] trail, int bound) {
     for (int i = 0; i < bound; i++) {
       binding[trail[i]] = Patterns.ANY;
     }
-    return null;
   }
 
   private boolean differencesHold() {
@@ -260,7 +268,7 @@ final class Instances {
     boolean beforeTrigger =
         trigger >= 0 && best < trigger && atom.symbol() == atoms.get(trigger).symbol();
     joined[best] = true;
-    int count = fewest.size();
+    int count = Objects.requireNonNull(fewest, "all are joined").size();
     int[] numbers = fewest.numbers();
     for (int i = 0; i < count; i++) {
       // The newest fact stands in the first of all places that it could stand in.

@@ -3,6 +3,7 @@ package org.maestro.planning.ground;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** What an instance of a schema costs at least, as a common number: fast, for orders and bounds. */
 final class LeastCosts {
@@ -19,15 +20,13 @@ final class LeastCosts {
     for (Schema schema : task.schemas()) {
       schema.increases().forEach(increase -> changing[increase.function().symbol()] = true);
       parts.add(
-          schema.increases().stream()
-              .filter(increase -> task.metric().containsKey(increase.function().symbol()))
-              .map(
-                  increase ->
-                      new Part(
-                          increase.amount(),
-                          task.metric().get(increase.function().symbol()).doubleValue()))
-              .toList());
+          schema.increases().stream().flatMap(increase -> partOfCost(increase).stream()).toList());
     }
+  }
+
+  private Optional<Part> partOfCost(Schema.Increase increase) {
+    return Optional.ofNullable(task.metric().get(increase.function().symbol()))
+        .map(factor -> new Part(increase.amount(), factor.doubleValue()));
   }
 
   /**

@@ -3,13 +3,17 @@ package org.maestro.planning.ground;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeMap;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.maestro.planning.ground.GroundTask.Bound;
 
 /**
@@ -36,7 +40,8 @@ final class Numbering {
   private int facts;
 
   /** A bound before numbers are scaled; null where it is open. */
-  private record OpenBound(int sum, BigDecimal least, BigDecimal most, boolean strict) {}
+  private record OpenBound(
+      int sum, @Nullable BigDecimal least, @Nullable BigDecimal most, boolean strict) {}
 
   /** An operator before numbers are scaled. */
   private record Draft(
@@ -145,7 +150,7 @@ final class Numbering {
     return ints(needed);
   }
 
-  private static int[] ints(TreeSet<Integer> numbers) {
+  private static int[] ints(SortedSet<Integer> numbers) {
     return numbers.stream().mapToInt(Integer::intValue).toArray();
   }
 
@@ -260,8 +265,9 @@ final class Numbering {
     return Optional.of(new Draft(instance, kept, cost, changes));
   }
 
+  /** Of a function in one of the sums that have it. */
   private BigDecimal factor(int sum, Atom function) {
-    return factorsOfSums.get(sum).get(function);
+    return Objects.requireNonNull(factorsOfSums.get(sum).get(function));
   }
 
   private GroundTask scaled(List<Draft> drafts, int[] goal, int[] goalBounds, boolean unreachable) {
@@ -342,8 +348,7 @@ final class Numbering {
     if (draft.instance().schema() == task.schemas().size()) {
       added.add(goalFact);
     }
-    int[] changed =
-        draft.changes().keySet().stream().mapToInt(Integer::intValue).sorted().toArray();
+    SortedMap<Integer, BigDecimal> changes = new TreeMap<>(draft.changes());
     return new GroundOperator(
         draft.instance().schema(),
         binding,
@@ -351,8 +356,8 @@ final class Numbering {
         ints(added),
         ints(deleted),
         draft.bounds(),
-        changed,
-        Arrays.stream(changed).mapToLong(s -> units(draft.changes().get(s), grain)).toArray(),
+        changes.keySet().stream().mapToInt(Integer::intValue).toArray(),
+        changes.values().stream().mapToLong(change -> units(change, grain)).toArray(),
         units(draft.cost(), unit));
   }
 

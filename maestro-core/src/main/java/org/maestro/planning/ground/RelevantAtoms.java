@@ -7,8 +7,8 @@ import java.util.Deque;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What could matter for a task's goal, found backwards from it without enumerating operators: an
@@ -24,10 +24,10 @@ final class RelevantAtoms {
 
   private final LiftedTask task;
   private final GroundingBudget patience;
-  private final Relation[] statics;
+  private final @Nullable Relation[] statics;
 
   /** Of each predicate the tuples that may ever hold, as far as they are known; or null. */
-  private final Relation[] possible;
+  private final @Nullable Relation[] possible;
 
   private final MutexGroups spokes;
   private final Patterns holding = new Patterns();
@@ -36,7 +36,7 @@ final class RelevantAtoms {
   private final List<Waiting> waiting = new ArrayList<>();
   private final Deque<Runnable> open = new ArrayDeque<>();
   private final Set<List<Integer>> used = new HashSet<>();
-  private final Map<Schema, Integer> numberOf = new IdentityHashMap<>();
+  private final IdentityHashMap<Schema, Integer> numberOf = new IdentityHashMap<>();
   private final List<Atom> released = new ArrayList<>();
 
   /** A schema that leaves a spoke, in case that the spoke is entered. */
@@ -46,7 +46,7 @@ final class RelevantAtoms {
    * @param statics the tuples of predicates that never change; null for the others
    * @throws java.util.concurrent.CancellationException when patience is over
    */
-  RelevantAtoms(LiftedTask task, Relation[] statics, GroundingBudget patience) {
+  RelevantAtoms(LiftedTask task, @Nullable Relation[] statics, GroundingBudget patience) {
     this.patience = patience;
     this.task = task;
     this.statics = statics;
@@ -73,8 +73,11 @@ final class RelevantAtoms {
     }
   }
 
-  /** What may hold of a predicate all whose achievers name its objects in one static condition. */
-  private Relation possible(int symbol) {
+  /**
+   * What may hold of a predicate all whose achievers name its objects in one static condition; null
+   * for others.
+   */
+  private @Nullable Relation possible(int symbol) {
     Relation relation = new Relation(task.objects().size());
     for (Atom atom : task.initial()) {
       patience.check();
@@ -102,7 +105,7 @@ final class RelevantAtoms {
     return relation;
   }
 
-  private Atom cover(Schema schema, Atom added) {
+  private @Nullable Atom cover(Schema schema, Atom added) {
     for (Literal literal : schema.conditions()) {
       Atom atom = literal.atom();
       if (literal.positive()
@@ -206,7 +209,7 @@ final class RelevantAtoms {
   }
 
   /** The binding with the atom's parameters bound to the objects; null when they do not fit. */
-  private static int[] bind(Schema schema, int[] binding, Atom atom, int[] objects) {
+  private static int @Nullable [] bind(Schema schema, int[] binding, Atom atom, int[] objects) {
     int[] bound = binding.clone();
     for (int i = 0; i < objects.length; i++) {
       int term = atom.terms()[i];

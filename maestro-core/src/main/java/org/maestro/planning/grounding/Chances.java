@@ -50,13 +50,13 @@ public final class Chances {
    */
   public Map<Term, Double> of(Variable variable, List<Term> asked) {
     List<Term> pool = pool(variable, asked);
-    Map<Term, Double> prior = prior(variable, pool);
     Map<Term, Double> chances = new LinkedHashMap<>();
     double still = pool.stream().mapToDouble(value -> still(variable, value)).sum();
     double sum = 0;
-    for (Term value : pool) {
+    for (Map.Entry<Term, Double> prior : prior(variable, pool).entrySet()) {
+      Term value = prior.getKey();
       if (facts.truth(atom(variable, value)) == Truth.UNKNOWN) {
-        double chance = still(variable, value) + Math.max(0, 1 - still) * prior.get(value);
+        double chance = still(variable, value) + Math.max(0, 1 - still) * prior.getValue();
         chances.put(value, chance);
         sum += chance;
       }
@@ -106,9 +106,10 @@ public final class Chances {
     return new ArrayList<>(pool);
   }
 
+  /** Of each value, in the same order. */
   private Map<Term, Double> prior(Variable variable, List<Term> pool) {
     boolean measured = pool.stream().allMatch(value -> area(value) > 0);
-    Map<Term, Double> sizes = new HashMap<>();
+    Map<Term, Double> sizes = new LinkedHashMap<>();
     Set<Term> first = new LinkedHashSet<>();
     double sizeOfFirst = 0;
     double sizeOfAll = 0;
@@ -123,14 +124,13 @@ public final class Chances {
     }
     double sizeOfOthers = sizeOfAll - sizeOfFirst;
     double ofFirst = first.isEmpty() ? 0 : first.size() == pool.size() ? 1 : EXPECTED_FIRST;
-    Map<Term, Double> prior = new HashMap<>();
-    for (Term value : pool) {
-      prior.put(
-          value,
-          first.contains(value)
-              ? ofFirst * sizes.get(value) / sizeOfFirst
-              : (1 - ofFirst) * sizes.get(value) / sizeOfOthers);
-    }
+    double sizeOfExpected = sizeOfFirst;
+    Map<Term, Double> prior = new LinkedHashMap<>(sizes);
+    prior.replaceAll(
+        (value, size) ->
+            first.contains(value)
+                ? ofFirst * size / sizeOfExpected
+                : (1 - ofFirst) * size / sizeOfOthers);
     return prior;
   }
 

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -239,7 +240,7 @@ final class FeatureTemplate {
     }
     if (open.size() == 1) {
       String last = open.iterator().next();
-      Optional<Term> enough = idle.sufficientValue(last, domains.get(last), bindings);
+      Optional<Term> enough = idle.sufficientValue(last, domain(last), bindings);
       if (enough.isPresent()) {
         bindings.put(last, enough.get());
         choose(Set.of(), bindings, consumer);
@@ -248,13 +249,17 @@ final class FeatureTemplate {
       }
     }
     Next next = nextOf.computeIfAbsent(open, this::next);
-    for (Term value : domains.get(next.parameter())) {
+    for (Term value : domain(next.parameter())) {
       bindings.put(next.parameter(), value);
       if (allHold(next.decided(), bindings)) {
         choose(next.rest(), bindings, consumer);
       }
     }
     bindings.remove(next.parameter());
+  }
+
+  private List<Term> domain(String parameter) {
+    return Objects.requireNonNull(domains.get(parameter));
   }
 
   private boolean allHold(List<Conjunct> decided, Map<String, Term> bindings) {
@@ -297,8 +302,7 @@ final class FeatureTemplate {
               .filter(
                   c -> c.variables().stream().noneMatch(v -> open.contains(v) && !v.equals(name)))
               .count();
-      if (ties > bestTies
-          || ties == bestTies && domains.get(name).size() < domains.get(best).size()) {
+      if (ties > bestTies || ties == bestTies && domain(name).size() < domain(best).size()) {
         best = name;
         bestTies = ties;
       }

@@ -7,6 +7,7 @@ import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
@@ -62,9 +63,9 @@ public final class GroundingCache {
   private final Map<Formula, Map<List<Term>, Boolean>> staticAnswers = new HashMap<>();
   private final Map<Integer, FeatureTemplate> templates = new HashMap<>();
   private final LeastPrice leastPrice;
-  private final Map<PricedFeature, Double> leastPrices = new IdentityHashMap<>();
+  private final IdentityHashMap<PricedFeature, Double> leastPrices = new IdentityHashMap<>();
   private final Map<Integer, Map<List<Term>, List<Operator>>> made = new HashMap<>();
-  private final Map<Operator, Integer> templateOf = new IdentityHashMap<>();
+  private final IdentityHashMap<Operator, Integer> templateOf = new IdentityHashMap<>();
   private final Map<Object, Map<Integer, List<Operator>>> changing = new HashMap<>();
   private final Map<VariableValue, Map<Integer, OptionalDouble>> settingPrices = new HashMap<>();
   private final ChangeLog changes = new ChangeLog();
@@ -198,7 +199,7 @@ public final class GroundingCache {
 
   /** The number of the feature of which the operator is an instance. */
   int templateOf(Operator operator) {
-    return templateOf.get(operator);
+    return Objects.requireNonNull(templateOf.get(operator));
   }
 
   /** What the operator costs at least, in any state. */

@@ -84,9 +84,12 @@ final class IdleParameters {
   /** Whether an effect of its own is all that the parameter is for, as far as its name tells. */
   boolean mayBeIdle(String parameter) {
     Parts parts = partsByParameter.get(parameter);
-    return parts != null
-        && parts.effects().stream()
-            .allMatch(effect -> effect instanceof Effect.When && namesAlways(effect, parameter));
+    return parts != null && mayBeIdle(parts, parameter);
+  }
+
+  private boolean mayBeIdle(Parts parts, String parameter) {
+    return parts.effects().stream()
+        .allMatch(effect -> effect instanceof Effect.When && namesAlways(effect, parameter));
   }
 
   /** Whether all that the effect changes is named by the parameter, so that who wants it asks. */
@@ -123,14 +126,15 @@ final class IdleParameters {
    * @param bindings of all other parameters
    */
   Optional<Term> sufficientValue(String parameter, List<Term> domain, Map<String, Term> bindings) {
-    if (!mayBeIdle(parameter) || domain.size() < 2) {
+    Parts parts = partsByParameter.get(parameter);
+    if (parts == null || !mayBeIdle(parts, parameter) || domain.size() < 2) {
       return Optional.empty();
     }
     Map<String, Term> tried = new HashMap<>(bindings);
     for (Term value : new LinkedHashSet<>(bindings.values())) {
       if (domain.contains(value)) {
         tried.put(parameter, value);
-        if (isSufficient(partsByParameter.get(parameter), tried)) {
+        if (isSufficient(parts, tried)) {
           return isCheapest(tried) ? Optional.of(value) : Optional.empty();
         }
       }

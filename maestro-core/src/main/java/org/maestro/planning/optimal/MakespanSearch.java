@@ -8,8 +8,10 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.PriorityQueue;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.maestro.planning.api.PlanTime;
 import org.maestro.planning.problem.Condition;
 import org.maestro.planning.problem.GroundProblem;
@@ -87,7 +89,7 @@ public final class MakespanSearch {
       Times times,
       double cost,
       int depth,
-      Node parent,
+      @Nullable Node parent,
       int operator,
       long finish,
       long total,
@@ -193,7 +195,7 @@ public final class MakespanSearch {
     }
     while (!queue.isEmpty()) {
       Node node = queue.remove();
-      if (kept.get(node.situation()).stream().noneMatch(other -> other == node)) {
+      if (!isKept(node)) {
         continue;
       }
       if (node.situation().unserved().isEmpty()
@@ -206,6 +208,12 @@ public final class MakespanSearch {
       expand(node);
     }
     return new Outcome.Exhausted();
+  }
+
+  /** Whether none was found since that is as good. */
+  private boolean isKept(Node node) {
+    return Objects.requireNonNull(kept.get(node.situation())).stream()
+        .anyMatch(other -> other.sequence() == node.sequence());
   }
 
   private void expand(Node node) {
@@ -236,7 +244,7 @@ public final class MakespanSearch {
           && Successors.isApplicable(operator, situation.state())) {
         State after = Successors.after(operator, situation.state());
         double start = start(i, node.times());
-        if (after != situation.state() && start >= node.times().began()) {
+        if (!after.equals(situation.state()) && start >= node.times().began()) {
           append(node, i, after, start);
         }
       }
@@ -307,7 +315,7 @@ public final class MakespanSearch {
   private Set<Operator> neededBy(int operator, Node last) {
     List<Integer> needed = new ArrayList<>(List.of(operator));
     Set<Operator> found = new HashSet<>();
-    for (Node node = last; node.operator() >= 0; node = node.parent()) {
+    for (Node node = last; node != null && node.operator() >= 0; node = node.parent()) {
       int earlier = node.operator();
       if (needed.stream().anyMatch(later -> conflicts[later][earlier])) {
         needed.add(earlier);
@@ -318,7 +326,12 @@ public final class MakespanSearch {
   }
 
   private void add(
-      Situation situation, Times times, double cost, int depth, Node parent, int operator) {
+      Situation situation,
+      Times times,
+      double cost,
+      int depth,
+      @Nullable Node parent,
+      int operator) {
     double finish = Math.max(times.end(), earliest(situation.state(), times));
     if (finish > mostSeconds + 1e-9) {
       return;
@@ -398,7 +411,7 @@ public final class MakespanSearch {
 
   private List<Operator> operatorsTo(Node last) {
     List<Operator> taken = new ArrayList<>();
-    for (Node node = last; node.operator() >= 0; node = node.parent()) {
+    for (Node node = last; node != null && node.operator() >= 0; node = node.parent()) {
       taken.add(operators.get(node.operator()));
     }
     Collections.reverse(taken);

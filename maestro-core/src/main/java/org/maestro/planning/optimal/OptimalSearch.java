@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.PriorityQueue;
+import org.jspecify.annotations.Nullable;
 import org.maestro.planning.api.Effort;
 import org.maestro.planning.problem.Condition;
 import org.maestro.planning.problem.GroundProblem;
@@ -51,8 +52,8 @@ public final class OptimalSearch {
     private int[] landmarks = {};
     private double cost;
     private int depth;
-    private Node parent;
-    private Operator operator;
+    private @Nullable Node parent;
+    private @Nullable Operator operator;
 
     private Node(State state) {
       this.state = state;
@@ -81,7 +82,7 @@ public final class OptimalSearch {
   private final Map<State, Node> nodes = new HashMap<>();
   private final PriorityQueue<Entry> queue = new PriorityQueue<>();
   private long sequence;
-  private StubbornSets stubborn;
+  private @Nullable StubbornSets stubborn;
 
   /**
    * @param effort that it may cost
@@ -209,7 +210,7 @@ public final class OptimalSearch {
 
   private static List<Operator> operatorsTo(Node last) {
     List<Operator> operators = new ArrayList<>();
-    for (Node node = last; node.parent != null; node = node.parent) {
+    for (Node node = last; node != null && node.operator != null; node = node.parent) {
       operators.add(node.operator);
     }
     Collections.reverse(operators);

@@ -8,6 +8,7 @@ import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.planning.problem.Change;
@@ -28,7 +29,7 @@ import org.maestro.sl.Effect.Assignment;
 final class StubbornSets {
   private final GroundProblem problem;
   private final Map<Object, BitSet> changing = new HashMap<>();
-  private final Map<Condition, BitSet> enabling = new IdentityHashMap<>();
+  private final IdentityHashMap<Condition, BitSet> enabling = new IdentityHashMap<>();
   private final Touch[] touches;
   private final BitSet[] interfering;
 
@@ -129,7 +130,7 @@ final class StubbornSets {
         }
       }
     }
-    return fewest;
+    return Objects.requireNonNull(fewest, "the condition holds already");
   }
 
   private static int both(BitSet some, BitSet others) {

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import org.maestro.planning.optimal.MultipleChoiceKnapsack.Option;
 import org.maestro.planning.problem.NumberVariable;
@@ -40,12 +41,14 @@ final class ThresholdPrices {
       clusterOf.computeIfAbsent(
           threshold.variable(), variable -> new LinkedHashSet<>(List.of(variable)));
     }
-    for (NumberVariable a : List.copyOf(clusterOf.keySet())) {
-      for (NumberVariable b : List.copyOf(clusterOf.keySet())) {
-        if (clusterOf.get(a) != clusterOf.get(b) && shareMuch(a, b)) {
-          Set<NumberVariable> joined = clusterOf.get(a);
-          joined.addAll(clusterOf.get(b));
-          joined.forEach(member -> clusterOf.put(member, joined));
+    for (Map.Entry<NumberVariable, Set<NumberVariable>> a : clusterOf.entrySet()) {
+      for (Map.Entry<NumberVariable, Set<NumberVariable>> b : clusterOf.entrySet()) {
+        if (a.getValue() != b.getValue() && shareMuch(a.getKey(), b.getKey())) {
+          Set<NumberVariable> joined = a.getValue();
+          joined.addAll(b.getValue());
+          clusterOf.entrySet().stream()
+              .filter(member -> joined.contains(member.getKey()))
+              .forEach(member -> member.setValue(joined));
         }
       }
     }
@@ -53,16 +56,21 @@ final class ThresholdPrices {
       clusters.add(thresholds.stream().filter(t -> members.contains(t.variable())).toList());
     }
     for (NumberVariable variable : clusterOf.keySet()) {
-      sums.get(variable).parts().forEach(part -> paying.add(part.setting()));
+      sum(variable).parts().forEach(part -> paying.add(part.setting()));
     }
   }
 
+  /** Every threshold is one of a sum. */
+  private SettingSum sum(NumberVariable variable) {
+    return Objects.requireNonNull(sums.get(variable));
+  }
+
   private boolean shareMuch(NumberVariable a, NumberVariable b) {
-    for (SettingSum.Part part : sums.get(a).parts()) {
-      for (SettingSum.Part other : sums.get(b).parts()) {
+    for (SettingSum.Part part : sum(a).parts()) {
+      for (SettingSum.Part other : sum(b).parts()) {
         double smaller = Math.min(Math.abs(part.factor()), Math.abs(other.factor()));
         double larger = Math.max(Math.abs(part.factor()), Math.abs(other.factor()));
-        if (part.setting() == other.setting() && smaller >= SHARED * larger) {
+        if (part.setting().equals(other.setting()) && smaller >= SHARED * larger) {
           return true;
         }
       }
@@ -116,7 +124,7 @@ final class ThresholdPrices {
       for (Threshold threshold : clusters.get(i)) {
         double value = numbers.get(threshold.variable().index());
         if (Double.isFinite(value) && !threshold.isMetBy(value)) {
-          for (SettingSum.Part part : sums.get(threshold.variable()).parts()) {
+          for (SettingSum.Part part : sum(threshold.variable()).parts()) {
             double factor = Math.abs(part.factor());
             if (factor > largest.getOrDefault(part.setting(), 0.0)) {
               largest.put(part.setting(), factor);
@@ -137,7 +145,7 @@ final class ThresholdPrices {
     } else if (Quantity.isAny(value) || threshold.isMetBy(value)) {
       return 0;
     }
-    SettingSum sum = sums.get(threshold.variable());
+    SettingSum sum = sum(threshold.variable());
     if (!threshold.isMetBy(sum.extreme(numbers, threshold.upward()))) {
       return Double.POSITIVE_INFINITY;
     }
@@ -145,7 +153,8 @@ final class ThresholdPrices {
     List<List<Option>> groups = new ArrayList<>();
     for (SettingSum.Part part : sum.parts()) {
       double now = numbers.get(part.setting().variable().index());
-      if (payers.get(part.setting()) != cluster) {
+      // Every setting of a sum that is missed is paid for somewhere.
+      if (Objects.requireNonNull(payers.get(part.setting())) != cluster) {
         needed -= SettingSum.bestGain(part, now, threshold.upward());
       } else {
         groups.add(options(part, now, threshold.upward()));

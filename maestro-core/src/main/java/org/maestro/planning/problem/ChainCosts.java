@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.PriorityQueue;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
@@ -78,7 +79,7 @@ public final class ChainCosts {
     need(goal, 0);
     while (!queue.isEmpty()) {
       Turn turn = queue.remove();
-      if (turn.cost() > needed.get(turn.want())) {
+      if (turn.cost() > leastCostOf(turn.want())) {
         continue;
       }
       List<Operator> changing = new ArrayList<>();
@@ -122,6 +123,11 @@ public final class ChainCosts {
     return consulted;
   }
 
+  /** Of something that is needed. */
+  private double leastCostOf(Object want) {
+    return Objects.requireNonNull(needed.get(want));
+  }
+
   private void lookAt(Condition leaf) {
     if (leaf instanceof Condition.Literal literal) {
       lookedAt.add(literal.variable());
@@ -158,7 +164,7 @@ public final class ChainCosts {
         needAllOf(change, cost);
       }
       for (Object want : dormant.getOrDefault(target, Set.of())) {
-        activate(want, needed.get(want));
+        activate(want, leastCostOf(want));
       }
       dormant.remove(target);
     }
@@ -217,15 +223,15 @@ public final class ChainCosts {
   }
 
   private void activate(Object want, double cost) {
-    Double before = needed.get(want);
+    double before = needed.getOrDefault(want, Double.POSITIVE_INFINITY);
     if (active.add(want) || cost < before) {
-      double least = before == null ? cost : Math.min(before, cost);
+      double least = Math.min(before, cost);
       needed.put(want, least);
       queue.add(new Turn(least, sequence++, want));
     }
     if (watched.add(target(want))) {
       for (Touch touch : touching.getOrDefault(target(want), List.of())) {
-        needAllOf(touch.change(), chains.get(touch.operator()));
+        needAllOf(touch.change(), Objects.requireNonNull(chains.get(touch.operator())));
       }
     }
   }

@@ -1,6 +1,7 @@
 package org.maestro.planning.problem;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Applies operators to states. What is on the right of a change is read before the step; what is
@@ -52,7 +53,7 @@ public final class Successors {
    * Null when no number changes. What is unknown before the step is "any" after it if measured,
    * whatever else is done to it.
    */
-  private static double[] numbersAfter(List<Change> changes, State state) {
+  private static double @Nullable [] numbersAfter(List<Change> changes, State state) {
     double[] numbers = null;
     for (int i = 0; i < changes.size(); i++) {
       Change change = changes.get(i);

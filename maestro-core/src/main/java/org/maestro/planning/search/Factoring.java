@@ -4,12 +4,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeSet;
+import java.util.TreeMap;
 import org.maestro.planning.ground.GroundingBudget;
 import org.maestro.planning.search.Components.Component;
 
@@ -51,27 +50,29 @@ final class Factoring {
   }
 
   private List<Leaf> choose(long below) {
-    Map<Integer, LeafSpace> spaces = new LinkedHashMap<>();
+    TreeMap<Integer, LeafSpace> left = new TreeMap<>();
     for (int c = 0; c < components.all().size(); c++) {
       Component component = components.all().get(c);
       if (component.operators().length > 0 && looksAtNoForeignSum(c)) {
-        explore(component, below).ifPresent(putInto(spaces, c));
+        explore(component, below).ifPresent(putInto(left, c));
       }
     }
     List<Leaf> leaves = new ArrayList<>();
-    TreeSet<Integer> left = new TreeSet<>(spaces.keySet());
     while (!left.isEmpty()) {
-      int best =
-          left.stream()
+      Map.Entry<Integer, LeafSpace> best =
+          left.entrySet().stream()
               .max(
-                  Comparator.comparingDouble((Integer c) -> worth(c, spaces, left))
-                      .thenComparing(Comparator.reverseOrder()))
+                  Comparator.comparingDouble(
+                          (Map.Entry<Integer, LeafSpace> space) ->
+                              worth(space.getKey(), space.getValue(), left))
+                      .thenComparing(Map.Entry.comparingByKey(Comparator.reverseOrder())))
               .orElseThrow();
-      if (spaces.get(best).size() > 1) {
-        leaves.add(new Leaf(task, spaces.get(best)));
+      if (best.getValue().size() > 1) {
+        leaves.add(new Leaf(task, best.getValue()));
       }
-      left.remove(best);
-      left.removeAll(neighbours.get(best));
+      int component = best.getKey();
+      left.remove(component);
+      left.keySet().removeAll(neighbours.get(component));
     }
     return leaves;
   }
@@ -106,7 +107,7 @@ final class Factoring {
     return LeafSpace.explore(task, component, below - elsewhere, MOST_STATES, patience);
   }
 
-  private double worth(int c, Map<Integer, LeafSpace> spaces, Set<Integer> left) {
+  private double worth(int c, LeafSpace space, Map<Integer, LeafSpace> left) {
     Component component = components.all().get(c);
     int inside = 0;
     for (int o : component.operators()) {
@@ -115,11 +116,12 @@ final class Factoring {
     }
     double lost = 1;
     for (int other : neighbours.get(c)) {
-      if (left.contains(other)) {
-        lost += Math.log(1 + spaces.get(other).size());
+      LeafSpace beside = left.get(other);
+      if (beside != null) {
+        lost += Math.log(1 + beside.size());
       }
     }
     double free = 0.1 + (double) inside / component.operators().length;
-    return Math.log(1 + spaces.get(c).size()) * free / lost;
+    return Math.log(1 + space.size()) * free / lost;
   }
 }

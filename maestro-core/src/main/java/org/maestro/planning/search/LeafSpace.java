@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.maestro.planning.ground.GroundOperator;
 import org.maestro.planning.ground.GroundTask.Bound;
@@ -143,10 +144,10 @@ final class LeafSpace {
   private long[] after(long[] state, int o) {
     long[] after = state.clone();
     for (int fact : task.deleted[o]) {
-      SearchTask.clear(after, local.get(fact));
+      SearchTask.clear(after, local(fact));
     }
     for (int fact : task.added[o]) {
-      SearchTask.set(after, local.get(fact));
+      SearchTask.set(after, local(fact));
     }
     GroundOperator operator = task.operators.get(o);
     for (int i = 0; i < operator.changedSums().length; i++) {
@@ -154,6 +155,11 @@ final class LeafSpace {
       after[after.length - sums.length + at] += operator.changes()[i];
     }
     return after;
+  }
+
+  /** The number here of a fact that is of this component, as all are that its operators change. */
+  private int local(int fact) {
+    return Objects.requireNonNull(local.get(fact));
   }
 
   int size() {
@@ -170,9 +176,9 @@ final class LeafSpace {
     return steps[state];
   }
 
-  /** The facts outside that an operator needs. */
+  /** The facts outside that one of the operators here needs. */
   int[] gates(int operator) {
-    return gates.get(operator);
+    return Objects.requireNonNull(gates.get(operator));
   }
 
   /** All facts outside that some operator needs, ascending. */

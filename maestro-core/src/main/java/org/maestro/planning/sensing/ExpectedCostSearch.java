@@ -7,11 +7,13 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.PlannedSearch;
 import org.maestro.planning.api.PlannedSearch.Place;
@@ -59,7 +61,7 @@ public final class ExpectedCostSearch {
   private final Map<Sought, Integer> choice = new LinkedHashMap<>();
   private final List<PlannedSearch> searches = new ArrayList<>();
   private Candidate best;
-  private RelaxedProblem relaxed;
+  private @Nullable RelaxedProblem relaxed;
 
   public ExpectedCostSearch(
       GroundProblem problem, Chances chances, Solver solver, List<Operator> optimistic) {
@@ -77,9 +79,10 @@ public final class ExpectedCostSearch {
 
   /** The plan to begin with; the optimistic one where there is nothing to choose. */
   public Plan plan() {
-    for (Sought sought : List.copyOf(choice.keySet())) {
-      if (choice.get(sought) >= 0) {
-        weigh(sought);
+    // To weigh one changes where the others begin, but not which there are.
+    for (Map.Entry<Sought, Integer> chosen : choice.entrySet()) {
+      if (chosen.getValue() >= 0) {
+        weigh(chosen.getKey(), chosen.getValue());
       }
     }
     return best.plan().withSearches(searches);
@@ -89,9 +92,11 @@ public final class ExpectedCostSearch {
    * Finds the best beginning of one search, while the others begin as chosen. Places are weighed by
    * estimated costs at first; a plan is made for the best of them, and they are weighed again,
    * until the best one has a plan.
+   *
+   * @param chosen where it begins as yet
    */
-  private void weigh(Sought sought) {
-    int present = sought.values().indexOf(choice.get(sought));
+  private void weigh(Sought sought, int chosen) {
+    int present = sought.values().indexOf(chosen);
     LookCosts costs = new LookCosts(problem.placed(), relaxed(), sought);
     boolean avoidable = costs.isInReachWithoutLooks();
     Map<Term, Double> chanceOf = chances.of(sought.variable(), sought.terms());
@@ -100,7 +105,7 @@ public final class ExpectedCostSearch {
     Map<Integer, Candidate> candidates = new TreeMap<>();
     Map<Integer, Split> splits = new TreeMap<>();
     candidates.put(present, best);
-    splits.put(present, split(best, sought, choice.get(sought)).orElseThrow());
+    splits.put(present, split(best, sought, chosen).orElseThrow());
     Set<Integer> open = new TreeSet<>();
     for (int i = 0; i < look.length; i++) {
       if (i != present && Double.isFinite(look[i])) {
@@ -139,9 +144,14 @@ public final class ExpectedCostSearch {
 
   /** The chances of what can be looked at, as if there were nothing else. */
   private static double[] shares(Sought sought, Map<Term, Double> chanceOf) {
-    double[] chance = sought.terms().stream().mapToDouble(chanceOf::get).toArray();
+    double[] chance = sought.terms().stream().mapToDouble(term -> chance(term, chanceOf)).toArray();
     double sum = Arrays.stream(chance).sum();
     return Arrays.stream(chance).map(one -> sum > 0 ? one / sum : 1.0 / chance.length).toArray();
+  }
+
+  /** What can be looked at is never excluded, so that it has a chance. */
+  private static double chance(Term inView, Map<Term, Double> chanceOf) {
+    return Objects.requireNonNull(chanceOf.get(inView));
   }
 
   /** Among equals the present choice, then what has a plan. */
@@ -175,8 +185,8 @@ public final class ExpectedCostSearch {
    * @param after the state after a successful look; null where none is estimated yet
    * @param rest the cost from there on
    */
-  private record Rests(State[] after, double[] rest) {
-    void estimate(LookCosts costs, int place, Split split) {
+  private record Rests(@Nullable State[] after, double[] rest) {
+    void estimate(LookCosts costs, int place, @Nullable Split split) {
       if (split != null) {
         after[place] = costs.after(split.prefix());
       } else if (after[place] == null) {
@@ -203,13 +213,13 @@ public final class ExpectedCostSearch {
     }
     State[] after = rests.after();
     double[] rest = rests.rest();
+    double restAtPresent = Objects.requireNonNull(splits.get(present)).rest();
     SearchOrder.Cost[] first = new SearchOrder.Cost[size];
     for (int i = 0; i < size; i++) {
       first[i] =
           splits.containsKey(i)
               ? new SearchOrder.Cost(splits.get(i).look(), splits.get(i).rest())
-              : new SearchOrder.Cost(
-                  look[i], changed(splits.get(present).rest(), rest[present], rest[i]));
+              : new SearchOrder.Cost(look[i], changed(restAtPresent, rest[present], rest[i]));
     }
     SearchOrder.Cost[][] next = new SearchOrder.Cost[size][];
     for (int i = 0; i < size; i++) {
@@ -253,7 +263,7 @@ public final class ExpectedCostSearch {
                 places.add(
                     new Place(
                         terms.get(i),
-                        chanceOf.get(terms.get(i)),
+                        chance(terms.get(i), chanceOf),
                         splits.containsKey(i) ? splits.get(i).look() : look[i],
                         expected[i])));
     chanceOf.forEach(
