@@ -2,6 +2,7 @@ package org.maestro.platform;
 
 import java.time.Duration;
 import java.util.Comparator;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -100,7 +101,8 @@ final class Arrivals {
       place(member, topic(describedBy.apply(description, member)));
     } catch (RuntimeException e) {
       if (complaints.isDue(member)) {
-        LOG.warn("The member {} gets no agent: {}", member, Complaints.shortened(e.getMessage()));
+        String why = Objects.requireNonNullElse(e.getMessage(), e.toString());
+        LOG.warn("The member {} gets no agent: {}", member, Complaints.shortened(why));
       }
     }
   }
