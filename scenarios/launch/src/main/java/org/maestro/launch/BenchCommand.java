@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
@@ -42,6 +43,7 @@ import picocli.CommandLine.Spec;
     description =
         "Run a benchmark: agents, bus, cancel, chaos, containers, coordination, growth, losses, "
             + "openings, planner, sim or soak.")
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
   private static final int LEAST_GOALS = 250;
@@ -124,14 +126,14 @@ final class BenchCommand implements Callable<Integer> {
       names = "--seed",
       paramLabel = "N",
       description = "The one seed of chaos, with its story.")
-  private Long seed;
+  private Optional<Long> seed = Optional.empty();
 
   private ChaosBench chaos(Consumer<String> progress) {
     if (minutes < 1) {
       throw CommandException.badInput(
           "--minutes %d is less than one; give 1 or more.".formatted(minutes));
     }
-    OptionalLong only = seed == null ? OptionalLong.empty() : OptionalLong.of(seed);
+    OptionalLong only = seed.map(OptionalLong::of).orElseGet(OptionalLong::empty);
     return new ChaosBench(only, first, Duration.ofMinutes(minutes), progress);
   }
 

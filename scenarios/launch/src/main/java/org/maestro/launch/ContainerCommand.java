@@ -3,12 +3,14 @@ package org.maestro.launch;
 import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
 import org.maestro.deployment.ContainerStart;
 import org.maestro.deployment.Deployment;
 import org.maestro.rats.time.PacedClock;
@@ -25,6 +27,7 @@ import picocli.CommandLine.Spec;
     name = "container",
     description =
         "Join a container to a running platform, until Ctrl-C: agents live in it that are its topic's, or that are added or moved there.")
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class ContainerCommand implements Callable<Integer> {
   private static final Logger LOG = LoggerFactory.getLogger(ContainerCommand.class);
   private static final Duration BETWEEN_TRIES = Duration.ofSeconds(1);
@@ -64,13 +67,18 @@ final class ContainerCommand implements Callable<Integer> {
 
   private final PacedClock clock = new PacedClock(1);
   private final AtomicInteger attempts = new AtomicInteger();
-  private final AtomicReference<HostedContainer> hosted = new AtomicReference<>();
+  private final AtomicReference<@Nullable HostedContainer> hosted = new AtomicReference<>();
 
   @Override
   public Integer call() throws InterruptedException {
     begin();
-    UntilStopped.run(spec.commandLine().getOut(), announcement(), () -> hosted.get().close());
+    UntilStopped.run(spec.commandLine().getOut(), announcement(), () -> hosted().close());
     return ExitCode.DONE;
+  }
+
+  /** There from the first beginning on. */
+  private HostedContainer hosted() {
+    return Objects.requireNonNull(hosted.get());
   }
 
   private void begin() {
@@ -97,7 +105,7 @@ final class ContainerCommand implements Callable<Integer> {
   }
 
   private String announcement() {
-    List<String> agents = hosted.get().agents();
+    List<String> agents = hosted().agents();
     String what =
         agents.isEmpty()
             ? "The container %s runs here, empty; ./maestro agent move ID --to %s brings an agent."

@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
@@ -35,6 +36,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "demo",
     description = "The main job on embedded parts; without a name: Bob's cup in the dark.")
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class DemoCommand implements Callable<Integer> {
   private static final String NAME = "demo";
   private static final Duration PATIENCE = Duration.ofMinutes(10);
@@ -97,7 +99,7 @@ final class DemoCommand implements Callable<Integer> {
     String homeName = scene.substring(0, scene.indexOf('-'));
     Home home = Shipped.home(homeName);
     Scene truth = Shipped.scene(scene, home);
-    String goal = GOALS.get(homeName);
+    String goal = Objects.requireNonNull(GOALS.get(homeName));
     PrintWriter out = spec.commandLine().getOut();
     if (!json) {
       out.println(

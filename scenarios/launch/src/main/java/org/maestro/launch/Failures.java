@@ -1,6 +1,7 @@
 package org.maestro.launch;
 
 import java.io.PrintWriter;
+import java.util.Objects;
 import org.maestro.deployment.DeploymentException;
 import org.maestro.device.tasks.DeviceSetupException;
 import org.maestro.experiment.setting.SettingException;
@@ -47,8 +48,7 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
         && failure.getCommandLine().getParent() == null) {
       return "There is no command " + unmatched.getUnmatched().get(0);
     }
-    return failure
-        .getMessage()
+    return Objects.requireNonNullElse(failure.getMessage(), failure.toString())
         .replaceAll(" is not an? (int|long)$", " is no whole number that fits");
   }
 

@@ -13,6 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.GoalReport;
@@ -32,6 +33,7 @@ import picocli.CommandLine.Spec;
 
 /** States a goal to a running platform, by an agent of this process, and follows it. */
 @Command(name = "goal", description = "Ask a running platform for a goal and follow it live.")
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class GoalCommand implements Callable<Integer> {
   private static final Duration NO_END = Duration.ofDays(365);
   private static final int LOOK_AGAIN_SECONDS = 2;
@@ -123,7 +125,7 @@ final class GoalCommand implements Callable<Integer> {
     try {
       return OtherPlatform.parse(text);
     } catch (IllegalArgumentException e) {
-      throw CommandException.badInput(e.getMessage());
+      throw CommandException.badInput(e);
     }
   }
 
@@ -302,7 +304,7 @@ final class GoalCommand implements Callable<Integer> {
   /** Prints the lines of a story, with the first one's time as zero. */
   private static final class Follower {
     private final PrintWriter out;
-    private StoryPrinter printer;
+    private @Nullable StoryPrinter printer;
 
     private Follower(PrintWriter out) {
       this.out = out;

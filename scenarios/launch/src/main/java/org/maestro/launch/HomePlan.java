@@ -108,7 +108,7 @@ final class HomePlan {
     try {
       new GoalCheck(home).check(goal);
     } catch (InvalidGoalException e) {
-      throw CommandException.badInput(e.getMessage());
+      throw CommandException.badInput(e);
     }
     return goal;
   }
@@ -137,7 +137,7 @@ final class HomePlan {
       out.printf("Written: %s and %s.%n", domain, problem);
       texts.notCarried().forEach(sentence -> out.println("  " + sentence));
     } catch (NotCarriedException e) {
-      throw CommandException.badInput(e.getMessage());
+      throw CommandException.badInput(e);
     } catch (IOException e) {
       throw CommandException.outside("Into %s nothing can be written.".formatted(directory), e);
     }

@@ -3,6 +3,7 @@ package org.maestro.launch;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -25,6 +26,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "know",
     description = "Ask a running platform what it knows, how surely, and how old.")
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class KnowCommand implements Callable<Integer> {
   private static final int ANSWERED_WITHIN_SECONDS = 30;
   private static final List<String> COLUMNS = List.of("truth", "binding", "age", "source");
@@ -66,7 +68,7 @@ final class KnowCommand implements Callable<Integer> {
       }
       return ExitCode.DONE;
     } catch (ExecutionException e) {
-      throw CommandException.badInput(e.getCause().getMessage());
+      throw CommandException.badInput(Objects.requireNonNull(e.getCause()));
     } catch (TimeoutException e) {
       throw CommandException.outside("The knowledge agent does not answer.", e);
     } finally {

@@ -2,6 +2,7 @@ package org.maestro.launch;
 
 import java.io.PrintStream;
 import java.util.Locale;
+import java.util.Objects;
 import org.maestro.display.VisibleWriter;
 import org.maestro.text.VisibleText;
 import org.slf4j.bridge.SLF4JBridgeHandler;
@@ -48,6 +49,7 @@ import picocli.CommandLine.Spec;
       "4:goal reached as far as is known, but nobody could confirm it"
     },
     footer = {"", "Start with: ./maestro demo"})
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
 public final class Maestro implements Runnable {
   @Spec private CommandSpec spec;
 
@@ -56,12 +58,14 @@ public final class Maestro implements Runnable {
       usageHelp = true,
       scope = ScopeType.INHERIT,
       description = "Show this help.")
+  @SuppressWarnings("UnusedVariable") // picocli shows the help by itself
   private boolean help;
 
   @Option(
       names = "--debug",
       scope = ScopeType.INHERIT,
       description = "Show the stack trace of a failure.")
+  @SuppressWarnings("UnusedVariable") // whoever tells a failure asks for it by its name
   private boolean debug;
 
   /** The entry point; ends the process, as JADE leaves threads behind. */
@@ -71,7 +75,8 @@ public final class Maestro implements Runnable {
     try {
       RuntimeDirectory.ofUser().prepareLog();
     } catch (CommandException e) {
-      System.err.println("maestro: " + VisibleText.line(e.getMessage()));
+      System.err.println(
+          "maestro: " + VisibleText.line(Objects.requireNonNullElse(e.getMessage(), e.toString())));
       System.exit(e.exitCode());
     }
     SLF4JBridgeHandler.removeHandlersForRootLogger();

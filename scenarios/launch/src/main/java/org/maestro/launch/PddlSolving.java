@@ -103,7 +103,7 @@ final class PddlSolving {
       Solution solution = asked.first() ? planner.first(patience) : planner.solve(patience);
       return print(task.task(), solution);
     } catch (PddlException | GroundingException e) {
-      throw CommandException.badInput(e.getMessage());
+      throw CommandException.badInput(e);
     } catch (CancellationException e) {
       out.println("; no plan found in time: the problem is still being made ground");
       return NOTHING_FOUND;
@@ -117,7 +117,7 @@ final class PddlSolving {
     } catch (InvalidPathException e) {
       throw CommandException.badInput("No file can be called '%s'.".formatted(e.getInput()));
     } catch (IOException e) {
-      throw CommandException.badInput(e.getMessage());
+      throw CommandException.badInput(e);
     }
   }
 

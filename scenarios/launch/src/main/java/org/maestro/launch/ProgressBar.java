@@ -1,7 +1,9 @@
 package org.maestro.launch;
 
+import java.io.Console;
 import java.io.PrintWriter;
 import java.util.Locale;
+import java.util.Optional;
 import org.maestro.experiment.running.Progress;
 import org.maestro.text.VisibleText;
 
@@ -11,7 +13,8 @@ final class ProgressBar implements Progress {
   private static final int LINE = 100;
 
   private final PrintWriter people;
-  private final boolean terminal = System.console() != null;
+  private final Optional<PrintWriter> terminal =
+      Optional.ofNullable(System.console()).map(Console::writer);
   private final long begun = System.nanoTime();
 
   ProgressBar(PrintWriter people) {
@@ -20,7 +23,7 @@ final class ProgressBar implements Progress {
 
   @Override
   public void passed(int done, int of, String line) {
-    if (!terminal) {
+    if (terminal.isEmpty()) {
       people.println("%d of %d: %s".formatted(done, of, line));
       people.flush();
       return;
@@ -38,7 +41,7 @@ final class ProgressBar implements Progress {
             left,
             line);
     String shown = VisibleText.line(text);
-    PrintWriter bar = System.console().writer();
+    PrintWriter bar = terminal.get();
     bar.print("\r" + shown.substring(0, Math.min(LINE, shown.length())) + "\u001b[K");
     if (done == of) {
       bar.println();

@@ -30,6 +30,7 @@ import picocli.CommandLine.Spec;
 
 /** A platform that stays until it is interrupted. */
 @Command(name = "run", description = "Run a platform for a home until Ctrl-C.")
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class RunCommand implements Callable<Integer> {
   private static final Pattern SLUG = Pattern.compile("[a-z0-9][a-z0-9-]{0,62}");
 
@@ -231,7 +232,7 @@ final class RunCommand implements Callable<Integer> {
       throw CommandException.badInput(
           "The file %s of hosts cannot be read; name one that is there.".formatted(file));
     } catch (IllegalArgumentException e) {
-      throw CommandException.badInput(e.getMessage());
+      throw CommandException.badInput(e);
     }
   }
 
@@ -239,7 +240,7 @@ final class RunCommand implements Callable<Integer> {
     try {
       Provision.of(provides);
     } catch (IllegalArgumentException e) {
-      throw CommandException.badInput(e.getMessage());
+      throw CommandException.badInput(e);
     }
     if (letters.isPresent() && security.isAsked()) {
       throw CommandException.badInput(
