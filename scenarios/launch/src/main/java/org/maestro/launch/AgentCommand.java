@@ -30,7 +30,6 @@ import picocli.CommandLine.Spec;
       AgentCommand.Reconfigure.class,
       AgentCommand.Remove.class
     })
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class AgentCommand implements Runnable {
   @Spec private CommandSpec spec;
 

@@ -19,7 +19,6 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "agents",
     description = "List the agents of a running platform, and their members; or its containers.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class AgentsCommand implements Callable<Integer> {
   private static final List<String> AGENTS =
       List.of("agent", "container", "members", "phase", "state", "life", "since", "services");

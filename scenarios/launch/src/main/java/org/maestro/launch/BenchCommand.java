@@ -43,7 +43,6 @@ import picocli.CommandLine.Spec;
     description =
         "Run a benchmark: agents, bus, cancel, chaos, containers, coordination, growth, losses, "
             + "openings, planner, sim or soak.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
   private static final int LEAST_GOALS = 250;

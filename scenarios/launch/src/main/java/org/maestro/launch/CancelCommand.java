@@ -13,7 +13,6 @@ import picocli.CommandLine.Spec;
 
 /** Gives a goal up. */
 @Command(name = "cancel", description = "Give a goal up; what runs ends by its exit strategy.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class CancelCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
   @Mixin private PlatformOptions platform;

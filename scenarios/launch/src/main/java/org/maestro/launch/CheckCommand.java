@@ -20,7 +20,6 @@ import picocli.CommandLine.Spec;
 
 /** Reads a home file and tells its faults. */
 @Command(name = "check", description = "Tell every fault of a home file, with its line and cure.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class CheckCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 

@@ -27,7 +27,6 @@ import picocli.CommandLine.Spec;
     name = "container",
     description =
         "Join a container to a running platform, until Ctrl-C: agents live in it that are its topic's, or that are added or moved there.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class ContainerCommand implements Callable<Integer> {
   private static final Logger LOG = LoggerFactory.getLogger(ContainerCommand.class);
   private static final Duration BETWEEN_TRIES = Duration.ofSeconds(1);

@@ -36,7 +36,6 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "demo",
     description = "The main job on embedded parts; without a name: Bob's cup in the dark.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class DemoCommand implements Callable<Integer> {
   private static final String NAME = "demo";
   private static final Duration PATIENCE = Duration.ofMinutes(10);

@@ -21,7 +21,6 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "devices",
     description = "Run simulated devices in a process of their own, until Ctrl-C.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class DevicesCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 

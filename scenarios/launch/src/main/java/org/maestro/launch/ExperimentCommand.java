@@ -25,7 +25,6 @@ import picocli.CommandLine.Spec;
     name = "experiment",
     description =
         "Carry out one of the papers' experiments: raw data, figures, and a page that compares.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class ExperimentCommand implements Callable<Integer> {
   private static final int MOST_RUNS = 100_000;
 

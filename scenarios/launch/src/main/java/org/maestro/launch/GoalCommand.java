@@ -33,7 +33,6 @@ import picocli.CommandLine.Spec;
 
 /** States a goal to a running platform, by an agent of this process, and follows it. */
 @Command(name = "goal", description = "Ask a running platform for a goal and follow it live.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class GoalCommand implements Callable<Integer> {
   private static final Duration NO_END = Duration.ofDays(365);
   private static final int LOOK_AGAIN_SECONDS = 2;

@@ -20,7 +20,6 @@ import picocli.CommandLine.Spec;
 
 /** Lists a platform's goals. */
 @Command(name = "goals", description = "List the goals of a running platform.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class GoalsCommand implements Callable<Integer> {
   private static final List<String> COLUMNS =
       List.of(

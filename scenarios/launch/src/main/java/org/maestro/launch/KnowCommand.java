@@ -26,7 +26,6 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "know",
     description = "Ask a running platform what it knows, how surely, and how old.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class KnowCommand implements Callable<Integer> {
   private static final int ANSWERED_WITHIN_SECONDS = 30;
   private static final List<String> COLUMNS = List.of("truth", "binding", "age", "source");

@@ -49,7 +49,6 @@ import picocli.CommandLine.Spec;
       "4:goal reached as far as is known, but nobody could confirm it"
     },
     footer = {"", "Start with: ./maestro demo"})
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 public final class Maestro implements Runnable {
   @Spec private CommandSpec spec;
 

@@ -20,7 +20,6 @@ import picocli.CommandLine.Spec;
       "10:proven that there is no plan",
       "12:no plan found in time, or in memory"
     })
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class PlanCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 

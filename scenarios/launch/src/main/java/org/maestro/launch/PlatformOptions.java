@@ -10,7 +10,6 @@ import org.maestro.rats.time.PacedClock;
 import picocli.CommandLine.Option;
 
 /** Which running platform a command means. */
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class PlatformOptions {
   @Option(
       names = "--platform",

@@ -14,7 +14,6 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "revive",
     description = "Start the central coordination agent again after it was ended.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class ReviveCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
   @Mixin private PlatformOptions platform;

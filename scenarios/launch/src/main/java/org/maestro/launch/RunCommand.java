@@ -30,7 +30,6 @@ import picocli.CommandLine.Spec;
 
 /** A platform that stays until it is interrupted. */
 @Command(name = "run", description = "Run a platform for a home until Ctrl-C.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class RunCommand implements Callable<Integer> {
   private static final Pattern SLUG = Pattern.compile("[a-z0-9][a-z0-9-]{0,62}");
 

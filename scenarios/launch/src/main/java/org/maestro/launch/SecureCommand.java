@@ -21,7 +21,6 @@ import picocli.CommandLine.Spec;
     description =
         "Make a secured site's certificates, users, rules and broker files; again: add users, give"
             + " them new certificates, or take them out. What runs by the files takes it up.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class SecureCommand implements Callable<Integer> {
   private static final List<String> LOCAL_HOSTS = List.of("localhost", "127.0.0.1");
   private static final List<String> USUAL_CONTROLLERS =

@@ -6,7 +6,6 @@ import org.maestro.rats.security.SiteSecurity;
 import picocli.CommandLine.Option;
 
 /** The files of a secured site, as several commands take them. */
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class SecurityOptions {
   /** The guest as which commands ask unless another is named; every secured site has it. */
   static final String CONSOLE = "console";

@@ -7,7 +7,6 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** The home and its simulated world, as several commands take them. */
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class SimulationOptions {
 
   @Parameters(paramLabel = "HOME.ttl", description = "A home file, or a shipped home: bob, arena.")

@@ -12,7 +12,6 @@ import picocli.CommandLine.Spec;
 
 /** Brings all devices to a stand. */
 @Command(name = "stop", description = "Every device into a safe state, now; the platform stays.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class StopCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
   @Mixin private PlatformOptions platform;

@@ -28,7 +28,6 @@ import picocli.CommandLine.Spec;
     name = "why",
     description =
         "Tell a goal's story: what was known, bid, planned, done, and why it was planned again.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class WhyCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
   @Mixin private PlatformOptions platform;

@@ -21,7 +21,6 @@ import picocli.CommandLine.Spec;
     name = "zigbee",
     description =
         "Present the lamps of a zigbee2mqtt gateway as lamps of a home, until Ctrl-C. A lamp stands for the device of its friendly name, unless --lamp says for which.")
-@SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class ZigbeeCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 

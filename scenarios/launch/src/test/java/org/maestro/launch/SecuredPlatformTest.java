@@ -41,7 +41,7 @@ import org.maestro.sim.scene.SceneLoader;
 @Isolated("its time is wall time, which others beside it would take")
 class SecuredPlatformTest {
   private static final String NAME = "secured-bob";
-  private static final Path SHIPPED = Path.of("src/main/resources");
+  private static final Path SHIPPED = Path.of("../assembly/src/main/resources");
   private static final Duration SOON = Duration.ofSeconds(60);
 
   @TempDir static Path directory;
