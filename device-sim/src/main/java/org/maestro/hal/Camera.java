@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A camera with colour-based object detection (M81). One that is carried about turns around on the
- * spot for a look, and has in view what it sees on the way.
+ * A camera with colour-based object detection (Three-layered architecture, 4.1; M81). One that is
+ * carried about turns around on the spot for a look, and has in view what it sees on the way.
  */
 public interface Camera {
 

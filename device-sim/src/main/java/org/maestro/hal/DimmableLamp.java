@@ -3,7 +3,7 @@ package org.maestro.hal;
 import java.util.List;
 import java.util.OptionalInt;
 
-/** A dimmable lamp with white shades (M82). */
+/** A dimmable lamp with white shades (Three-layered architecture, 4.1; M82). */
 public interface DimmableLamp {
 
   /**

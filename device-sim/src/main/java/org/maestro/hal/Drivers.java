@@ -5,7 +5,10 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 
-/** The drivers of one device by their interface; a combined device has several (M31). Immutable. */
+/**
+ * The drivers of one device by their interface; a combined device has several (Three-layered
+ * architecture, 3.2.1; M31). Immutable.
+ */
 public final class Drivers {
 
   private final Map<Class<?>, Object> byKind;

@@ -3,8 +3,8 @@ package org.maestro.hal;
 import java.util.Optional;
 
 /**
- * An arm with a {@link Hand} that holds one thing (M80). One command runs at a time; a new one
- * replaces the running one, whose completion is then not told.
+ * An arm with a {@link Hand} that holds one thing (Three-layered architecture, 4.1; M80). One
+ * command runs at a time; a new one replaces the running one, whose completion is then not told.
  */
 public interface GripperArm {
 

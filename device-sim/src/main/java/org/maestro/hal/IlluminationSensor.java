@@ -1,6 +1,6 @@
 package org.maestro.hal;
 
-/** A sensor of the light at its place (M83). */
+/** A sensor of the light at its place (Three-layered architecture, 4.1; M83). */
 public interface IlluminationSensor {
 
   void read(Listener listener);

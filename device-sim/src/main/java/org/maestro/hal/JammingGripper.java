@@ -2,8 +2,8 @@ package org.maestro.hal;
 
 /**
  * A bag of grains that is soft while air is in it and stiff without (Brown et al., "Universal
- * robotic gripper based on the jamming of granular material", PNAS 2010; M80). One command runs at
- * a time. Clock thread.
+ * robotic gripper based on the jamming of granular material", PNAS 2010; Three-layered
+ * architecture, 4.1; M80). One command runs at a time. Clock thread.
  */
 public interface JammingGripper {
 

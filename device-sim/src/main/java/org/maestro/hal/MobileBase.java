@@ -3,7 +3,10 @@ package org.maestro.hal;
 import java.util.List;
 import org.maestro.ontology.home.Point2;
 
-/** An omni-directional base: it drives along a way without turning first (M80). */
+/**
+ * An omni-directional base: it drives along a way without turning first (Three-layered
+ * architecture, 4.1; M80).
+ */
 public interface MobileBase {
 
   Point2 position();

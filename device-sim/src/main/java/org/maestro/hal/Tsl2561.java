@@ -3,7 +3,8 @@ package org.maestro.hal;
 /**
  * The light sensor TSL2561 by TAOS as its data sheet (TAOS059N, 2009) describes it: two counters,
  * one of visible and infrared light, one of infrared alone, that are read with a gain and an
- * integration time, and become lux by a formula. 0.1 to 40,000 lux (M83).
+ * integration time, and become lux by a formula. 0.1 to 40,000 lux (Three-layered architecture,
+ * 4.1; M83).
  */
 public final class Tsl2561 {
 

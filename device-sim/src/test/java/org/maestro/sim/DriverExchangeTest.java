@@ -16,7 +16,10 @@ import org.maestro.ontology.home.HomeLoader;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Result;
 
-/** The same members with other drivers, chosen by the home file alone (M26). */
+/**
+ * The same members with other drivers, chosen by the home file alone (Three-layered architecture,
+ * 3.1; M26).
+ */
 class DriverExchangeTest {
 
   private static Homes bob(String scene, String instead, String by) {

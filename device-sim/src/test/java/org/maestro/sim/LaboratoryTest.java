@@ -25,7 +25,10 @@ import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Result;
 import org.maestro.sim.scene.WorldEvent;
 
-/** What the papers' laboratory consists of (M26, M28, M29, M81, M82, M87). */
+/**
+ * What the papers' laboratory consists of (Three-layered architecture, 3.1, 3.2, 4.1 and 4.3; M26,
+ * M28, M29, M81, M82, M87).
+ */
 class LaboratoryTest {
   private static final double GRID_METRES = 0.6;
 

@@ -36,7 +36,9 @@ class SimulatedHomeTest {
     }
   }
 
-  /** Each asks in its own name, without anybody between them (M14). */
+  /**
+   * Each asks in its own name, without anybody between them (Three-layered architecture, 2; M14).
+   */
   @Test
   void aLampAsksARobotAndTheRobotALamp() {
     try (Homes homes = Homes.bob("bob-lit");

@@ -33,9 +33,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The Central Coordination Agent (M76): takes goals by FIPA request, and is the coordinator's voice
- * and ear. It answers {@code initCNP}, {@code cancel}, {@code explain}, {@code subscribe} and
- * {@code query-ref} about goals.
+ * The Central Coordination Agent (Three-layered architecture, 3.3.3; M76): takes goals by FIPA
+ * request, and is the coordinator's voice and ear. It answers {@code initCNP}, {@code cancel},
+ * {@code explain}, {@code subscribe} and {@code query-ref} about goals.
  */
 public final class CoordinatorAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;

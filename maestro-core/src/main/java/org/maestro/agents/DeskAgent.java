@@ -17,8 +17,8 @@ import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 
 /**
- * The desk at which people (and programs for them) state goals and ask questions (M25). Its methods
- * may be called by any thread; the answers come on the agent's.
+ * The desk at which people (and programs for them) state goals and ask questions (Three-layered
+ * architecture, 3; M25). Its methods may be called by any thread; the answers come on the agent's.
  */
 public final class DeskAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;

@@ -44,10 +44,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The abstraction of RATS members in the control layer (M24, M68, M69, M71): one class for all
- * kinds of devices, made what it is by its configuration and by what its members describe. It
- * answers calls for prices, prices parameter sets, performs features over the bus and says what its
- * members say of themselves.
+ * The abstraction of RATS members in the control layer (Three-layered architecture, 3 and 3.3.2;
+ * M24, M68, M69, M71): one class for all kinds of devices, made what it is by its configuration and
+ * by what its members describe. It answers calls for prices, prices parameter sets, performs
+ * features over the bus and says what its members say of themselves.
  *
  * <p>JADE can make it by its class name, in any container of MAESTRO, also from its GUI: with the
  * path of a device file as argument, or with none for a member of the agent's name. It can move; it

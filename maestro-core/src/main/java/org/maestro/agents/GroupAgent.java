@@ -30,9 +30,9 @@ import org.maestro.sl.Truth;
 
 /**
  * An agent that stands for several devices and has goals of its own, such as to keep a room lit
- * (paper section 5.1; M15, M16, M91). All that it is comes from the home's description of the
- * group; it knows of no kind of device. It hears of its members from their agents, watches the
- * collective knowledge, and works also when there is no central agent.
+ * (Three-layered architecture, 2 and 5.1; M15, M16, M91). All that it is comes from the home's
+ * description of the group; it knows of no kind of device. It hears of its members from their
+ * agents, watches the collective knowledge, and works also when there is no central agent.
  */
 public final class GroupAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;

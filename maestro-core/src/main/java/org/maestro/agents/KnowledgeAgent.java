@@ -40,8 +40,8 @@ import org.maestro.sl.Self;
 import org.maestro.sl.Term;
 
 /**
- * The way to the collective knowledge for agents everywhere (M12, M15): they tell it, ask it and
- * subscribe to it in MAESTRO-SL.
+ * The way to the collective knowledge for agents everywhere (Three-layered architecture, 2; M12,
+ * M15): they tell it, ask it and subscribe to it in MAESTRO-SL.
  *
  * <pre>
  * (inform (:source rose) (:facts "(in rose zone-b)" ...))

@@ -33,7 +33,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Looks after containers and agents: lists them, adds, moves, configures and removes agents, takes
- * in containers that join from other processes, and stops everything (M3, M68-M72).
+ * in containers that join from other processes, and stops everything (Three-layered architecture, 2
+ * and 3.3.2; M3, M68-M72).
  *
  * <pre>
  * (perform (:action add) (:description "...") (:container lights))   and (:as NAME), (:needs a b)

@@ -47,7 +47,7 @@ import org.maestro.sl.Formula;
  * Pursues the goals of one scope. Confined to one thread: the owner's, on which all ports answer
  * too.
  *
- * <p>Source: paper section 3.3, checklist M4, M17, M21, M55, M76.
+ * <p>Source: Three-layered architecture, abstract, 2, 3.2.2 and 3.3.3 (M4, M17, M21, M55, M76).
  */
 public final class Coordinator {
   /** Before the number of a goal of the whole platform. */
@@ -328,7 +328,10 @@ public final class Coordinator {
         });
   }
 
-  /** A member offers to take over a running step of the goal; nothing is promised to it (M43). */
+  /**
+   * A member offers to take over a running step of the goal; nothing is promised to it
+   * (Three-layered architecture, 3.2.1; M43).
+   */
   public void offered(String goalId, Takeover offer) {
     activeGoals.run(
         () -> Optional.ofNullable(pursuits.get(goalId)).ifPresent(p -> p.offered(offer)));
@@ -339,7 +342,10 @@ public final class Coordinator {
     dispatcher.alive(goalId, member, feature);
   }
 
-  /** A member gives back a running step of the goal, and brings itself to a safe state (M44). */
+  /**
+   * A member gives back a running step of the goal, and brings itself to a safe state
+   * (Three-layered architecture, 3.2.1; M44).
+   */
   public void givenBack(String goalId, String member, String feature, String reason) {
     activeGoals.run(
         () ->

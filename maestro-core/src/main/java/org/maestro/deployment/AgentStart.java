@@ -10,7 +10,7 @@ import java.util.TreeSet;
  * How an agent was started, and where: all that is needed to start it again, here or elsewhere.
  *
  * @param agent its local name
- * @param charges the members it stands for, at least one (M71)
+ * @param charges the members it stands for, at least one (Three-layered architecture, 3.3.2; M71)
  * @param topic what it is about, such as {@code lights}: decides its container when nobody names
  *     one
  * @param needs what its host has to provide, such as {@code microphone}

@@ -12,8 +12,8 @@ import java.util.regex.Pattern;
 
 /**
  * Which agents there are, what they stand for and where they live, and which containers could take
- * them (M68-M72). Says where an agent belongs and what speaks against it; others carry it out and
- * report. Any thread may use it.
+ * them (Three-layered architecture, 3.3.2; M68-M72). Says where an agent belongs and what speaks
+ * against it; others carry it out and report. Any thread may use it.
  */
 public final class Deployment {
   private static final Pattern SLUG = Pattern.compile("[a-z0-9][a-z0-9-]{0,62}");

@@ -9,7 +9,8 @@ import java.util.TreeMap;
 /**
  * What the platform's tables hold, and since when: the agents with their containers and states (the
  * global descriptor table, whose part for one container is that container's local table), and the
- * containers (M66). Told by the platform's events. Any thread may use it.
+ * containers (Three-layered architecture, 3.3.1; M66). Told by the platform's events. Any thread
+ * may use it.
  */
 public final class Directory {
   private final Map<String, Entry> agents = new TreeMap<>();

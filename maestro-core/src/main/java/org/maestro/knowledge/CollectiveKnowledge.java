@@ -59,9 +59,9 @@ import org.maestro.sl.Term;
 import org.maestro.storage.WritingAside;
 
 /**
- * The collective knowledge base (M12): an RDF dataset with provenance, and beside it plain indexes
- * from which snapshots answer. Time of receipt and ages come from the clock. Thread-safe: writers
- * wait for each other, readers for nobody.
+ * The collective knowledge base (Three-layered architecture, 2; M12): an RDF dataset with
+ * provenance, and beside it plain indexes from which snapshots answer. Time of receipt and ages
+ * come from the clock. Thread-safe: writers wait for each other, readers for nobody.
  */
 public final class CollectiveKnowledge implements KnowledgeBase {
 

@@ -20,7 +20,10 @@ import org.maestro.rats.time.Clock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Gives agents to members that none stands for yet (M3, M7). Any thread may call. */
+/**
+ * Gives agents to members that none stands for yet (Three-layered architecture, 2 and 1; M3, M7).
+ * Any thread may call.
+ */
 final class Arrivals {
   private static final Logger LOG = LoggerFactory.getLogger(Arrivals.class);
 

@@ -30,8 +30,8 @@ import org.maestro.platform.jade.JadeRuntime;
 
 /**
  * Starts and ends the agents of a platform where the deployment has them: in containers of this
- * process, one for each topic (M70), or, by their configuration alone, in containers that other
- * processes have joined. Any thread may call, one at a time.
+ * process, one for each topic (Three-layered architecture, 3.3.2; M70), or, by their configuration
+ * alone, in containers that other processes have joined. Any thread may call, one at a time.
  */
 final class Deployer {
   private final Deployment deployment;

@@ -43,8 +43,8 @@ import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 
 /**
- * A container of this process in a platform of another (M64): as a desk from which to ask, or as
- * the home of a topic's agents. Any thread may use it.
+ * A container of this process in a platform of another (Three-layered architecture, 3.3.1; M64): as
+ * a desk from which to ask, or as the home of a topic's agents. Any thread may use it.
  */
 public final class JoinedContainer implements AutoCloseable {
   private static final Duration ANSWER_WITHIN = Duration.ofSeconds(20);

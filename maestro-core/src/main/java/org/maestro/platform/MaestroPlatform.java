@@ -57,8 +57,8 @@ import org.maestro.sl.Formula;
 
 /**
  * A running platform in this process: a JADE main container with CCA, knowledge agent, supervisor
- * and desk, and an abstraction container for each topic with a generic agent for each device (M64,
- * M68-M72). Any thread may use it.
+ * and desk, and an abstraction container for each topic with a generic agent for each device
+ * (Three-layered architecture, 3.3.1 and 3.3.2; M64, M68-M72). Any thread may use it.
  */
 public final class MaestroPlatform implements AutoCloseable {
   private static final String GROUPS = "groups";

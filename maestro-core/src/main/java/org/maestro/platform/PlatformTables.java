@@ -24,9 +24,9 @@ import org.maestro.rats.link.RatsLink;
 import org.maestro.sl.Content;
 
 /**
- * What the platform's tables hold, put together (M65, M66, M70, M78): agents and containers as JADE
- * has them, the members behind the agents as the bus has them, and since when. Any thread may use
- * it.
+ * What the platform's tables hold, put together (Three-layered architecture, 3.3.1, 3.3.2 and
+ * 3.3.3; M65, M66, M70, M78): agents and containers as JADE has them, the members behind the agents
+ * as the bus has them, and since when. Any thread may use it.
  */
 final class PlatformTables {
   private final Deployment deployment;

@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
-/** Where agents belong, and what speaks against it (M68-M72). */
+/** Where agents belong, and what speaks against it (Three-layered architecture, 3.3.2; M68-M72). */
 class DeploymentTest {
   private static final Optional<String> NOWHERE_NAMED = Optional.empty();
 

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Instant;
 import org.junit.jupiter.api.Test;
 
-/** The tables: global, local and of containers (M66). */
+/** The tables: global, local and of containers (Three-layered architecture, 3.3.1; M66). */
 class DirectoryTest {
   private static final Instant FIRST = Instant.parse("2020-01-01T10:00:00Z");
   private static final Instant LATER = FIRST.plusSeconds(60);

@@ -19,7 +19,10 @@ import org.maestro.ontology.home.Individual;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
-/** Sources that disagree: the stated rule settles it, and the loser stays visible (M10). */
+/**
+ * Sources that disagree: the stated rule settles it, and the loser stays visible (Three-layered
+ * architecture, 2; M10).
+ */
 class DisagreementTest {
 
   private static final Source CAM_A = new Source(Source.Kind.OBSERVED, "cam-a");

@@ -9,7 +9,7 @@ import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 
-/** A38: "There is a problem with ..., so you will need to use ...". */
+/** ADE, 3.2 (A38): "There is a problem with ..., so you will need to use ...". */
 class RemainingTest {
   private final Home home =
       new HomeLoader()

@@ -8,8 +8,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A task's local plan (M29): atomic actions of the device, one after the other. It stays private;
- * only the share done is told. It goes no further once the call has ended. Clock thread only.
+ * A task's local plan (Three-layered architecture, 3.2; M29): atomic actions of the device, one
+ * after the other. It stays private; only the share done is told. It goes no further once the call
+ * has ended. Clock thread only.
  */
 final class ActionSequence {
 

@@ -85,7 +85,8 @@ abstract class ArmTask extends DeviceProcedure {
   }
 
   /**
-   * Exit strategy (M45): stand still, put down what is held if there is a free spot, fold the arm.
+   * Exit strategy (Three-layered architecture, 3.2.1; M45): stand still, put down what is held if
+   * there is a free spot, fold the arm.
    */
   final void exitSafely(Execution execution) {
     execution.onCancel(

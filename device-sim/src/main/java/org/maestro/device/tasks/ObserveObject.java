@@ -10,10 +10,10 @@ import org.maestro.rats.member.Execution;
 import org.maestro.rats.protocol.CostAnswer;
 
 /**
- * Looks for an object until ended (M87). Found is said when several frames of a burst agree; not
- * found only when the images are bright enough everywhere in what the camera covers that missing it
- * is next to impossible. Otherwise the call fails and names the light that is missing; once
- * established it says nothing while it cannot tell.
+ * Looks for an object until ended (Three-layered architecture, 4.3; M87). Found is said when
+ * several frames of a burst agree; not found only when the images are bright enough everywhere in
+ * what the camera covers that missing it is next to impossible. Otherwise the call fails and names
+ * the light that is missing; once established it says nothing while it cannot tell.
  */
 final class ObserveObject extends DeviceProcedure {
 

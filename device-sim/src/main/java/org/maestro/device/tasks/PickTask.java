@@ -6,7 +6,10 @@ import org.maestro.hal.Position;
 import org.maestro.rats.member.Execution;
 import org.maestro.rats.protocol.CostAnswer;
 
-/** Picks something up: approach, open the hand, reach out, grasp, fold (M29). */
+/**
+ * Picks something up: approach, open the hand, reach out, grasp, fold (Three-layered architecture,
+ * 3.2; M29).
+ */
 final class PickTask extends ArmTask {
 
   PickTask(FeatureContext context) {

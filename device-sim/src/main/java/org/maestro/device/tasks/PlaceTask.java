@@ -16,7 +16,7 @@ import org.maestro.rats.protocol.RatsError;
 
 /**
  * Puts down what the hand holds, beside a thing or in an area: approach, reach out, let go, fold
- * (M29).
+ * (Three-layered architecture, 3.2; M29).
  */
 final class PlaceTask extends ArmTask {
 

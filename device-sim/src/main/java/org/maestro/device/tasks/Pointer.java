@@ -11,8 +11,8 @@ import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Polygon;
 
 /**
- * A pointer into the knowledge base as it travels in a call (M58): an individual, and the
- * properties of it that the feature needs.
+ * A pointer into the knowledge base as it travels in a call (Three-layered architecture, 3.2.3;
+ * M58): an individual, and the properties of it that the feature needs.
  *
  * @param name the individual's local name
  */

@@ -27,7 +27,7 @@ import org.maestro.sl.Term;
 
 /**
  * Completes orders of agents that name things by their names alone: what a member needs to know of
- * them is asked of the knowledge agent (M58).
+ * them is asked of the knowledge agent (Three-layered architecture, 3.2.3; M58).
  *
  * <pre>
  * (query-ref (:call (:member cam-1) (:feature observeObject) (:parameters (:object Cup))))

@@ -57,7 +57,7 @@ public final class RequestGuard {
     }
   }
 
-  /** Only who may ask for the feature is answered (A28). */
+  /** Only who may ask for the feature is answered (ADE, 3.1; A28). */
   public void allowed(ACLMessage message, Words words, Consumer<MemberProxy> deed) {
     objection(message, words, words.string("feature").orElse(""))
         .ifPresentOrElse(

@@ -13,8 +13,9 @@ import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 
 /**
- * An effect that an agent asks of the central agent, by FIPA request as anybody would (M5, M14): it
- * says what is to be so, not which device is to do what. Agent thread only.
+ * An effect that an agent asks of the central agent, by FIPA request as anybody would
+ * (Three-layered architecture, 1 and 2; M5, M14): it says what is to be so, not which device is to
+ * do what. Agent thread only.
  */
 final class DelegatedGoal {
   private static final Duration NO_END = Duration.ofDays(365);

@@ -32,9 +32,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The goals that an agent has of its own accord (M15, M16, M91). They are pursued with the agent's
- * own members, without the central agent; what these cannot bring about is asked of the central
- * agent as an effect (M5), and again while it is wanting. Agent thread only.
+ * The goals that an agent has of its own accord (Three-layered architecture, 2 and 5.1; M15, M16,
+ * M91). They are pursued with the agent's own members, without the central agent; what these cannot
+ * bring about is asked of the central agent as an effect (Three-layered architecture, 1; M5), and
+ * again while it is wanting. Agent thread only.
  */
 public final class OwnGoals {
   private static final Logger LOG = LoggerFactory.getLogger(OwnGoals.class);

@@ -18,7 +18,7 @@ import org.maestro.sl.Truth;
 
 /**
  * Who wants to be told when the answer to a question changes: passive communication through what is
- * known (M15). The agent's thread only, but for {@link #isEmpty}.
+ * known (Three-layered architecture, 2; M15). The agent's thread only, but for {@link #isEmpty}.
  */
 public final class KnowledgeSubscriptions {
 

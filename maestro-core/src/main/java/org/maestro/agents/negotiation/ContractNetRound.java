@@ -31,10 +31,10 @@ import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 
 /**
- * One FIPA contract-net round of a coordinator (M76): a call for proposals to all candidates, early
- * close when all have answered, accept or reject once the plan is made, and the word of each winner
- * that it holds its part. The round stays open while others plan; its behaviour blocks without
- * holding the agent.
+ * One FIPA contract-net round of a coordinator (Three-layered architecture, 3.3.3; M76): a call for
+ * proposals to all candidates, early close when all have answered, accept or reject once the plan
+ * is made, and the word of each winner that it holds its part. The round stays open while others
+ * plan; its behaviour blocks without holding the agent.
  *
  * <p>The clock alone ends its waits: JADE's own deadlines are wall time, which means nothing on a
  * stepped clock. The round ends within the patience for bids, offers and contracts, whatever the

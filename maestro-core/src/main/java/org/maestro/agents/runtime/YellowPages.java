@@ -19,9 +19,9 @@ import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
 
 /**
- * An agent's entry in the directory facilitator (M65): a service for each feature that its members
- * have now, with the feature's name as type, so that a stranger finds who can do it; and how to ask
- * for it, in the service's properties.
+ * An agent's entry in the directory facilitator (Three-layered architecture, 3.3.1; M65): a service
+ * for each feature that its members have now, with the feature's name as type, so that a stranger
+ * finds who can do it; and how to ask for it, in the service's properties.
  */
 public final class YellowPages {
 

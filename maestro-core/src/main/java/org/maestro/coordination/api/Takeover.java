@@ -1,8 +1,8 @@
 package org.maestro.coordination.api;
 
 /**
- * An offer to take over what another member is at (M43). Whether it is taken is the goal's own
- * decision, by a plan from the present.
+ * An offer to take over what another member is at (Three-layered architecture, 3.2.1; M43). Whether
+ * it is taken is the goal's own decision, by a plan from the present.
  *
  * @param by who offers
  * @param from who is at it

@@ -34,7 +34,8 @@ import org.maestro.sl.Formula;
 /**
  * A goal that is held until it is cancelled: brought about ({@link HeldWork}), observed without a
  * break ({@link Watch}), restored when it is lost, and held by cheaper settings when these would do
- * ({@link Reoptimization}; M5, M91). The coordinator's thread only.
+ * ({@link Reoptimization}; Three-layered architecture, 1 and 5.1; M5, M91). The coordinator's
+ * thread only.
  */
 public final class MaintenanceGoal implements ActiveGoal {
   /** Facts grow too old without news; so often it is looked at in any case. */

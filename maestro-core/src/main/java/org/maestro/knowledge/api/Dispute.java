@@ -4,7 +4,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Sources that do not agree on something, and how that was settled (M10).
+ * Sources that do not agree on something, and how that was settled (Three-layered architecture, 2;
+ * M10).
  *
  * @param believed empty when what was believed is withdrawn, and the others were overruled before
  * @param losers the latest first

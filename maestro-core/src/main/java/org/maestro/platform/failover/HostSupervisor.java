@@ -21,7 +21,7 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Starts the processes of the hosts that belong to the platform, and starts them again when they
- * have ended, or were given up; the more often that happens, the later (checklist A36). What joins
+ * have ended, or were given up; the more often that happens, the later (ADE, 3.2; A36). What joins
  * by itself is left in peace. Any thread may call.
  */
 public final class HostSupervisor implements AutoCloseable {

@@ -26,7 +26,10 @@ import org.maestro.platform.BareJade;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.sl.SlParser;
 
-/** What agents elsewhere read of the collective knowledge (M12): right, quick, and bounded. */
+/**
+ * What agents elsewhere read of the collective knowledge (Three-layered architecture, 2; M12):
+ * right, quick, and bounded.
+ */
 class KnowledgeCacheTest {
   private static final Source CAMERA = new Source(Source.Kind.OBSERVED, "cam-b");
   private static final int MOST = 8;

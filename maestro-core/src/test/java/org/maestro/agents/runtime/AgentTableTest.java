@@ -12,7 +12,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.platform.BareJade;
 
-/** Agents of a container that come and go at the same moment (M64). */
+/**
+ * Agents of a container that come and go at the same moment (Three-layered architecture, 3.3.1;
+ * M64).
+ */
 class AgentTableTest {
   private static final int THREADS = 4;
   private static final int AGENTS = 300_000;

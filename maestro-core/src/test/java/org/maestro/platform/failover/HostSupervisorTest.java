@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.platform.hosts.HostStart;
 
-/** Processes of hosts are started, and started again when they have died (A36). */
+/** Processes of hosts are started, and started again when they have died (ADE, 3.2; A36). */
 class HostSupervisorTest {
   private static final Duration LIMIT = Duration.ofSeconds(20);
 

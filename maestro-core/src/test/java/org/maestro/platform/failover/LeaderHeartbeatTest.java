@@ -17,7 +17,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.deployment.ProcessStart;
 
-/** Who stands by ends a process that has the duty and is frozen, and no other (A32). */
+/** Who stands by ends a process that has the duty and is frozen, and no other (ADE, 3.2; A32). */
 class LeaderHeartbeatTest {
   private static final Duration LOOK = Duration.ofMillis(50);
 

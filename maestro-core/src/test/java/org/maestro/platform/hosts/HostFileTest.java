@@ -9,7 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.maestro.deployment.Provision;
 
-/** Which hosts belong to a platform, and how their processes are started (A35, A36). */
+/** Which hosts belong to a platform, and how their processes are started (ADE, 3.2; A35, A36). */
 class HostFileTest {
   private static final List<String> USUAL = List.of("java", "--main={main}", "--topic={topics}");
 

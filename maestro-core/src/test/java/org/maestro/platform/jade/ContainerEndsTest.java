@@ -11,7 +11,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.agents.device.Host;
 
-/** How containers end that JADE does not end at the first time (M64). */
+/**
+ * How containers end that JADE does not end at the first time (Three-layered architecture, 3.3.1;
+ * M64).
+ */
 class ContainerEndsTest {
   private static final String PLATFORM = "container-ends";
   private static final String NAME = "lights";

@@ -18,8 +18,8 @@ import org.maestro.ontology.vocabulary.VocabularyCheck;
 /**
  * Reads the description that a member sends of itself. A feature that the vocabulary knows needs
  * its type's name and what differs; any other is described whole. Words of other vocabularies are
- * understood as far as the alignments tell (M7). A description that offers nothing has what its
- * classes offer. Never uses the network. Safe for threads.
+ * understood as far as the alignments tell (Three-layered architecture, 1; M7). A description that
+ * offers nothing has what its classes offer. Never uses the network. Safe for threads.
  */
 public final class DescriptionReader {
 

@@ -20,8 +20,8 @@ import org.maestro.ontology.vocabulary.Literals;
 
 /**
  * A file that describes one device or several, as a home file does, without the home: what a
- * generic agent is configured with (M68, M69). Turtle, or JSON-LD as members send it. Safe for
- * threads.
+ * generic agent is configured with (Three-layered architecture, 3.3.2; M68, M69). Turtle, or
+ * JSON-LD as members send it. Safe for threads.
  */
 public final class DeviceFile {
   private static final String BASE = "https://w3id.org/maestro/member/";

@@ -8,7 +8,8 @@ import java.util.TreeSet;
 import org.maestro.sl.Formula;
 
 /**
- * An agent that stands for several devices and has goals of its own (M15, M91).
+ * An agent that stands for several devices and has goals of its own (Three-layered architecture, 2
+ * and 5.1; M15, M91).
  *
  * @param individual its name is the agent's name
  * @param container topic of the abstraction container it lives in

@@ -14,9 +14,9 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.SlPrinter;
 
 /**
- * A feature as data, f = (Id, r, I, O, phi, Pr, Po, Freq, Cost) of the paper's section 3.2.2 (M46):
- * all that planner, knowledge and member need to know of it. The executing member is the variable
- * {@code ?self}.
+ * A feature as data, f = (Id, r, I, O, phi, Pr, Po, Freq, Cost) (Three-layered architecture, 3.2.2;
+ * M46): all that planner, knowledge and member need to know of it. The executing member is the
+ * variable {@code ?self}.
  *
  * @param name local name, the feature's id on the bus
  * @param task true for a task (a sequence with a local plan), false for an atomic action

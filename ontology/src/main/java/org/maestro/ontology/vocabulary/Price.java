@@ -2,7 +2,10 @@ package org.maestro.ontology.vocabulary;
 
 import org.maestro.sl.Expression;
 
-/** What a feature costs (M53): computable by anybody, or only by the member itself. */
+/**
+ * What a feature costs (Three-layered architecture, 3.2.2; M53): computable by anybody, or only by
+ * the member itself.
+ */
 public sealed interface Price {
 
   /** A constant or an expression over the facts and the feature's parameters. */

@@ -39,7 +39,10 @@ class AccessListTest {
     assertThat(open.knows(Set.of("anyone"))).isTrue();
   }
 
-  /** Different rights for each component (A29): all pairs of three callers, devices, features. */
+  /**
+   * Different rights for each component (ADE, 3.1; A29): all pairs of three callers, devices,
+   * features.
+   */
   @Test
   void whatNoPermissionAllowsIsRefused() {
     Home home =

@@ -8,7 +8,10 @@ import org.junit.jupiter.api.Test;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.sl.Term;
 
-/** Devices that describe themselves in words of other vocabularies (M7). */
+/**
+ * Devices that describe themselves in words of other vocabularies (Three-layered architecture, 1;
+ * M7).
+ */
 class ForeignWordsTest {
 
   private static final String HEAD =

@@ -23,9 +23,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Presents the lamps of a zigbee2mqtt broker as members of a RATS site (M89): each light of its
- * retained device list, for as long as it is on that list. Topics and payloads are those that
- * zigbee2mqtt publishes since version 1.17. Any thread may close it.
+ * Presents the lamps of a zigbee2mqtt broker as members of a RATS site (Three-layered architecture,
+ * 4.3; M89): each light of its retained device list, for as long as it is on that list. Topics and
+ * payloads are those that zigbee2mqtt publishes since version 1.17. Any thread may close it.
  */
 public final class ZigbeeBridge implements AutoCloseable {
 

@@ -93,7 +93,7 @@ public interface RatsLink extends AutoCloseable {
   /** Asks the member to tell once more who it is and what it says of itself. */
   void describe(String member);
 
-  /** Sends {@code $safe} to every member (M37). */
+  /** Sends {@code $safe} to every member (Three-layered architecture, 3.2.1; M37). */
   void safe();
 
   @Override
@@ -163,10 +163,16 @@ public interface RatsLink extends AutoCloseable {
 
     default void observed(Observation observation) {}
 
-    /** Another member could do it too (M43): whether it shall, is up to who called. */
+    /**
+     * Another member could do it too (Three-layered architecture, 3.2.1; M43): whether it shall, is
+     * up to who called.
+     */
     default void offered(String member, Offer offer) {}
 
-    /** The member gives it back (M44); its outcome follows when it is in a safe state. */
+    /**
+     * The member gives it back (Three-layered architecture, 3.2.1; M44); its outcome follows when
+     * it is in a safe state.
+     */
     default void released(String reason) {}
 
     void ended(Result result);

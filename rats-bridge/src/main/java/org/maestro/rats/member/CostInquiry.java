@@ -15,8 +15,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One question for prices (M54), until all of them are known or its time is over. Clock thread
- * only.
+ * One question for prices (Three-layered architecture, 3.2.2; M54), until all of them are known or
+ * its time is over. Clock thread only.
  */
 final class CostInquiry {
 

@@ -25,21 +25,22 @@ public interface Execution {
   void fail(RatsError error);
 
   /**
-   * The member sees that it will not manage, and gives the task back before its timeout (M44): its
-   * caller is told why at once, the exit strategy brings the device to a safe state, then the call
-   * fails.
+   * The member sees that it will not manage, and gives the task back before its timeout
+   * (Three-layered architecture, 3.2.1; M44): its caller is told why at once, the exit strategy
+   * brings the device to a safe state, then the call fails.
    */
   void giveBack(RatsError reason);
 
   /**
    * Establishes a continuous feature with a first reading, and tells a further one as often as the
-   * feature's {@link Frequency} and the call's wish have it, until the call ends (M52).
+   * feature's {@link Frequency} and the call's wish have it, until the call ends (Three-layered
+   * architecture, 3.2.2; M52).
    */
   void observeRegularly(Reading reading);
 
   /**
-   * What to do on cancel or timeout: bring the device to a safe state (M45), then run the given
-   * completion. Without it a cancel completes at once.
+   * What to do on cancel or timeout: bring the device to a safe state (Three-layered architecture,
+   * 3.2.1; M45), then run the given completion. Without it a cancel completes at once.
    */
   void onCancel(ExitStrategy strategy);
 

@@ -3,7 +3,7 @@ package org.maestro.rats.member;
 import java.time.Duration;
 import java.util.Map;
 
-/** How often a continuous feature tells a value, Freq of the paper's section 3.2.2 (M52). */
+/** How often a continuous feature tells a value, Freq (Three-layered architecture, 3.2.2; M52). */
 public sealed interface Frequency {
 
   /** The parameter by which a caller asks for fewer values: a number, in hertz. */

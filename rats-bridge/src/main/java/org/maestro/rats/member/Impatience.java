@@ -15,12 +15,12 @@ import org.maestro.rats.protocol.ReservedFeature;
 import org.maestro.rats.time.Clock;
 
 /**
- * The member's impatience with what others are at (ALLIANCE, M43). It remembers calls to others of
- * features that it has too, and offers their holder to take one over, once, in two cases: something
- * about this member has changed since the call, or since it told the holder its price for that, and
- * it is cheaper than what the holder still counts on and than what it told; or the other is late,
- * as far as can be seen, by longer than the member would need for all of it. It never begins
- * anything by itself: the holder decides. Clock thread only.
+ * The member's impatience with what others are at (ALLIANCE, Three-layered architecture, 3.2.1;
+ * M43). It remembers calls to others of features that it has too, and offers their holder to take
+ * one over, once, in two cases: something about this member has changed since the call, or since it
+ * told the holder its price for that, and it is cheaper than what the holder still counts on and
+ * than what it told; or the other is late, as far as can be seen, by longer than the member would
+ * need for all of it. It never begins anything by itself: the holder decides. Clock thread only.
  *
  * <p>Many members overhear each call, and a price can be a search for a way: nothing is priced
  * before it could lead to an offer.

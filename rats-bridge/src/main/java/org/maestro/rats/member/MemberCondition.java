@@ -10,9 +10,9 @@ import org.maestro.rats.protocol.MemberState;
 import org.maestro.rats.protocol.Outcome;
 
 /**
- * The abstract state z that the member is in, and which features it has switched off (M33, M34).
- * While a call runs, z is the running state of the latest started one, otherwise the state at rest.
- * Clock thread only.
+ * The abstract state z that the member is in, and which features it has switched off (Three-layered
+ * architecture, 3.2.1; M33, M34). While a call runs, z is the running state of the latest started
+ * one, otherwise the state at rest. Clock thread only.
  */
 final class MemberCondition {
 
@@ -78,7 +78,7 @@ final class MemberCondition {
 
   /**
    * Rests in a safe state: where it is if that is one, else in the initial state, else in the first
-   * by name (M36).
+   * by name (Three-layered architecture, 3.2.1; M36).
    */
   void restSafely() {
     if (profile.safeStates().contains(atRest)) {

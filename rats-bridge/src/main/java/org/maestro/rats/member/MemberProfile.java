@@ -10,14 +10,16 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 
 /**
- * What the runtime must know of a member, r = (Id, F, Z, z, Zs) (M32).
+ * What the runtime must know of a member, r = (Id, F, Z, z, Zs) (Three-layered architecture, 3.2.1;
+ * M32).
  *
  * @param description the JSON-LD document published for MAESTRO
- * @param states Z; {@code safeStates} is a subset with at least one element (M36)
+ * @param states Z; {@code safeStates} is a subset with at least one element (Three-layered
+ *     architecture, 3.2.1; M36)
  * @param features F, by id
  * @param rules how z may change
  * @param takesOver features, some of its own, whose running calls to others it offers to take over
- *     when it could do them for less (M43)
+ *     when it could do them for less (Three-layered architecture, 3.2.1; M43)
  */
 public record MemberProfile(
     String id,
@@ -124,7 +126,8 @@ public record MemberProfile(
   /**
    * F from a list, in its order.
    *
-   * @throws IllegalArgumentException when two features have the same id (M11)
+   * @throws IllegalArgumentException when two features have the same id (Three-layered
+   *     architecture, 2; M11)
    */
   public static Map<String, Feature> byId(List<Feature> features) {
     Map<String, Feature> byId = new LinkedHashMap<>();
@@ -141,7 +144,8 @@ public record MemberProfile(
    * A feature as the runtime sees it.
    *
    * @param required names of the parameters that a call must carry
-   * @param occupies components; two features that share one never run at the same time (M39)
+   * @param occupies components; two features that share one never run at the same time
+   *     (Three-layered architecture, 3.2.1; M39)
    * @param continuous established first, ended by cancel or by {@code endedBy}
    * @param runningState z while it runs
    * @param frequency how often a continuous one tells a value

@@ -20,7 +20,7 @@ import org.slf4j.LoggerFactory;
 
 /**
  * What is said of this member in its name, by itself, by its will, or by another that calls itself
- * by its id (M9).
+ * by its id (Three-layered architecture, 2; M9).
  *
  * <p>Of two of one id the one that started later has to go. On an open site anybody may say that
  * there is another, so the later one asks the other life first. If that answers, it goes; it looks

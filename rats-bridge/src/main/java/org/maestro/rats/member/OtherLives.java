@@ -5,8 +5,9 @@ import java.util.Map;
 import org.maestro.rats.protocol.MemberStatus;
 
 /**
- * Tells from what is said in a member's name whether another one of that name is alive (M9), or
- * whether it is only told late that a former life has ended. Clock thread only.
+ * Tells from what is said in a member's name whether another one of that name is alive
+ * (Three-layered architecture, 2; M9), or whether it is only told late that a former life has
+ * ended. Clock thread only.
  *
  * <p>Where both have the same client id, the broker drops one for the other, and each finds the
  * other's will whenever it is back. A life that is over leaves one will: who leaves a second one,

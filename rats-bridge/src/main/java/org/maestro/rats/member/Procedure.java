@@ -13,7 +13,10 @@ public interface Procedure {
 
   void start(Execution execution);
 
-  /** What it would cost with these parameters, from where the member is now (M54). */
+  /**
+   * What it would cost with these parameters, from where the member is now (Three-layered
+   * architecture, 3.2.2; M54).
+   */
   CostAnswer cost(Map<String, Object> parameters);
 
   /**

@@ -147,7 +147,7 @@ public final class RatsMember implements AutoCloseable {
 
   /**
    * What a member is, and the state it is in: r = (Id, F, Z, z, Zs) of the paper's section 3.2.1
-   * (M32).
+   * (Three-layered architecture, 3.2.1; M32).
    *
    * @param features F, the ids of those that it has, disabled ones too
    * @param states Z; {@code state}, z, is one of them, {@code safeStates} some
@@ -179,7 +179,8 @@ public final class RatsMember implements AutoCloseable {
   }
 
   /**
-   * The member is in another state while at rest, by the world's doing or by time (M35).
+   * The member is in another state while at rest, by the world's doing or by time (Three-layered
+   * architecture, 3.2.1; M35).
    *
    * @throws IllegalArgumentException when that is none of its states, or may not follow the present
    *     one
@@ -189,7 +190,10 @@ public final class RatsMember implements AutoCloseable {
     stateChanged();
   }
 
-  /** Refuses calls of the feature from now on (M33); the reason is told to callers. */
+  /**
+   * Refuses calls of the feature from now on (Three-layered architecture, 3.2.1; M33); the reason
+   * is told to callers.
+   */
   public void disable(String feature, String reason) {
     condition.disable(feature, reason);
     stateChanged();

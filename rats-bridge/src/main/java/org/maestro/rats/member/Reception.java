@@ -21,7 +21,7 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Decides what becomes of each call heard on the bus: for others, refused, answered at once, or
- * queued (M61). Clock thread only.
+ * queued (Three-layered architecture, 3.2.3; M61). Clock thread only.
  */
 final class Reception {
 

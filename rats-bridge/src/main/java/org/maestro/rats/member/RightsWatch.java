@@ -5,8 +5,9 @@ import org.maestro.rats.protocol.Call;
 import org.maestro.rats.time.Clock;
 
 /**
- * On a secured site, ends what runs or waits for a caller that may not call it any more (A28): a
- * camera does not go on showing pictures to whom it would refuse them now. Clock thread only.
+ * On a secured site, ends what runs or waits for a caller that may not call it any more (ADE, 3.1;
+ * A28): a camera does not go on showing pictures to whom it would refuse them now. Clock thread
+ * only.
  */
 final class RightsWatch {
 

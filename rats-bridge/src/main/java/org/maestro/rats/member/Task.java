@@ -67,7 +67,7 @@ final class Task implements Execution {
   private ExitStrategy strategy = Runnable::run;
 
   /**
-   * @param limit simulated time for queueing and execution (M59)
+   * @param limit simulated time for queueing and execution (Three-layered architecture, 3.2.3; M59)
    */
   Task(
       Call call,
@@ -112,8 +112,8 @@ final class Task implements Execution {
   }
 
   /**
-   * Ends it from outside: at once while it waits, through its exit strategy when it runs (M41, M42,
-   * M45).
+   * Ends it from outside: at once while it waits, through its exit strategy when it runs
+   * (Three-layered architecture, 3.2.1; M41, M42, M45).
    */
   void stop(Outcome outcome, Optional<RatsError> error) {
     if (phase == Phase.WAITING) {

@@ -22,7 +22,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * What runs and what waits on a member. A task starts when neither a running one nor one that has
- * waited longer needs a component of its (M38-M40). Clock thread only.
+ * waited longer needs a component of its (Three-layered architecture, 3.2.1; M38-M40). Clock thread
+ * only.
  */
 final class TaskQueue implements Task.Keeper {
 
@@ -135,7 +136,7 @@ final class TaskQueue implements Task.Keeper {
 
   /**
    * Cancels everything; the action runs when all of it has ended and the member rests in a safe
-   * state (M37).
+   * state (Three-layered architecture, 3.2.1; M37).
    */
   void makeSafe(Runnable action) {
     becomingSafe++;

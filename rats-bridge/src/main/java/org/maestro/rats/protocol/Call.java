@@ -5,15 +5,17 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * A feature call, c = (Id, r, f, p, t) of the paper's section 3.2.3 (M56).
+ * A feature call, c = (Id, r, f, p, t) (Three-layered architecture, 3.2.3; M56).
  *
- * @param member r; empty: every member with the feature (M57)
+ * @param member r; empty: every member with the feature (Three-layered architecture, 3.2.3; M57)
  * @param boot the member's boot it is meant for; another boot refuses it
- * @param parameters p: JSON values, pointers as {@code {"ref": IRI, property: value}} (M58)
- * @param timeout t, covers queueing and execution (M59)
+ * @param parameters p: JSON values, pointers as {@code {"ref": IRI, property: value}}
+ *     (Three-layered architecture, 3.2.3; M58)
+ * @param timeout t, covers queueing and execution (Three-layered architecture, 3.2.3; M59)
  * @param from who calls
  * @param task the goal it serves
- * @param expects what the caller counts on; whoever could do it for less may offer to (M43)
+ * @param expects what the caller counts on; whoever could do it for less may offer to
+ *     (Three-layered architecture, 3.2.1; M43)
  * @param sent when the caller made it, by a clock of its own
  */
 public record Call(

@@ -4,20 +4,32 @@ import java.util.Optional;
 
 /** What every member understands, whatever its features are. */
 public enum ReservedFeature {
-  /** Ends the call {@code {"id": ...}}, by its caller or a controller (M42). */
+  /**
+   * Ends the call {@code {"id": ...}}, by its caller or a controller (Three-layered architecture,
+   * 3.2.1; M42).
+   */
   CANCEL("$cancel"),
-  /** Ends everything and brings the member into a safe state (M37). */
+  /**
+   * Ends everything and brings the member into a safe state (Three-layered architecture, 3.2.1;
+   * M37).
+   */
   SAFE("$safe"),
-  /** Asks for prices, see {@link CostExchange} (M54). */
+  /** Asks for prices, see {@link CostExchange} (Three-layered architecture, 3.2.2; M54). */
   COST("$cost"),
   /** Publishes description, state and status again. */
   DESCRIBE("$describe"),
   PING("$ping");
 
-  /** From a member to the holder of a contract: it could do a task too (M43). */
+  /**
+   * From a member to the holder of a contract: it could do a task too (Three-layered architecture,
+   * 3.2.1; M43).
+   */
   public static final String OFFER = "$offer";
 
-  /** From a member to the holder of a contract: it gives a task back (M44). */
+  /**
+   * From a member to the holder of a contract: it gives a task back (Three-layered architecture,
+   * 3.2.1; M44).
+   */
   public static final String RELEASE = "$release";
 
   /** The stream of what people should hear of at once. */

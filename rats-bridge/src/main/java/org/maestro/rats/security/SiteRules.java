@@ -9,8 +9,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * A site's rules as its files say them now: who changes them needs to start nothing again, and a
- * right that is taken away is gone with the next call (A28). Files that cannot be used leave the
- * rules as they are, which is said once. Any thread.
+ * right that is taken away is gone with the next call (ADE, 3.1; A28). Files that cannot be used
+ * leave the rules as they are, which is said once. Any thread.
  */
 final class SiteRules implements CallPolicy {
 

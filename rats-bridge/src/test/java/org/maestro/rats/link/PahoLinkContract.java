@@ -46,7 +46,10 @@ abstract class PahoLinkContract extends LinkContract {
                                 || name.contains("MQTT")));
   }
 
-  /** M9: the broker knows one client of that id, and drops it whenever the other comes. */
+  /**
+   * Three-layered architecture, 2 (M9): the broker knows one client of that id, and drops it
+   * whenever the other comes.
+   */
   @Test
   void ofTwoMembersOfTheSameIdTheSecondLeaves() {
     try (RatsLink link = BusLink.connect("watch", "twins", client("watch"), clock);

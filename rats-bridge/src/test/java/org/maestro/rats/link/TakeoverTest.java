@@ -32,8 +32,9 @@ import org.maestro.rats.transport.Publication;
 import org.maestro.rats.transport.Transport;
 
 /**
- * Impatience and acquiescence on the bus (M43, M44): who hears of what another is at offers to do
- * it when that is better, and never begins by itself; who fails gives back.
+ * Impatience and acquiescence on the bus (Three-layered architecture, 3.2.1; M43, M44): who hears
+ * of what another is at offers to do it when that is better, and never begins by itself; who fails
+ * gives back.
  */
 class TakeoverTest {
 

@@ -22,7 +22,11 @@ import org.maestro.rats.transport.InProcessBus;
 import org.maestro.rats.transport.Publication;
 import org.maestro.rats.transport.Transport;
 
-/** Six members of one bus: blank calls (M57), each to each (M9), who hears what (M60, M62). */
+/**
+ * Six members of one bus: blank calls (Three-layered architecture, 3.2.3; M57), each to each
+ * (Three-layered architecture, 2; M9), who hears what (Three-layered architecture, 3.2.3; M60,
+ * M62).
+ */
 class WholeBusTest {
 
   private static final String SITE = "test";

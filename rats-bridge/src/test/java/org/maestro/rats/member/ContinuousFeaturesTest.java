@@ -18,7 +18,10 @@ import org.maestro.rats.protocol.RatsError;
 import org.maestro.rats.transport.Publication;
 import org.maestro.rats.transport.Transport;
 
-/** Streams with their frequencies (M52), tasks given back (M44), and a controller that is lost. */
+/**
+ * Streams with their frequencies (Three-layered architecture, 3.2.2; M52), tasks given back
+ * (Three-layered architecture, 3.2.1; M44), and a controller that is lost.
+ */
 class ContinuousFeaturesTest extends MemberOnABus {
 
   private final AtomicInteger readings = new AtomicInteger();
@@ -90,7 +93,7 @@ class ContinuousFeaturesTest extends MemberOnABus {
     return observations.stream().filter(text -> text.startsWith(id + "{")).count();
   }
 
-  /** The calls' ids tell which thing each value is of (M87). */
+  /** The calls' ids tell which thing each value is of (Three-layered architecture, 4.3; M87). */
   @Test
   void oneStreamNamesTwoThingsUntilOneOfThemIsStopped() {
     List<String> stream = new ArrayList<>();
@@ -155,7 +158,7 @@ class ContinuousFeaturesTest extends MemberOnABus {
     assertThat(state.orElseThrow().running()).containsExactly("c2", "c3");
   }
 
-  /** M44: acquiescence. */
+  /** Three-layered architecture, 3.2.1 (M44): acquiescence. */
   @Test
   void aTaskIsGivenBackBeforeItsTimeoutThroughTheExitStrategy() {
     caller.subscribe(
@@ -183,7 +186,10 @@ class ContinuousFeaturesTest extends MemberOnABus {
     assertThat(device.log).anyMatch(line -> line.contains("put down"));
   }
 
-  /** M16: what ends by itself ends by the local plan, what does not is ended, then it rests. */
+  /**
+   * Three-layered architecture, 2 (M16): what ends by itself ends by the local plan, what does not
+   * is ended, then it rests.
+   */
   @Test
   void aLostControllerStopsNothingThatRunsButWhatNobodyElseWouldEnd() {
     status(MemberStatus.Phase.READY);

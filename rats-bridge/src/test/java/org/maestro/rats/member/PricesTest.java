@@ -17,7 +17,7 @@ import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Result;
 
-/** Prices are told within 50 ms, or why they are not (M54). */
+/** Prices are told within 50 ms, or why they are not (Three-layered architecture, 3.2.2; M54). */
 class PricesTest extends MemberOnABus {
 
   private static final Duration HOP = Duration.ofMillis(2);

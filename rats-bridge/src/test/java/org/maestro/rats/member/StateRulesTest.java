@@ -36,7 +36,7 @@ class StateRulesTest extends MemberOnABus {
             Duration.ofSeconds(30)));
   }
 
-  /** M35: while executing. */
+  /** Three-layered architecture, 3.2.1 (M35): while executing. */
   @Test
   void showsItsWholeTuple() {
     RatsMember.Tuple before = member.tuple();
@@ -63,7 +63,10 @@ class StateRulesTest extends MemberOnABus {
     assertThat(state.orElseThrow().state()).isEqualTo("standby");
   }
 
-  /** M35: by a change of the world, which also disables what is not possible from there (M33). */
+  /**
+   * Three-layered architecture, 3.2.1 (M35): by a change of the world, which also disables what is
+   * not possible from there (Three-layered architecture, 3.2.1; M33).
+   */
   @Test
   void changesByTheWorldAndDisablesWhatCannotFollow() {
     member.rest("holding");
@@ -79,7 +82,7 @@ class StateRulesTest extends MemberOnABus {
     assertThat(state.orElseThrow().disabled()).isEmpty();
   }
 
-  /** M35: by time. */
+  /** Three-layered architecture, 3.2.1 (M35): by time. */
   @Test
   void changesByTime() {
     member.rest("dozing");
@@ -98,7 +101,10 @@ class StateRulesTest extends MemberOnABus {
         .hasMessageContaining("holding");
   }
 
-  /** M45: an exit that does not end is forced, and people are alerted. */
+  /**
+   * Three-layered architecture, 3.2.1 (M45): an exit that does not end is forced, and people are
+   * alerted.
+   */
   @Test
   void forcesTheStrongestSafeStateWhenAnExitDoesNotEnd() {
     device.gripNeverLetsGo = true;
@@ -152,7 +158,7 @@ class StateRulesTest extends MemberOnABus {
     assertThat(results.get(results.size() - 1).outcome()).isEqualTo(Outcome.SUCCEEDED);
   }
 
-  /** M37: however much is asked of it at the same time. */
+  /** Three-layered architecture, 3.2.1 (M37): however much is asked of it at the same time. */
   @Test
   void isSafeWithinATenthOfASecondWhateverWaits() {
     for (int number = 0; number < 200; number++) {
@@ -168,7 +174,10 @@ class StateRulesTest extends MemberOnABus {
     assertThat(results).hasSize(201);
   }
 
-  /** M9: a second member of the same id leaves, whichever client id it has. */
+  /**
+   * Three-layered architecture, 2 (M9): a second member of the same id leaves, whichever client id
+   * it has.
+   */
   @Test
   void theSecondOfTheSameIdHasToLeave() {
     for (String client : List.of("rose", "another")) {
@@ -183,7 +192,7 @@ class StateRulesTest extends MemberOnABus {
     }
   }
 
-  /** M11. */
+  /** Three-layered architecture, 2 (M11). */
   @Test
   void refusesTwoFeaturesOfTheSameId() {
     MemberProfile.Feature drive = device.profile().features().get("drive");

@@ -237,7 +237,7 @@ abstract class SecuredBusContract {
     }
   }
 
-  /** A28: no process is started again. */
+  /** ADE, 3.1 (A28): no process is started again. */
   @Test
   void aRightThatIsTakenAwayIsGoneAtOnceAndEndsWhatRunsByIt() {
     Path files = SecuredSite.files(directory);

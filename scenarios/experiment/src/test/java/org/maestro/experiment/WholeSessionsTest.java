@@ -7,7 +7,10 @@ import java.util.Map;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** Experiments with as many runs as the papers report, or more (M93, M94, M96, M98). */
+/**
+ * Experiments with as many runs as the papers report, or more (Three-layered architecture, 5.2 and
+ * 6; M93, M94, M96, M98).
+ */
 @Tag("full")
 class WholeSessionsTest {
   private static final String PAPER = "cameras do not notice, as in the paper: ";

@@ -93,7 +93,10 @@ class PackageRulesTest {
           .dependOnClassesThat()
           .resideInAnyPackage("org.maestro.sim..");
 
-  /** Lamp, robot and door: one class of agents speaks for them all (M2, M69). */
+  /**
+   * Lamp, robot and door: one class of agents speaks for them all (Three-layered architecture,
+   * abstract and 3.3.2; M2, M69).
+   */
   @ArchTest
   static final ArchRule ONE_CLASS_OF_AGENTS_SPEAKS_FOR_DEVICES =
       noClasses()

@@ -16,7 +16,10 @@ import org.maestro.ontology.home.HomeLoader;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SceneLoader;
 
-/** Light on a desk held while the day comes and goes and clouds pass (M5, M91). */
+/**
+ * Light on a desk held while the day comes and goes and clouds pass (Three-layered architecture, 1
+ * and 5.1; M5, M91).
+ */
 class HeldByDaylightTest {
   private static final LitDay.Limits ENOUGH = new LitDay.Limits(300, Double.POSITIVE_INFINITY);
 

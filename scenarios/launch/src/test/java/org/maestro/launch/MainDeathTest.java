@@ -39,7 +39,8 @@ import org.maestro.rats.time.PacedClock;
 
 /**
  * The process of the main container is killed while a goal runs; another that stands by takes over,
- * the agents of another process join it, and the goal that somebody follows is reached (A32).
+ * the agents of another process join it, and the goal that somebody follows is reached (ADE, 3.2;
+ * A32).
  */
 @Isolated("its time is wall time, which others beside it would take")
 class MainDeathTest {

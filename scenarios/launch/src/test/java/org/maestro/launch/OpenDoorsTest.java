@@ -278,7 +278,9 @@ class OpenDoorsTest {
 
   private static List<String> home() throws IOException {
     return new HomeLoader()
-            .load(Files.readString(Path.of("../assembly/src/main/resources/homes/bob.ttl")), "bob.ttl")
+            .load(
+                Files.readString(Path.of("../assembly/src/main/resources/homes/bob.ttl")),
+                "bob.ttl")
             .devices()
             .keySet()
             .stream()

@@ -17,9 +17,9 @@ import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.sl.Effect;
 
 /**
- * The features of sensors take in nothing, those of actuators give out nothing (M47). What a sensor
- * is called with says of what it shall tell, which is no input of its own: always the name of
- * something, never a quantity.
+ * The features of sensors take in nothing, those of actuators give out nothing (Three-layered
+ * architecture, 3.2.2; M47). What a sensor is called with says of what it shall tell, which is no
+ * input of its own: always the name of something, never a quantity.
  */
 class SensorsAndActuatorsTest {
 

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.parallel.Isolated;
 
 /**
  * A platform starts the process of a host by a command that stands for ssh; the process tells how
- * it was started, is killed, and is there again with its agents (A35, A36).
+ * it was started, is killed, and is there again with its agents (ADE, 3.2; A35, A36).
  */
 @Isolated("its time is wall time, which others beside it would take")
 class StartedHostsTest {

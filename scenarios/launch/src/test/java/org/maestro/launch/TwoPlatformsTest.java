@@ -17,7 +17,7 @@ import org.junit.jupiter.api.parallel.Isolated;
 
 /**
  * Two platforms, each in a process of its own, talk by HTTP: an agent of one asks the other's CCA
- * for a goal, follows it, and hears how it ended (M67).
+ * for a goal, follows it, and hears how it ended (Three-layered architecture, 3.3.1; M67).
  */
 @Isolated("its time is wall time, which others beside it would take")
 class TwoPlatformsTest {

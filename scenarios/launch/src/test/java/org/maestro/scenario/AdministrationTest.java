@@ -33,7 +33,7 @@ import org.maestro.rats.protocol.CostAnswer;
 
 /**
  * Agents are added, moved, configured and removed while the platform runs, by requests of an agent
- * that knows JADE only (M3, M65-M73).
+ * that knows JADE only (Three-layered architecture, 2, 3.3.1 and 3.3.3; M3, M65-M73).
  */
 @Isolated("its time is wall time, which others beside it would take")
 @MaestroTest(home = "bob", scene = "bob-dark", clock = ClockKind.PACED, speed = 10)

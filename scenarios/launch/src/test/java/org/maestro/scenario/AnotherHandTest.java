@@ -18,7 +18,8 @@ import org.maestro.sim.parameters.PhysicalParameters;
 import org.maestro.sim.scene.SceneLoader;
 
 /**
- * The cup has become a saucer, which a gripper's bag cannot wrap (M80), or a mug that is too wide.
+ * The cup has become a saucer, which a gripper's bag cannot wrap (Three-layered architecture, 4.1;
+ * M80), or a mug that is too wide.
  */
 class AnotherHandTest {
   private static final String SAUCER = "\"0.06 0.06 0.008\"";

@@ -27,7 +27,10 @@ class BobsCupTest {
     assertThat(stage.knowledge()).knows("(and (in Cup zone-a) (nextTo Cup Bob))");
   }
 
-  /** M13: from the camera that saw it by way of the knowledge to the robot, and back. */
+  /**
+   * Three-layered architecture, 2 (M13): from the camera that saw it by way of the knowledge to the
+   * robot, and back.
+   */
   @Test
   void whereTheCupIsKnownToBeFollowsTheCup(Stage stage) {
     assertThat(stage.goal("(canSee ?camera Cup)")).isReached();
@@ -40,7 +43,10 @@ class BobsCupTest {
     assertThat(known(stage, "Cup").distance(seen)).isGreaterThan(1);
   }
 
-  /** M18, M19: plans name rooms; the way there is the robot's, which nobody else is told. */
+  /**
+   * Three-layered architecture, 2 (M18, M19): plans name rooms; the way there is the robot's, which
+   * nobody else is told.
+   */
   @Test
   void theWayIsTheRobotsOwn(Stage stage) {
     GoalOutcome outcome = stage.goal("(nextTo Cup Bob)");

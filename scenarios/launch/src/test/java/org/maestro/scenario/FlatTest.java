@@ -14,8 +14,9 @@ import org.maestro.platform.AgentRow;
 import org.maestro.sim.world.World;
 
 /**
- * One plan over nearly every kind of hardware (M2): shutter, switch, door, light sensors, cameras,
- * and a robot with Mecanum wheels and a jamming gripper (M80).
+ * One plan over nearly every kind of hardware (Three-layered architecture, abstract; M2): shutter,
+ * switch, door, light sensors, cameras, and a robot with Mecanum wheels and a jamming gripper
+ * (Three-layered architecture, 4.1; M80).
  */
 @MaestroTest(home = "flat", scene = "flat-day")
 class FlatTest {
@@ -41,7 +42,10 @@ class FlatTest {
     assertThat(world.isOpen("bedroom-door")).isTrue();
   }
 
-  /** Hardware and its domain part make one agent; none stands for two, none is without (M24). */
+  /**
+   * Hardware and its domain part make one agent; none stands for two, none is without
+   * (Three-layered architecture, 3; M24).
+   */
   @Test
   void eachDeviceIsAnAgentOfItsOwn(Stage stage) {
     assertThat(stage.platform().agents().stream().filter(row -> !row.members().isEmpty()).toList())
@@ -50,7 +54,7 @@ class FlatTest {
         .containsExactlyInAnyOrderElementsOf(stage.knowledge().home().devices().keySet());
   }
 
-  /** As {@code ./maestro stop} asks for it (M37). */
+  /** As {@code ./maestro stop} asks for it (Three-layered architecture, 3.2.1; M37). */
   @Test
   void whenAllIsToStopEachDeviceIsSafeWithinASecond(Stage stage) {
     stage

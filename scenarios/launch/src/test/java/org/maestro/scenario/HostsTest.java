@@ -17,9 +17,9 @@ import org.maestro.bench.LossesBench;
 /**
  * Bob's cup with agents on hosts that have addresses of their own: a host is killed, freezes, is
  * cut off for ten seconds, or is slow, and all hosts but the platform's own are lost; and a letter
- * is stamped though the platform's process is lost (A18, A32, A33, A34, A37). The goal is reached,
- * no agent is there twice, and no step is done twice. How often each is run is told by the property
- * {@code maestro.hosts.runs}; what was measured goes to the output.
+ * is stamped though the platform's process is lost (ADE, 3 and 3.2; A18, A32, A33, A34, A37). The
+ * goal is reached, no agent is there twice, and no step is done twice. How often each is run is
+ * told by the property {@code maestro.hosts.runs}; what was measured goes to the output.
  */
 @Tag("full")
 @Isolated("its time is wall time, which others beside it would take")

@@ -116,7 +116,8 @@ class LostContainerTest {
   }
 
   /**
-   * Three hosts: the platform's own does not fit, of two that do one dies, then the other (A37).
+   * Three hosts: the platform's own does not fit, of two that do one dies, then the other (ADE,
+   * 3.2; A37).
    */
   @Test
   @Tag("full")

@@ -7,7 +7,10 @@ import org.maestro.junit.GoalOutcome;
 import org.maestro.junit.MaestroTest;
 import org.maestro.junit.Stage;
 
-/** A goal of light is reached when it is measured, not when it is reckoned (M5). */
+/**
+ * A goal of light is reached when it is measured, not when it is reckoned (Three-layered
+ * architecture, 1; M5).
+ */
 @MaestroTest(home = "bob", scene = "bob-weak-lamps")
 class MeasuredLightTest {
 

@@ -104,7 +104,9 @@ class NewDeviceTest {
     assertThat(stage.world()).hasNextTo("Cup", "Bob");
   }
 
-  /** M22: it need not look for what others have seen before it came. */
+  /**
+   * Three-layered architecture, 2 (M22): it need not look for what others have seen before it came.
+   */
   @Test
   void whoJoinsUsesWhatWasSeenBefore(Stage stage) {
     assertThat(stage.goal("(canSee ?camera Cup)")).isReached();

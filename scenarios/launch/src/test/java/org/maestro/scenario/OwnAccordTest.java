@@ -142,7 +142,10 @@ class OwnAccordTest {
         .orElse("");
   }
 
-  /** A lamp can neither see nor carry; it asks for what others are able to do (M14). */
+  /**
+   * A lamp can neither see nor carry; it asks for what others are able to do (Three-layered
+   * architecture, 2; M14).
+   */
   @Test
   void aLampHasTheCupBroughtToBob() {
     try (Stage stage = stage("lamp", "", ":Lamp ; rdfs:label \"lamp B1\"@en ;", LAMP_WITH_A_WISH)) {

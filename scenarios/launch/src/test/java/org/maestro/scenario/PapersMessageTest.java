@@ -26,8 +26,8 @@ import org.maestro.sim.scene.SceneLoader;
 
 /**
  * The message that the paper prints in section 3.3.3, from an agent of another container that knows
- * JADE only (M74-M77). The platform is called MC as there, so that the receiver's name is right as
- * printed.
+ * JADE only (Three-layered architecture, 3.3.3; M74-M77). The platform is called MC as there, so
+ * that the receiver's name is right as printed.
  */
 @Isolated("its time is wall time, which others beside it would take")
 class PapersMessageTest {

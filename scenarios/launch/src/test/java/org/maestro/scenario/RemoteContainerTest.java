@@ -18,7 +18,9 @@ import org.maestro.junit.Stage;
 import org.maestro.launch.JavaProcess;
 import org.maestro.platform.AgentRow;
 
-/** A topic's agents live in another process (M64, M70). */
+/**
+ * A topic's agents live in another process (Three-layered architecture, 3.3.1 and 3.3.2; M64, M70).
+ */
 @Isolated("its time is wall time, which others beside it would take")
 @MaestroTest(home = "bob", scene = "bob-dark", clock = ClockKind.PACED, speed = 10)
 class RemoteContainerTest {

@@ -18,7 +18,8 @@ import org.maestro.launch.JavaProcess;
 
 /**
  * An agent that stands for a group keeps its goal while its members' agents live in another process
- * (M64, M70, M91); itself it stays where the collective knowledge is.
+ * (Three-layered architecture, 3.3.1, 3.3.2 and 5.1; M64, M70, M91); itself it stays where the
+ * collective knowledge is.
  */
 @Isolated("its time is wall time, which others beside it would take")
 class RemoteGroupTest {

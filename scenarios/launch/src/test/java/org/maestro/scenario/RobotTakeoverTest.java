@@ -11,7 +11,10 @@ import org.maestro.junit.MaestroTest;
 import org.maestro.junit.Pursuit;
 import org.maestro.junit.Stage;
 
-/** One simulated robot assumes the task that another is at (M43); the goal decides. */
+/**
+ * One simulated robot assumes the task that another is at (Three-layered architecture, 3.2.1; M43);
+ * the goal decides.
+ */
 class RobotTakeoverTest {
 
   private static final String WISH = "(nextTo Cup Bob)";

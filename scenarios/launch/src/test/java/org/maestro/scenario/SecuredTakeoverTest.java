@@ -32,8 +32,9 @@ import org.maestro.rats.security.SiteSecurity;
 import org.maestro.sim.scene.SceneLoader;
 
 /**
- * A takeover (M43) in a whole run on a secured site: TLS, passwords, the access lists and rules as
- * {@code ./maestro secure} writes them, with nothing added.
+ * A takeover (Three-layered architecture, 3.2.1; M43) in a whole run on a secured site: TLS,
+ * passwords, the access lists and rules as {@code ./maestro secure} writes them, with nothing
+ * added.
  */
 @Tag("full")
 @Isolated("its time is wall time, which others beside it would take")

@@ -24,8 +24,9 @@ import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.RatsError;
 
 /**
- * Impatience and acquiescence as in ALLIANCE (M43, M44): who could do a running task for less
- * offers to, who fails gives back, and the holder of the contract decides. Never two are at it.
+ * Impatience and acquiescence as in ALLIANCE (Three-layered architecture, 3.2.1; M43, M44): who
+ * could do a running task for less offers to, who fails gives back, and the holder of the contract
+ * decides. Never two are at it.
  */
 @MaestroTest(home = "bob", scene = "bob-lit")
 class TakeoverTest {

@@ -18,7 +18,8 @@ import org.maestro.rats.protocol.CostAnswer;
 
 /**
  * Goals and devices in words that neither the code nor the plans know: a superclass, a
- * super-property of the home's own, a lamp that speaks SAREF (M7, M22, M63).
+ * super-property of the home's own, a lamp that speaks SAREF (Three-layered architecture, 1, 2 and
+ * 3.2.3; M7, M22, M63).
  */
 @MaestroTest(home = "/homes/bob-own-words.ttl", scene = "bob-dark")
 class UnknownWordsTest {
