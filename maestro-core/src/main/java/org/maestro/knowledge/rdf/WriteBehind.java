@@ -7,6 +7,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.concurrent.TimeUnit;
 import org.maestro.knowledge.api.KnowledgeException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -127,9 +128,19 @@ final class WriteBehind implements GraphStorage {
     notifyAll();
   }
 
-  /** Returns whether to try again. */
+  /**
+   * Waits as long as is left between two tries, whatever is said meanwhile; whether to try again.
+   */
   private synchronized boolean pause() {
-    return !closed && waited(MILLIS_BETWEEN_TRIES);
+    long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(MILLIS_BETWEEN_TRIES);
+    long left = MILLIS_BETWEEN_TRIES;
+    while (!closed && left > 0) {
+      if (!waited(left)) {
+        return false;
+      }
+      left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
+    }
+    return !closed;
   }
 
   @SuppressWarnings("WaitNotInLoop") // Who calls looks again, or tries again.

@@ -97,7 +97,8 @@ final class SiteWatch implements AutoCloseable {
         forgetWhoWasLetIn();
         cutOff();
       }
-    } catch (BrokerStartException | IOException | GeneralSecurityException unusable) {
+    } catch (IOException | GeneralSecurityException | RuntimeException unusable) {
+      // What is thrown here would end the looking for good, and nobody would be cut off any more.
       LOG.error("The broker goes on as before: {}", unusable.getMessage());
     }
   }

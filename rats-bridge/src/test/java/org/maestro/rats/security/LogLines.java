@@ -13,7 +13,7 @@ final class LogLines implements AutoCloseable {
   private final Logger logger;
   private final ListAppender<ILoggingEvent> appender = new ListAppender<>();
 
-  private LogLines(Class<?> of) {
+  private LogLines(String of) {
     logger = (Logger) LoggerFactory.getLogger(of);
     appender.start();
     logger.setLevel(Level.WARN);
@@ -21,6 +21,13 @@ final class LogLines implements AutoCloseable {
   }
 
   static LogLines of(Class<?> writer) {
+    return of(writer.getName());
+  }
+
+  /**
+   * @param writer the name of a class that is not seen from here
+   */
+  static LogLines of(String writer) {
     return new LogLines(writer);
   }
 

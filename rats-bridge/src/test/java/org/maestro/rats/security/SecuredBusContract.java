@@ -416,12 +416,12 @@ abstract class SecuredBusContract {
   }
 
   /** A connection that is made again whenever it is lost. */
-  private static final class Kept implements AutoCloseable {
+  static final class Kept implements AutoCloseable {
     private final PahoTransport transport;
-    private volatile int connects;
-    private volatile int losses;
+    volatile int connects;
+    volatile int losses;
 
-    private Kept(SecuredSite site, Credentials credentials) {
+    Kept(SecuredSite site, Credentials credentials) {
       transport = new PahoTransport(site.uri(), credentials);
       transport.open(
           Optional.empty(),
