@@ -120,9 +120,7 @@ public final class ContainerEnds {
   }
 
   private static void kill(AgentContainer container) {
-    synchronized (JadeRuntime.ONE_AT_A_TIME) {
-      killUnguarded(container);
-    }
+    JadeRuntime.PROCESS.end(() -> killUnguarded(container));
   }
 
   /**

@@ -28,8 +28,8 @@ public final class JadeRuntime {
 
   private static final String LOOPBACK = Premises.LOOPBACK;
 
-  /** JADE counts its containers without guarding the count. */
-  static final Object ONE_AT_A_TIME = new Object();
+  /** JADE has it for the whole process, so there is one. */
+  static final SharedJade PROCESS = new SharedJade();
 
   private static final Duration START_WITHIN = Duration.ofSeconds(20);
 
@@ -172,19 +172,21 @@ public final class JadeRuntime {
    * @return the container; empty when JADE could not begin it
    */
   private static Optional<AgentContainer> begun(Supplier<AgentContainer> beginning) {
-    synchronized (ONE_AT_A_TIME) {
-      for (int attempt = 1; ; attempt++) {
-        try {
-          return Optional.ofNullable(beginning.get());
-        } catch (IllegalThreadStateException e) {
-          if (attempt == MOST_BEGINNINGS) {
-            throw new PlatformStartException(
-                "JADE could not begin a container while another of this process ended; start it"
-                    + " again.",
-                e);
-          }
-          LockSupport.parkNanos(BETWEEN_BEGINNINGS.toNanos());
+    return PROCESS.begin(() -> begunAtLast(beginning));
+  }
+
+  private static Optional<AgentContainer> begunAtLast(Supplier<AgentContainer> beginning) {
+    for (int attempt = 1; ; attempt++) {
+      try {
+        return Optional.ofNullable(beginning.get());
+      } catch (IllegalThreadStateException e) {
+        if (attempt == MOST_BEGINNINGS) {
+          throw new PlatformStartException(
+              "JADE could not begin a container while another of this process ended; start it"
+                  + " again.",
+              e);
         }
+        LockSupport.parkNanos(BETWEEN_BEGINNINGS.toNanos());
       }
     }
   }
