@@ -2,12 +2,11 @@ package org.maestro.rats.link;
 
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.parallel.Isolated;
+import org.junit.jupiter.api.TestInfo;
 import org.maestro.rats.broker.RunsProgram;
 import org.maestro.rats.broker.TestBroker;
 
 @RunsProgram("mosquitto")
-@Isolated("other tests start threads and write to the log")
 class MosquittoLinkTest extends PahoLinkContract {
 
   private static final TestBroker BROKER = TestBroker.mosquitto();
@@ -18,9 +17,9 @@ class MosquittoLinkTest extends PahoLinkContract {
   }
 
   @AfterAll
-  static void stopsWithoutTrace() {
+  static void stopsWithoutTrace(TestInfo test) {
     BROKER.stop();
-    assertNoThreadIsLeft();
+    assertNoThreadIsLeft(test);
   }
 
   @Override

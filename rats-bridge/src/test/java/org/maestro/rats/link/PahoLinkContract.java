@@ -8,6 +8,7 @@ import java.util.function.BooleanSupplier;
 import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInfo;
 import org.maestro.rats.broker.TestBroker;
 import org.maestro.rats.member.MemberProfile;
 import org.maestro.rats.member.RatsMember;
@@ -32,18 +33,20 @@ abstract class PahoLinkContract extends LinkContract {
     clock.close();
   }
 
-  static void assertNoThreadIsLeft() {
+  /** Other classes run beside this one: only its own clients count. */
+  static void assertNoThreadIsLeft(TestInfo test) {
+    String own = prefix(test.getTestClass().orElseThrow());
     Awaitility.await()
         .atMost(Duration.ofSeconds(5))
         .untilAsserted(
             () ->
                 assertThat(Thread.getAllStackTraces().keySet())
                     .extracting(Thread::getName)
-                    .noneMatch(
-                        name ->
-                            name.startsWith("rats-")
-                                || name.startsWith("maestro-")
-                                || name.contains("MQTT")));
+                    .noneMatch(name -> name.contains(own)));
+  }
+
+  private static String prefix(Class<?> test) {
+    return test.getSimpleName() + "-";
   }
 
   /**
@@ -82,7 +85,7 @@ abstract class PahoLinkContract extends LinkContract {
 
   @Override
   Transport client(String id) {
-    return new PahoTransport(broker().uri(), id);
+    return new PahoTransport(broker().uri(), prefix(getClass()) + id);
   }
 
   @Override

@@ -9,12 +9,11 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.parallel.Isolated;
+import org.junit.jupiter.api.TestInfo;
 import org.maestro.rats.broker.TestBroker;
 import org.maestro.rats.transport.Publication;
 import org.maestro.rats.transport.Transport;
 
-@Isolated("other tests start threads and write to the log")
 class PahoLinkTest extends PahoLinkContract {
 
   private static final TestBroker BROKER = TestBroker.embedded();
@@ -25,9 +24,9 @@ class PahoLinkTest extends PahoLinkContract {
   }
 
   @AfterAll
-  static void stopsWithoutTrace() {
+  static void stopsWithoutTrace(TestInfo test) {
     BROKER.stop();
-    assertNoThreadIsLeft();
+    assertNoThreadIsLeft(test);
   }
 
   /** It would not tell the members of the flag. */
