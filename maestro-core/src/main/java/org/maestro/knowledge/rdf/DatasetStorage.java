@@ -39,7 +39,8 @@ public final class DatasetStorage implements GraphStorage {
 
   /*
    * Files are not mapped into memory: who touches a page for which a full disk has no room gets an
-   * error of the virtual machine, and none that could be lived with. It can be said once only.
+   * error of the virtual machine, and none that could be lived with. It can be said once only. What
+   * this asks for after a kill is done by StoreFiles.
    */
   static {
     JenaSystem.init();
@@ -72,6 +73,12 @@ public final class DatasetStorage implements GraphStorage {
     JenaSystem.init();
     try {
       Files.createDirectories(directory);
+      StoreFiles files = new StoreFiles(directory);
+      files.settle();
+      Optional<String> missing = files.missing();
+      if (missing.isPresent()) {
+        throw new KnowledgeException(damaged(directory, missing.get()));
+      }
       DatasetGraph dataset =
           DatabaseMgr.connectDatasetGraph(
               Location.create(directory), StoreParams.getSmallStoreParams());
@@ -84,16 +91,20 @@ public final class DatasetStorage implements GraphStorage {
           "The store in %s cannot be used (%s); name a directory that can be written, and that no other process has, or when it is damaged, put a copy in its place, or move it away to begin without what was known."
               .formatted(directory, words(e)),
           e);
+    } catch (KnowledgeException known) {
+      throw known;
     } catch (RuntimeException damaged) {
       throw damaged(directory, damaged);
     }
   }
 
   private static KnowledgeException damaged(Path directory, RuntimeException because) {
-    return new KnowledgeException(
-        "The store in %s cannot be read (%s); put a copy in its place, or move it away to begin without what was known."
-            .formatted(directory, words(because)),
-        because);
+    return new KnowledgeException(damaged(directory, words(because)), because);
+  }
+
+  private static String damaged(Path directory, String because) {
+    return "The store in %s cannot be read (%s); put a copy in its place, or move it away to begin without what was known."
+        .formatted(directory, because);
   }
 
   /** Jena tells by what it was hindered in the cause, or not at all. */
