@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.contention.ResourceClaimsTest;
+import org.maestro.fixtures.Share;
 import org.maestro.ontology.home.Home;
 
 /**
@@ -40,7 +41,7 @@ class NarrowDoorsTest {
   @Test
   @Tag("full")
   void noneOfAThousandRunsEndsInADeadlock() {
-    check(LongStream.range(0, 1000));
+    check(Share.of(LongStream.range(0, 1000)));
   }
 
   private static void check(LongStream seeds) {
