@@ -15,6 +15,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.rats.broker.TestBroker;
 import org.maestro.rats.link.BusLink;
 import org.maestro.rats.link.RatsLink;
@@ -23,7 +24,11 @@ import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.rats.transport.PahoTransport;
 
-/** A broker that is killed and comes back empty, and members that vanish. */
+/**
+ * A broker that is killed and comes back empty, and members that vanish: within a second or five,
+ * which other tests beside them would take from them.
+ */
+@Isolated
 abstract class BrokerFaultsContract {
 
   private static final String SITE = "home";
