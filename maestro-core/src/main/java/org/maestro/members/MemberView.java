@@ -17,7 +17,6 @@ import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.rats.bounded.BoundedMap;
 import org.maestro.rats.protocol.MemberState;
-import org.maestro.sl.Term;
 
 /**
  * What a generic agent knows of the member it stands for: what it described, and what runs on it.
@@ -35,7 +34,9 @@ public final class MemberView {
   /** When calls were begun; one may be asked for again that had no answer. */
   private final Map<String, Moment> firstBegun = latest();
 
-  private final Map<String, Underway> underway = new TreeMap<>();
+  /** When each call that is under way was begun. */
+  private final Map<String, Moment> underway = new TreeMap<>();
+
   private Optional<Device> device = Optional.empty();
   private boolean ready;
   private int running;
@@ -43,8 +44,6 @@ public final class MemberView {
   private boolean inDoubt;
   private Optional<Heard> last = Optional.empty();
   private Optional<MemberWord> heldBack = Optional.empty();
-
-  private record Underway(Map<String, Term> bindings, Moment begun) {}
 
   /**
    * What was said last.
@@ -110,9 +109,9 @@ public final class MemberView {
   }
 
   /** A call is begun: what is heard from now on is said after it. */
-  public void begun(String conversation, Map<String, Term> bindings) {
+  public void begun(String conversation) {
     running++;
-    underway.put(conversation, new Underway(bindings, next()));
+    underway.put(conversation, next());
   }
 
   /**
@@ -124,13 +123,13 @@ public final class MemberView {
   public Optional<StepAccount> account(
       String conversation, String callId, FeatureType feature, boolean succeeded) {
     Moment now = next();
-    Optional<Underway> call = Optional.ofNullable(underway.get(conversation));
+    Optional<Moment> call = Optional.ofNullable(underway.get(conversation));
     boolean includesStep = last.filter(heard -> heard.isOver(callId)).isPresent();
     if (succeeded && !feature.continuous()) {
       ended.put(callId, now);
       boolean changesIt = feature.learns().isEmpty();
       boolean spokeSince =
-          call.filter(begun -> last.filter(h -> h.isAfter(begun.begun())).isPresent()).isPresent();
+          call.filter(begun -> last.filter(h -> h.isAfter(begun)).isPresent()).isPresent();
       if (changesIt && spokeSince && last.get().isSilent()) {
         inDoubt = false;
         askAgain.run();
@@ -140,7 +139,7 @@ public final class MemberView {
     }
     return call.map(
         known -> {
-          Moment begun = firstBegun.computeIfAbsent(callId, id -> known.begun());
+          Moment begun = firstBegun.computeIfAbsent(callId, id -> known);
           return new StepAccount(begun, now, last.map(Heard::word), includesStep);
         });
   }
@@ -158,10 +157,6 @@ public final class MemberView {
 
   public void forget(String conversation) {
     underway.remove(conversation);
-  }
-
-  public Map<String, Term> bindings(String conversation) {
-    return Optional.ofNullable(underway.get(conversation)).map(Underway::bindings).orElse(Map.of());
   }
 
   /**

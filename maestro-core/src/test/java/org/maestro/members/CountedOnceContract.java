@@ -154,6 +154,7 @@ abstract class CountedOnceContract {
     private final KnowledgeBase knowledge;
     private final MemberView view;
     private final MemberNews news;
+    private final MemberOrders orders;
     private final Queue<Runnable> said = new ArrayDeque<>();
     private final Queue<Runnable> reported = new ArrayDeque<>();
     private final StringBuffer heard = new StringBuffer();
@@ -173,6 +174,7 @@ abstract class CountedOnceContract {
                 asked++;
                 link.describe(ID);
               });
+      this.orders = new MemberOrders(ID, link, view, Runnable::run, new Ear()::said);
       this.news =
           new MemberNews(ID, view, (text, speaker) -> HOME.devices().get(speaker), new Ear());
     }
@@ -243,17 +245,17 @@ abstract class CountedOnceContract {
               Duration.ZERO,
               "test",
               () -> {
-                view.begun(conversation, Map.of());
-                link.call(
-                    new RatsLink.Order(
-                        Optional.of(vat.boot + "-" + conversation),
-                        ID,
-                        Optional.empty(),
-                        "fill",
+                orders.begin(
+                    new MemberOrders.Order(
+                        FILL,
                         Map.of(),
                         Duration.ofMinutes(5),
-                        Optional.empty()),
-                    new CallReporter(Runnable::run, new Report(conversation, before)));
+                        Optional.of(vat.boot + "-" + conversation),
+                        Optional.empty(),
+                        Optional.empty(),
+                        Optional.empty(),
+                        false),
+                    new Report(conversation, before));
               });
     }
 
@@ -299,8 +301,6 @@ abstract class CountedOnceContract {
       @Override
       public void reported(Outcome outcome, ActionDispatcher.Report report) {
         heard.append(" result of ").append(conversation);
-        var account =
-            view.account(conversation, vat.boot + "-" + conversation, FILL, report.succeeded());
         FeatureRun run =
             new FeatureRun(
                 ID,
@@ -311,20 +311,17 @@ abstract class CountedOnceContract {
                 report.refs(),
                 Optional.of(before),
                 true,
-                account);
+                report.account());
         synchronized (Trial.this) {
           reported.add(() -> knowledge.learn(run));
         }
-        view.over().ifPresent(word -> new Ear().said(word));
       }
 
       @Override
       public void learnt(Map<String, Term> outputs) {}
 
       @Override
-      public void over() {
-        view.forget(conversation);
-      }
+      public void over() {}
     }
   }
 

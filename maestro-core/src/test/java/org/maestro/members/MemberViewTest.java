@@ -3,7 +3,6 @@ package org.maestro.members;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -23,7 +22,7 @@ class MemberViewTest {
   @Test
   void whatItSaysWhileACallRunsWaitsForTheReport() {
     view.ready(true);
-    view.begun("c1", Map.of());
+    view.begun("c1");
 
     assertThat(view.said(HOLDS)).isEmpty();
     assertThat(view.over()).map(MemberWord::facts).contains(HOLDS.values());
@@ -33,7 +32,7 @@ class MemberViewTest {
   @Test
   void whatALostMemberSaidBeforeIsNoNews() {
     view.ready(true);
-    view.begun("c1", Map.of());
+    view.begun("c1");
     view.said(HOLDS);
     view.ready(false);
 
@@ -43,7 +42,7 @@ class MemberViewTest {
   @Test
   void tellsWhatWasSaidBeforeACallFromWhatWasSaidSince() {
     view.said(state("(open)"));
-    view.begun("c1", Map.of());
+    view.begun("c1");
     StepAccount before = account("c1", "call");
     view.said(HOLDS);
     StepAccount since = account("c1", "call");
@@ -56,7 +55,7 @@ class MemberViewTest {
 
   @Test
   void aStateThatNamesTheCallAmongThoseThatAreOverIncludesIt() {
-    view.begun("c1", Map.of());
+    view.begun("c1");
     view.said(over("call"));
 
     assertThat(account("c1", "call").includesStep()).isTrue();
@@ -65,7 +64,7 @@ class MemberViewTest {
 
   @Test
   void aStateThatComesAfterTheResultAndSaysThatTheCallGoesOnWasSaidBefore() {
-    view.begun("c1", Map.of());
+    view.begun("c1");
     StepAccount account = account("c1", "call");
     view.over();
     MemberWord late =
@@ -80,10 +79,10 @@ class MemberViewTest {
 
   @Test
   void soWasOneThatSaysThatAnotherWasOverLast() {
-    view.begun("c1", Map.of());
+    view.begun("c1");
     StepAccount first = account("c1", "first");
     view.over();
-    view.begun("c2", Map.of());
+    view.begun("c2");
     StepAccount second = account("c2", "second");
     view.over();
 
@@ -96,11 +95,11 @@ class MemberViewTest {
 
   @Test
   void aCallThatIsAskedForAgainWasBegunTheFirstTime() {
-    view.begun("c1", Map.of());
+    view.begun("c1");
     StepAccount unanswered = view.account("c1", "call", DEED, false).orElseThrow();
     view.over();
     view.said(HOLDS);
-    view.begun("c2", Map.of());
+    view.begun("c2");
     StepAccount again = account("c2", "call");
 
     assertThat(again.begun()).isEqualTo(unanswered.begun());
@@ -110,7 +109,7 @@ class MemberViewTest {
   @Test
   void whoSpeaksAroundACallAndDoesNotTellWhatIsOverIsAskedOnce() {
     view.said(HOLDS);
-    view.begun("c1", Map.of());
+    view.begun("c1");
     view.said(HOLDS);
     account("c1", "call");
     assertThat(asked).as("it spoke before its result").hasValue(1);
@@ -118,7 +117,7 @@ class MemberViewTest {
     view.said(HOLDS);
     assertThat(asked).as("it has been asked").hasValue(1);
 
-    view.begun("c2", Map.of());
+    view.begun("c2");
     account("c2", "another");
     view.over();
     assertThat(asked).as("it has said nothing").hasValue(1);
@@ -128,7 +127,7 @@ class MemberViewTest {
 
   @Test
   void whoTellsWhatIsOverIsNotAsked() {
-    view.begun("c1", Map.of());
+    view.begun("c1");
     view.said(over("call"));
     account("c1", "call");
     view.over();

@@ -9,7 +9,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.BiConsumer;
-import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.maestro.agents.content.AccountWords;
 import org.maestro.agents.content.AgentNames;
@@ -20,10 +19,9 @@ import org.maestro.agents.negotiation.OrderUnderway;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.Argument;
-import org.maestro.knowledge.api.MemberWord;
 import org.maestro.members.CallReporter;
-import org.maestro.members.JsonTerms;
 import org.maestro.members.MemberNews;
+import org.maestro.members.MemberOrders;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.rats.bounded.BoundedMap;
@@ -46,8 +44,8 @@ public final class ActionExecution {
   private final RatsLink link;
   private final MemberView view;
   private final MemberNews news;
+  private final MemberOrders orders;
   private final FormerCalls formerCalls;
-  private final Consumer<MemberWord> say;
   private final Map<String, RatsLink.CallHandle> handles = new TreeMap<>();
   private final Map<String, Runnable> abandoned = new TreeMap<>();
 
@@ -56,7 +54,6 @@ public final class ActionExecution {
 
   /**
    * @param formerCalls what is known of calls before the agent came here
-   * @param say tells the collective knowledge what the member says of itself
    */
   public ActionExecution(
       MaestroAgent agent,
@@ -64,20 +61,25 @@ public final class ActionExecution {
       RatsLink link,
       MemberView view,
       MemberNews news,
-      FormerCalls formerCalls,
-      Consumer<MemberWord> say) {
+      MemberOrders orders,
+      FormerCalls formerCalls) {
     this.agent = agent;
     this.member = member;
     this.link = link;
     this.view = view;
     this.news = news;
+    this.orders = orders;
     this.formerCalls = formerCalls;
-    this.say = say;
   }
 
   /** A call is known again only in the same life of the member, from the same caller. */
   public String life() {
     return news.boot() + "@" + link.controller();
+  }
+
+  /** The member's life in which it is called. */
+  Optional<String> boot() {
+    return Optional.of(news.boot());
   }
 
   public void perform(ACLMessage message, Words words) {
@@ -134,12 +136,13 @@ public final class ActionExecution {
         message,
         ACLMessage.AGREE,
         Words.content("perform", Words.named("feature", Words.name(feature.name()))));
-    Deed deed =
-        new Deed(
+    MemberOrders.Order order =
+        new MemberOrders.Order(
             feature,
             arguments,
             Duration.ofMillis((long) words.number("timeout", 30_000)),
             words.string("call"),
+            boot(),
             words.string("goal"),
             expected(words),
             words.string("ends").isPresent());
@@ -154,7 +157,7 @@ public final class ActionExecution {
                     "the agent of " + member + " was moved while it was at it", List.of())));
     begin(
         conversation,
-        deed,
+        order,
         Optional.of(message.getSender()),
         (outcome, report) -> answer(message, outcome, report));
   }
@@ -184,16 +187,6 @@ public final class ActionExecution {
     return handles.isEmpty();
   }
 
-  /** What is to be done, or to end. */
-  record Deed(
-      FeatureType feature,
-      Map<String, Argument> arguments,
-      Duration timeout,
-      Optional<String> call,
-      Optional<String> goal,
-      Optional<Call.Expectation> expects,
-      boolean ends) {}
-
   /**
    * Has the member do it.
    *
@@ -203,35 +196,14 @@ public final class ActionExecution {
    */
   RatsLink.CallHandle begin(
       String conversation,
-      Deed deed,
+      MemberOrders.Order order,
       Optional<AID> holder,
       BiConsumer<Outcome, ActionDispatcher.Report> reported) {
-    Map<String, Object> parameters = new TreeMap<>();
-    Map<String, Term> bindings = new TreeMap<>();
-    deed.arguments()
-        .forEach(
-            (key, argument) -> {
-              parameters.put(key, JsonTerms.json(argument));
-              bindings.put(key, argument.value());
-            });
-    view.begun(conversation, bindings);
-    deed.call().ifPresent(formerCalls::begun);
-    RatsLink.Order order =
-        new RatsLink.Order(
-            deed.call(),
-            member,
-            Optional.of(news.boot()),
-            deed.feature().name(),
-            parameters,
-            deed.timeout(),
-            deed.goal(),
-            deed.expects());
-    CallReporter reporter =
-        new CallReporter(agent::tell, new Reporter(conversation, deed, holder, reported));
+    order.call().ifPresent(formerCalls::begun);
     RatsLink.CallHandle handle =
-        deed.ends() ? link.end(order, reporter) : link.call(order, reporter);
+        orders.begin(order, new Reporter(conversation, order, holder, reported));
     handles.put(conversation, handle);
-    deed.goal().ifPresent(goal -> recentGoals.put(handle.callId(), goal));
+    order.goal().ifPresent(goal -> recentGoals.put(handle.callId(), goal));
     return handle;
   }
 
@@ -306,32 +278,25 @@ public final class ActionExecution {
   /** Tells on what becomes of one call. */
   private final class Reporter implements CallReporter.Listener {
     private final String conversation;
-    private final Deed deed;
+    private final MemberOrders.Order order;
     private final Optional<AID> holder;
     private final BiConsumer<Outcome, ActionDispatcher.Report> reported;
     private Duration toldAlive = agent.clock().now();
 
     Reporter(
         String conversation,
-        Deed deed,
+        MemberOrders.Order order,
         Optional<AID> holder,
         BiConsumer<Outcome, ActionDispatcher.Report> reported) {
       this.conversation = conversation;
-      this.deed = deed;
+      this.order = order;
       this.holder = holder;
       this.reported = reported;
     }
 
     @Override
     public void reported(Outcome outcome, ActionDispatcher.Report report) {
-      String call =
-          Optional.ofNullable(handles.get(conversation))
-              .map(RatsLink.CallHandle::callId)
-              .orElse("");
-      reported.accept(
-          outcome,
-          report.with(view.account(conversation, call, deed.feature(), report.succeeded())));
-      view.over().ifPresent(say);
+      reported.accept(outcome, report);
     }
 
     @Override
@@ -343,8 +308,8 @@ public final class ActionExecution {
               Words.content(
                   "inform",
                   Words.named("member", Words.name(member)),
-                  Words.named("feature", Words.name(deed.feature().name())),
-                  Words.terms("bindings", view.bindings(conversation)),
+                  Words.named("feature", Words.name(order.feature().name())),
+                  Words.terms("bindings", order.bindings()),
                   Words.terms("outputs", outputs))));
     }
 
@@ -352,7 +317,7 @@ public final class ActionExecution {
     @Override
     public void alive() {
       Duration now = agent.clock().now();
-      if (now.minus(toldAlive).compareTo(deed.timeout().dividedBy(2)) >= 0) {
+      if (now.minus(toldAlive).compareTo(order.timeout().dividedBy(2)) >= 0) {
         toldAlive = now;
         tellHolder(Words.named("alive", Words.name("true")));
       }
@@ -360,7 +325,7 @@ public final class ActionExecution {
 
     @Override
     public void alerted(String message) {
-      alarm(deed.goal(), message);
+      alarm(order.goal(), message);
     }
 
     @Override
@@ -377,13 +342,13 @@ public final class ActionExecution {
     }
 
     private void tellHolder(Content.Argument... news) {
-      if (holder.isEmpty() || deed.goal().isEmpty()) {
+      if (holder.isEmpty() || order.goal().isEmpty()) {
         return;
       }
       List<Content.Argument> arguments = new ArrayList<>();
       arguments.add(Words.named("member", Words.name(member)));
-      arguments.add(Words.named("feature", Words.name(deed.feature().name())));
-      arguments.add(Words.named("goal", Words.name(deed.goal().get())));
+      arguments.add(Words.named("feature", Words.name(order.feature().name())));
+      arguments.add(Words.named("goal", Words.name(order.goal().get())));
       arguments.addAll(List.of(news));
       agent.send(agent.message(ACLMessage.INFORM, holder.get(), new Content("inform", arguments)));
     }
@@ -392,7 +357,6 @@ public final class ActionExecution {
     public void over() {
       handles.remove(conversation);
       abandoned.remove(conversation);
-      view.forget(conversation);
     }
   }
 }

@@ -3,15 +3,13 @@ package org.maestro.agents.calls;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.Argument;
 import org.maestro.coordination.api.CallForPrices;
 import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.Proposal;
-import org.maestro.members.MemberView;
-import org.maestro.ontology.vocabulary.Price;
+import org.maestro.members.MemberOrders;
 import org.maestro.planning.api.Step;
 
 /**
@@ -20,16 +18,14 @@ import org.maestro.planning.api.Step;
  */
 public final class OwnMember implements ContractNet, ActionDispatcher {
   private final String member;
-  private final MemberView view;
+  private final MemberOrders orders;
   private final ActionExecution actions;
-  private final PriceQuestions prices;
   private int calls;
 
-  public OwnMember(String member, MemberView view, ActionExecution actions, PriceQuestions prices) {
+  public OwnMember(String member, MemberOrders orders, ActionExecution actions) {
     this.member = member;
-    this.view = view;
+    this.orders = orders;
     this.actions = actions;
-    this.prices = prices;
   }
 
   @Override
@@ -39,15 +35,7 @@ public final class OwnMember implements ContractNet, ActionDispatcher {
       closed.accept(new Alone(List.of()));
       return;
     }
-    Map<String, Price> prices = new TreeMap<>();
-    for (String name : wanted) {
-      if (view.isReady()) {
-        view.feature(name).ifPresent(feature -> prices.put(name, feature.cost()));
-      }
-    }
-    Optional<String> refusal =
-        prices.isEmpty() ? Optional.of(member + " is not there") : Optional.empty();
-    closed.accept(new Alone(List.of(new Proposal(member, prices, refusal))));
+    closed.accept(new Alone(List.of(orders.bid(wanted))));
   }
 
   @Override
@@ -56,18 +44,19 @@ public final class OwnMember implements ContractNet, ActionDispatcher {
       String feature,
       List<Map<String, Argument>> sets,
       Consumer<List<Quote>> answer) {
-    prices.quote(feature, sets, answer);
+    orders.quote(feature, sets, answer);
   }
 
   @Override
   public Handle perform(Request order, Consumer<Report> reported) {
     return actions.begin(
             "own-" + ++calls,
-            new ActionExecution.Deed(
+            new MemberOrders.Order(
                 order.step().feature(),
                 order.parameters(),
                 order.timeout(),
                 order.call().map(Call::id),
+                actions.boot(),
                 Optional.of(order.goalId()),
                 Optional.empty(),
                 order.ends()),

@@ -4,31 +4,25 @@ import jade.lang.acl.ACLMessage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
-import java.util.function.Consumer;
 import org.maestro.agents.content.Orders;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.Argument;
 import org.maestro.coordination.api.ContractNet;
-import org.maestro.members.JsonTerms;
-import org.maestro.rats.link.RatsLink;
-import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.members.MemberOrders;
 import org.maestro.sl.Content;
 
 /**
- * Questions to a generic agent's member over the bus: what it asks for its features. Agent thread
- * only.
+ * Answers to messages that ask what a feature of a generic agent's member costs: the member is
+ * asked. Agent thread only.
  */
 public final class PriceQuestions {
   private final MaestroAgent agent;
-  private final String member;
-  private final RatsLink link;
+  private final MemberOrders orders;
 
-  public PriceQuestions(MaestroAgent agent, String member, RatsLink link) {
+  public PriceQuestions(MaestroAgent agent, MemberOrders orders) {
     this.agent = agent;
-    this.member = member;
-    this.link = link;
+    this.orders = orders;
   }
 
   /** Prices for sets of parameters, as a message asks for them. */
@@ -39,60 +33,25 @@ public final class PriceQuestions {
         sets.add(Orders.arguments(Words.of(named)));
       }
     }
-    ask(
+    orders.quote(
         words.string("feature").orElse(""),
         sets,
-        answers ->
+        quotes ->
             agent.reply(
                 message,
                 ACLMessage.INFORM,
-                answers.stream().map(PriceQuestions::price).toArray(Content[]::new)));
+                quotes.stream().map(PriceQuestions::price).toArray(Content[]::new)));
   }
 
-  /** Exact prices, for the agent's own plans. */
-  void quote(
-      String feature, List<Map<String, Argument>> sets, Consumer<List<ContractNet.Quote>> answer) {
-    ask(
-        feature,
-        sets,
-        answers -> answer.accept(answers.stream().map(PriceQuestions::quote).toList()));
-  }
-
-  private void ask(
-      String feature, List<Map<String, Argument>> sets, Consumer<List<CostAnswer>> answered) {
-    List<Map<String, Object>> parameters = new ArrayList<>();
-    for (Map<String, Argument> set : sets) {
-      Map<String, Object> json = new TreeMap<>();
-      set.forEach((key, argument) -> json.put(key, JsonTerms.json(argument)));
-      parameters.add(json);
-    }
-    link.cost(member, feature, parameters, answers -> agent.tell(() -> answered.accept(answers)));
-  }
-
-  private static ContractNet.Quote quote(CostAnswer answer) {
-    String reason = answer.reason().orElse("no reason given");
-    if (answer.cost().isPresent()) {
-      return new ContractNet.Quote.Priced(
-          answer.cost().get(), answer.seconds().orElse(answer.cost().get()));
-    }
-    return answer.answered()
-        ? new ContractNet.Quote.Declined(reason)
-        : new ContractNet.Quote.Unanswered(reason);
-  }
-
-  private static Content price(CostAnswer answer) {
-    if (answer.cost().isPresent()) {
+  private static Content price(ContractNet.Quote quote) {
+    if (quote instanceof ContractNet.Quote.Priced priced) {
       return Words.content(
           "cost",
-          Words.named(
-              "price",
-              Words.number(answer.cost().get()),
-              Words.number(answer.seconds().orElse(answer.cost().get()))));
+          Words.named("price", Words.number(priced.cost()), Words.number(priced.seconds())));
+    } else if (quote instanceof ContractNet.Quote.Declined declined) {
+      return Words.content("cost", Words.named("reason", Words.text(declined.reason())));
     }
-    return Words.content(
-        "cost",
-        Words.named(
-            answer.answered() ? "reason" : "unanswered",
-            Words.text(answer.reason().orElse("no reason given"))));
+    ContractNet.Quote.Unanswered unanswered = (ContractNet.Quote.Unanswered) quote;
+    return Words.content("cost", Words.named("unanswered", Words.text(unanswered.reason())));
   }
 }

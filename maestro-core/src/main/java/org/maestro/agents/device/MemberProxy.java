@@ -16,6 +16,7 @@ import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.deployment.Charge;
 import org.maestro.knowledge.api.MemberWord;
 import org.maestro.members.MemberNews;
+import org.maestro.members.MemberOrders;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.home.Device;
 import org.maestro.rats.link.RatsLink;
@@ -75,10 +76,10 @@ public final class MemberProxy implements MemberNews.Listener {
                     member, here.link().controller(), here.time().clock().instant().toEpochMilli()),
             () -> here.link().describe(member));
     this.news = new MemberNews(member, view, this::read, this);
-    this.actions =
-        new ActionExecution(agent, member, here.link(), view, news, formerCalls, this::say);
-    this.prices = new PriceQuestions(agent, member, here.link());
-    OwnMember own = new OwnMember(member, view, actions, prices);
+    MemberOrders orders = new MemberOrders(member, here.link(), view, agent::tell, this::say);
+    this.actions = new ActionExecution(agent, member, here.link(), view, news, orders, formerCalls);
+    this.prices = new PriceQuestions(agent, orders);
+    OwnMember own = new OwnMember(member, orders, actions);
     this.goals =
         here.mind()
             .map(

@@ -85,7 +85,7 @@ public final class AgentlessSite implements AutoCloseable {
             new Ports(
                 knowledge,
                 new ReplanningPlanner(new OptimalPlanner(MOST_STATES)),
-                new LinkContractNet(deputies, link),
+                new LinkContractNet(deputies),
                 new LinkActionDispatcher(deputies, link),
                 new InTurn(main),
                 action -> main.schedule(Duration.ZERO, CONTROLLER, action),

@@ -11,6 +11,7 @@ import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.MemberWord;
 import org.maestro.members.MemberNews;
+import org.maestro.members.MemberOrders;
 import org.maestro.members.MemberView;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.FeatureType;
@@ -68,16 +69,19 @@ final class Deputies {
     private final Coordinator coordinator;
     private final MemberView view;
     private final MemberNews news;
+    private final MemberOrders orders;
 
     private Deputy(String member, Coordinator coordinator) {
       this.member = member;
       this.coordinator = coordinator;
       this.view = new MemberView(member, () -> link.describe(member));
       this.news = new MemberNews(member, view, describedBy, this);
+      this.orders =
+          new MemberOrders(member, link, view, action -> later(member, action), this::said);
     }
 
-    MemberView view() {
-      return view;
+    MemberOrders orders() {
+      return orders;
     }
 
     @Override

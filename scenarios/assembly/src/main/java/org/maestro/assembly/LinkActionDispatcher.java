@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.members.CallReporter;
+import org.maestro.members.MemberOrders;
 import org.maestro.planning.api.Step;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.Outcome;
@@ -15,7 +16,6 @@ import org.maestro.sl.Term;
 final class LinkActionDispatcher implements ActionDispatcher {
   private final Deputies deputies;
   private final RatsLink link;
-  private long lastOrder;
 
   LinkActionDispatcher(Deputies deputies, RatsLink link) {
     this.deputies = deputies;
@@ -32,24 +32,18 @@ final class LinkActionDispatcher implements ActionDispatcher {
       deputies.later(step.member(), () -> reported.accept(absent));
       return () -> {};
     }
-    String conversation = String.valueOf(++lastOrder);
-    deputy.get().view().begun(conversation, step.bindings());
-    Performing performing = new Performing(deputy.get(), step, conversation, reported);
-    RatsLink.Order worded =
-        new RatsLink.Order(
-            order.call().map(Call::id),
-            step.member(),
-            order.call().flatMap(Call::life),
-            step.feature().name(),
-            LinkContractNet.json(order.parameters()),
+    MemberOrders.Order worded =
+        new MemberOrders.Order(
+            step.feature(),
+            order.parameters(),
             order.timeout(),
-            Optional.of(order.goalId()));
-    CallReporter reporter =
-        new CallReporter(action -> deputies.later(step.member(), action), performing);
-    RatsLink.CallHandle call =
-        order.ends() ? link.end(worded, reporter) : link.call(worded, reporter);
-    performing.callId = call.callId();
-    return call::cancel;
+            order.call().map(Call::id),
+            order.call().flatMap(Call::life),
+            Optional.of(order.goalId()),
+            Optional.empty(),
+            order.ends());
+    return deputy.get().orders().begin(worded, new Performing(deputy.get(), step, reported))
+        ::cancel;
   }
 
   @Override
@@ -58,26 +52,11 @@ final class LinkActionDispatcher implements ActionDispatcher {
   }
 
   /** What becomes of one order. */
-  private static final class Performing implements CallReporter.Listener {
-    private final Deputies.Deputy deputy;
-    private final Step step;
-    private final String conversation;
-    private final Consumer<Report> reported;
-    private String callId = "";
-
-    Performing(Deputies.Deputy deputy, Step step, String conversation, Consumer<Report> reported) {
-      this.deputy = deputy;
-      this.step = step;
-      this.conversation = conversation;
-      this.reported = reported;
-    }
-
+  private record Performing(Deputies.Deputy deputy, Step step, Consumer<Report> reported)
+      implements CallReporter.Listener {
     @Override
     public void reported(Outcome outcome, Report report) {
-      reported.accept(
-          report.with(
-              deputy.view().account(conversation, callId, step.feature(), report.succeeded())));
-      deputy.view().over().ifPresent(deputy::said);
+      reported.accept(report);
     }
 
     @Override
@@ -87,7 +66,7 @@ final class LinkActionDispatcher implements ActionDispatcher {
 
     @Override
     public void over() {
-      deputy.view().forget(conversation);
+      // Nothing is kept of it here.
     }
   }
 }

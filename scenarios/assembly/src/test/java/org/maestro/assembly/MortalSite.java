@@ -154,7 +154,7 @@ final class MortalSite implements AutoCloseable {
               new Ports(
                   knowledge,
                   new OptimalPlanner(),
-                  new LinkContractNet(deputies, link),
+                  new LinkContractNet(deputies),
                   new LinkActionDispatcher(deputies, link),
                   new InTurn(),
                   action -> clock.schedule(Duration.ZERO, CONTROLLER, () -> unlessDead(action)),

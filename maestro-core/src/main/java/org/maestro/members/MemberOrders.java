@@ -1,0 +1,192 @@
+package org.maestro.members;
+
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.maestro.coordination.api.ActionDispatcher;
+import org.maestro.coordination.api.Argument;
+import org.maestro.coordination.api.ContractNet;
+import org.maestro.coordination.api.Proposal;
+import org.maestro.knowledge.api.MemberWord;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.Price;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.Call;
+import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.Offer;
+import org.maestro.rats.protocol.Outcome;
+import org.maestro.sl.Term;
+
+/**
+ * Orders to one member, and questions for its prices: they become calls over the link, and what
+ * becomes of those is reported with the account of what the member said of itself around it. For
+ * the worker's thread only, on which everything is told, too.
+ */
+public final class MemberOrders {
+  private final String member;
+  private final RatsLink link;
+  private final MemberView view;
+  private final Executor worker;
+  private final Consumer<MemberWord> say;
+  private long lastOrder;
+
+  /**
+   * @param say tells what the member said of itself while it was called
+   */
+  public MemberOrders(
+      String member, RatsLink link, MemberView view, Executor worker, Consumer<MemberWord> say) {
+    this.member = member;
+    this.link = link;
+    this.view = view;
+    this.worker = worker;
+    this.say = say;
+  }
+
+  /**
+   * What is to be done, or to end.
+   *
+   * @param call names it for good; empty: it is a new one
+   * @param boot the member's life in which it is to be done; empty: whichever it lives
+   * @param expects what who orders it counts on
+   * @param ends nothing is to be done: the call of that name is to end
+   */
+  public record Order(
+      FeatureType feature,
+      Map<String, Argument> arguments,
+      Duration timeout,
+      Optional<String> call,
+      Optional<String> boot,
+      Optional<String> goal,
+      Optional<Call.Expectation> expects,
+      boolean ends) {
+
+    public Map<String, Term> bindings() {
+      return valued(arguments, Argument::value);
+    }
+
+    private RatsLink.Order to(String member) {
+      return new RatsLink.Order(
+          call, member, boot, feature.name(), json(arguments), timeout, goal, expects);
+    }
+  }
+
+  public RatsLink.CallHandle begin(Order order, CallReporter.Listener listener) {
+    Accounted accounted = new Accounted(String.valueOf(++lastOrder), order.feature(), listener);
+    view.begun(accounted.conversation);
+    CallReporter reporter = new CallReporter(worker, accounted);
+    RatsLink.CallHandle handle =
+        order.ends() ? link.end(order.to(member), reporter) : link.call(order.to(member), reporter);
+    accounted.call = handle.callId();
+    return handle;
+  }
+
+  /** The bid for features at the prices that the member's description states. */
+  public Proposal bid(List<String> features) {
+    if (!view.isReady()) {
+      return new Proposal(member, Map.of(), Optional.of(member + " is not there"));
+    }
+    Map<String, Price> prices = new LinkedHashMap<>();
+    features.forEach(
+        name -> view.feature(name).ifPresent(feature -> prices.put(name, feature.cost())));
+    return new Proposal(
+        member,
+        prices,
+        prices.isEmpty() ? Optional.of(member + " has none of these features") : Optional.empty());
+  }
+
+  /**
+   * Asks the member itself what a feature costs.
+   *
+   * @param answer told a quote for each set, in their order
+   */
+  public void quote(
+      String feature, List<Map<String, Argument>> sets, Consumer<List<ContractNet.Quote>> answer) {
+    link.cost(
+        member,
+        feature,
+        sets.stream().map(MemberOrders::json).toList(),
+        answers ->
+            worker.execute(
+                () -> answer.accept(answers.stream().map(MemberOrders::quote).toList())));
+  }
+
+  private static ContractNet.Quote quote(CostAnswer answer) {
+    if (answer.cost().isPresent()) {
+      double cost = answer.cost().get();
+      return new ContractNet.Quote.Priced(cost, answer.seconds().orElse(cost));
+    }
+    String reason = answer.reason().orElse("no reason given");
+    return answer.answered()
+        ? new ContractNet.Quote.Declined(reason)
+        : new ContractNet.Quote.Unanswered(reason);
+  }
+
+  private static Map<String, Object> json(Map<String, Argument> arguments) {
+    return valued(arguments, JsonTerms::json);
+  }
+
+  private static <T> Map<String, T> valued(
+      Map<String, Argument> arguments, Function<Argument, T> value) {
+    Map<String, T> values = new TreeMap<>();
+    arguments.forEach((name, argument) -> values.put(name, value.apply(argument)));
+    return values;
+  }
+
+  /** The reports of one call, each with its account. */
+  private final class Accounted implements CallReporter.Listener {
+    private final String conversation;
+    private final FeatureType feature;
+    private final CallReporter.Listener listener;
+    private String call = "";
+
+    Accounted(String conversation, FeatureType feature, CallReporter.Listener listener) {
+      this.conversation = conversation;
+      this.feature = feature;
+      this.listener = listener;
+    }
+
+    @Override
+    public void reported(Outcome outcome, ActionDispatcher.Report report) {
+      listener.reported(
+          outcome, report.with(view.account(conversation, call, feature, report.succeeded())));
+      view.over().ifPresent(say);
+    }
+
+    @Override
+    public void learnt(Map<String, Term> outputs) {
+      listener.learnt(outputs);
+    }
+
+    @Override
+    public void alive() {
+      listener.alive();
+    }
+
+    @Override
+    public void alerted(String message) {
+      listener.alerted(message);
+    }
+
+    @Override
+    public void offered(String by, Offer offer) {
+      listener.offered(by, offer);
+    }
+
+    @Override
+    public void released(String reason) {
+      listener.released(reason);
+    }
+
+    @Override
+    public void over() {
+      view.forget(conversation);
+      listener.over();
+    }
+  }
+}
