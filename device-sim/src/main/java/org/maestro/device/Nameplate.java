@@ -11,9 +11,9 @@ import org.maestro.ontology.home.Device;
 import org.maestro.sl.Term;
 
 /**
- * What a device's hardware is made for, by its drivers: numbers that never change. They become part
- * of what the device says of itself, under the names that its features have for them, so that
- * nobody plans what is beyond it.
+ * The ratings of a device's hardware, as its drivers know them: numbers that never change. They
+ * become part of what the device says of itself, under the names that its features have for them,
+ * so that nobody plans what is beyond it.
  */
 public final class Nameplate {
 

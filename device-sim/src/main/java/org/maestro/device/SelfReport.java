@@ -23,8 +23,8 @@ import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
 /**
- * What a device's drivers know of themselves, as the facts that its description makes of them.
- * Clock thread only.
+ * The quantities that a device's drivers measure or hold of themselves, as the facts that its
+ * description makes of them. Clock thread only.
  */
 final class SelfReport implements MemberProfile.Values {
 

@@ -42,7 +42,7 @@ public interface Camera {
   }
 
   /**
-   * What a series of frames showed.
+   * The findings of a series of frames.
    *
    * @param detections frames in which the target was detected
    * @param position mean of the detections

@@ -1,8 +1,8 @@
 package org.maestro.hal;
 
 /**
- * How a command to a driver ended; exactly one of both is told, unless the device dies or is
- * stopped. Clock thread.
+ * The callback for the end of a command to a driver; exactly one of both is told, unless the device
+ * dies or is stopped. Clock thread.
  */
 public interface Completion {
 

@@ -1,6 +1,6 @@
 package org.maestro.hal;
 
-/** What is at the end of an arm and holds one thing. One command runs at a time. Clock thread. */
+/** An end effector that holds one thing. One command runs at a time. Clock thread. */
 public interface Hand {
 
   /** Makes it ready to take something. */

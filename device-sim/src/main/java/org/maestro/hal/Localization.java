@@ -3,7 +3,7 @@ package org.maestro.hal;
 import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Segment;
 
-/** Where a base is on its map, and what its scanner sees ahead. */
+/** The pose of a base on its map, and what its scanner sees ahead. */
 public interface Localization {
 
   Point2 position();

@@ -4,9 +4,7 @@ import java.util.List;
 import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Segment;
 
-/**
- * What a mobile device knows of the floor: its map, and what its scanners see standing there now.
- */
+/** The floor as a mobile device knows it: its map, and what its scanners see standing there now. */
 public interface Surroundings {
 
   /** Walls and closed doors. */

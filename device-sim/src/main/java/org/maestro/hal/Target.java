@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * What a camera looks for or a gripper takes.
+ * A thing that a camera looks for or a gripper takes.
  *
  * @param name local name of the thing
  * @param properties what is known of its looks and shape, by the property's name

@@ -1,7 +1,7 @@
 package org.maestro.hal;
 
 /**
- * How a base moves on the floor, seen from itself.
+ * The velocity of a base on the floor, along and about its own axes.
  *
  * @param forward metres a second
  * @param left metres a second

@@ -48,7 +48,7 @@ public final class SimulatedHome implements AutoCloseable {
   private final FaultRunner faults;
 
   /**
-   * What a simulated home is made from.
+   * The parts and parameters of a simulated home.
    *
    * @param seed of all chance; a device's share depends on its place in the declared order, not on
    *     its name

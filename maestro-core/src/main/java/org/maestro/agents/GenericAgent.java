@@ -230,7 +230,10 @@ public final class GenericAgent extends MaestroAgent {
     return settling.isOver() ? session : session.map(Later::new);
   }
 
-  /** Who has just taken over from one that was lost would refuse for want of its members. */
+  /**
+   * A deferred session of an agent that has just taken over from a lost one: before it has settled
+   * it would refuse for want of its members.
+   */
   private final class Later extends OneShotBehaviour {
     private static final long serialVersionUID = 1L;
     private final transient Behaviour session;

@@ -22,7 +22,7 @@ public final class HostAgent extends MaestroAgent {
 
   private static final Duration ANSWER_WITHIN = Duration.ofSeconds(20);
 
-  /** What the host can do; may take long, and is called by a thread of its own. */
+  /** The operations of a host; they may take long, and are called by a thread of its own. */
   public interface Host {
     /**
      * Starts an agent.

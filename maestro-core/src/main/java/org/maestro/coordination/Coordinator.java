@@ -133,7 +133,7 @@ public final class Coordinator {
     return id;
   }
 
-  /** What who states a goal is told first. */
+  /** The first answer to who states a goal. */
   public interface Answer {
     /** It may be told to nobody. */
     Answer NOBODY =

@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * How an agent was started, and where: all that is needed to start it again, here or elsewhere.
+ * The start of an agent, how and where: all that is needed to start it again, here or elsewhere.
  *
  * @param agent its local name
  * @param charges the members it stands for, at least one (Three-layered architecture, 3.3.2; M71)

@@ -6,7 +6,7 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * How a container was started.
+ * The start of a container: for which topics, on what host, in which process.
  *
  * @param name in the platform
  * @param topics whose agents it is for

@@ -11,9 +11,9 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 
 /**
- * Which agents there are, what they stand for and where they live, and which containers could take
- * them (Three-layered architecture, 3.3.2; M68-M72). Says where an agent belongs and what speaks
- * against it; others carry it out and report. Any thread may use it.
+ * The agents that there are, what they stand for and where they live, and the containers that could
+ * take them (Three-layered architecture, 3.3.2; M68-M72). Says where an agent belongs and what
+ * speaks against it; others carry it out and report. Any thread may use it.
  */
 public final class Deployment {
   private static final Pattern SLUG = Pattern.compile("[a-z0-9][a-z0-9-]{0,62}");

@@ -7,10 +7,10 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /**
- * What the platform's tables hold, and since when: the agents with their containers and states (the
- * global descriptor table, whose part for one container is that container's local table), and the
- * containers (Three-layered architecture, 3.3.1; M66). Told by the platform's events. Any thread
- * may use it.
+ * The entries of the platform's tables, and since when they are so: the agents with their
+ * containers and states (the global descriptor table, whose part for one container is that
+ * container's local table), and the containers (Three-layered architecture, 3.3.1; M66). Told by
+ * the platform's events. Any thread may use it.
  */
 public final class Directory {
   private final Map<String, Entry> agents = new TreeMap<>();

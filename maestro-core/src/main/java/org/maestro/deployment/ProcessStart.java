@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How a process was started, as it tells of itself when it joins (ADE, 3.2; A35). Only told to
- * people: nobody starts what a stranger says of himself.
+ * The start of a process, as it tells of itself when it joins (ADE, 3.2; A35). Only told to people:
+ * nobody starts what a stranger says of himself.
  *
  * @param machine the name of its machine, as the process knows it
  * @param pid its id there

@@ -8,7 +8,7 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 
 /**
- * What a host provides, or an agent needs.
+ * The equipment that a host provides, or that an agent needs.
  *
  * @param amountByWord such as {@code memory} and 512; a word alone is any amount when it is
  *     provided, and none in particular when it is needed

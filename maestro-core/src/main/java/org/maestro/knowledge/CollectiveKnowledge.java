@@ -427,7 +427,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     }
   }
 
-  /** What a write is to make of the draft, and the facts that it has to say. */
+  /** The content of a write: what it makes of the draft, and the facts that it has to say. */
   @FunctionalInterface
   private interface Lessons {
     List<Fact> read(Draft draft, PositionKeeping positions);

@@ -26,7 +26,7 @@ import org.maestro.sl.Term;
  */
 public final class CallReporter implements RatsLink.CallListener {
 
-  /** What becomes of a call. */
+  /** The listener to the course of one call. */
   public interface Listener {
 
     /** Exactly once: succeeded, established or failed. */

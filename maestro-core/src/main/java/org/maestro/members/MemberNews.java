@@ -18,7 +18,7 @@ import org.slf4j.LoggerFactory;
 public final class MemberNews {
   private static final Logger LOG = LoggerFactory.getLogger(MemberNews.class);
 
-  /** Who wants to know. */
+  /** The listener to the news of a member. */
   public interface Listener {
 
     /** It is there, and can be used as described. */

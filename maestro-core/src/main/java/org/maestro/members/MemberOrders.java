@@ -49,7 +49,7 @@ public final class MemberOrders {
   }
 
   /**
-   * What is to be done, or to end.
+   * An order: a bound feature that is to be done, or to end.
    *
    * @param call names it for good; empty: it is a new one
    * @param boot the member's life in which it is to be done; empty: whichever it lives

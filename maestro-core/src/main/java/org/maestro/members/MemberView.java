@@ -19,7 +19,7 @@ import org.maestro.rats.bounded.BoundedMap;
 import org.maestro.rats.protocol.MemberState;
 
 /**
- * What a generic agent knows of the member it stands for: what it described, and what runs on it.
+ * A generic agent's picture of the member it stands for: what it described, and what runs on it.
  * Agent thread only.
  */
 public final class MemberView {
@@ -46,7 +46,7 @@ public final class MemberView {
   private Optional<MemberWord> heldBack = Optional.empty();
 
   /**
-   * What was said last.
+   * The last word of the member about itself.
    *
    * @param ended the latest calls that were over then; empty: the member does not tell
    */

@@ -47,7 +47,7 @@ final class BudgetedSearch {
   private static final int MOST_SCHEDULES = 20_000;
 
   /**
-   * What was grounded, and what it tells.
+   * The grounded problem, and the bounds that it gives.
    *
    * @param beyond the budget from which on there is more to be grounded
    * @param bounds empty where there is no plan, as the relaxation shows
@@ -55,7 +55,7 @@ final class BudgetedSearch {
   private record Ground(GroundProblem problem, double beyond, Optional<CostBounds> bounds) {}
 
   /**
-   * What was searched in one round.
+   * The problem that was searched in one round, and the outcome.
    *
    * @param beyond the budget from which on other steps may be of use
    */

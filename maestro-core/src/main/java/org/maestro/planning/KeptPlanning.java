@@ -24,7 +24,7 @@ import org.maestro.planning.problem.State;
 import org.maestro.planning.problem.Successors;
 
 /**
- * What was made for one goal, kept for when it is planned for again: feature instances, and the
+ * The groundwork for one goal, kept for when it is planned for again: feature instances, and the
  * last plan with the problem that it solves. For one thread at a time.
  */
 final class KeptPlanning {

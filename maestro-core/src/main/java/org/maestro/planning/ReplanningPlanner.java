@@ -35,7 +35,7 @@ public final class ReplanningPlanner implements Planner {
 
   private record Subject(Formula goal, Objective objective) {}
 
-  /** What was made for one home and what can be changed in it, and for goals there. */
+  /** The groundwork for one home and what can be changed in it, and for goals there. */
   private record Kept(GroundingCache work, Map<Subject, KeptPlanning> plannings) {
     KeptPlanning planning(Subject subject, PlanningTask task) {
       KeptPlanning planning = plannings.remove(subject);

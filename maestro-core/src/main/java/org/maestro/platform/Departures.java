@@ -14,7 +14,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What becomes of agents that have ended or hang, and of containers that are gone: they begin
+ * The losses of a platform: agents that have ended or hang, and containers that are gone, begin
  * elsewhere, or are not counted on any more. Any thread may call.
  */
 final class Departures implements PlatformEvents.Listener {

@@ -17,7 +17,7 @@ import org.maestro.platform.failover.AgentFailover;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** How agents without a host get one on a platform, and who is told when nobody takes them. */
+/** The failover of agents without a host on a platform, and who is told when nobody takes them. */
 final class FailoverWays implements AgentFailover.Ways {
   private static final Logger LOG = LoggerFactory.getLogger(FailoverWays.class);
 

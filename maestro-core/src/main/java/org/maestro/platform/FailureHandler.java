@@ -15,8 +15,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What is done when containers and agents fall silent: nothing is asked of whoever is suspected; a
- * container that is lost is cut off, whereupon JADE tells of its agents' ends as if it had been
+ * The reaction to containers and agents that fall silent: nothing is asked of whoever is suspected;
+ * a container that is lost is cut off, whereupon JADE tells of its agents' ends as if it had been
  * killed.
  */
 final class FailureHandler implements Watcher {

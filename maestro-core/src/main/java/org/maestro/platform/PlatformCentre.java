@@ -9,7 +9,7 @@ import org.maestro.platform.failover.AgentFailover;
 import org.maestro.platform.failover.SignsOfLife;
 import org.maestro.platform.failover.TakeoverLinks;
 
-/** What the supervision has of the platform around it: those it tells, and who revives whom. */
+/** The platform around the supervision: those it tells, and who revives whom. */
 final class PlatformCentre implements Supervision.Centre {
   private final Arrivals arrivals;
   private final Principals principals;

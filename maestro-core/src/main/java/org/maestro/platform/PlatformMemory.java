@@ -16,7 +16,7 @@ import org.maestro.platform.journal.JournalFile;
 import org.maestro.platform.journal.StoryFile;
 import org.maestro.rats.time.Clock;
 
-/** What a platform keeps on disk, and what it found there. */
+/** The files that a platform keeps on disk, and what it found there. */
 final class PlatformMemory implements AutoCloseable {
   private final Optional<JournalFile> journal;
   private final Optional<StoryFile> stories;

@@ -11,7 +11,7 @@ import org.maestro.platform.jade.Premises;
 import org.maestro.platform.jade.Sockets;
 
 /**
- * How a platform is to run.
+ * The configuration with which a platform is to run.
  *
  * @param name the JADE platform's name
  * @param port of the main container; 0 for a free one

@@ -24,7 +24,7 @@ import org.maestro.rats.link.RatsLink;
 import org.maestro.sl.Content;
 
 /**
- * What the platform's tables hold, put together (Three-layered architecture, 3.3.1, 3.3.2 and
+ * The contents of the platform's tables, put together (Three-layered architecture, 3.3.1, 3.3.2 and
  * 3.3.3; M65, M66, M70, M78): agents and containers as JADE has them, the members behind the agents
  * as the bus has them, and since when. Any thread may use it.
  */
@@ -34,7 +34,7 @@ final class PlatformTables {
   private final Supplier<Instant> now;
   private final Map<String, Seen> seen = new ConcurrentHashMap<>();
 
-  /** What was last heard of a member, and when that began. */
+  /** The state last heard of a member, and when that began. */
   private record Seen(String phase, String state, Instant since) {}
 
   PlatformTables(Deployment deployment, Directory directory, Supplier<Instant> now) {

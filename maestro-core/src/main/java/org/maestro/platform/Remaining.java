@@ -9,7 +9,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.maestro.ontology.home.Device;
 
-/** What can be done when a device is out of use, and what cannot (ADE, 3.2; A38). */
+/** The abilities left when a device is out of use, and those that are not (ADE, 3.2; A38). */
 final class Remaining {
   private Remaining() {}
 

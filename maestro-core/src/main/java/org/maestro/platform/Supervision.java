@@ -20,7 +20,7 @@ import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.DeviceFile;
 import org.maestro.sl.Content;
 
-/** What the supervisor can do on this platform. */
+/** The operations of the supervisor on this platform. */
 final class Supervision implements Containers {
   static final String DEFAULT_TOPIC = "devices";
 

@@ -2,7 +2,10 @@ package org.maestro.sl;
 
 import java.util.List;
 
-/** What a feature brings about. All values on its right side are read before the step. */
+/**
+ * The effect of a feature: facts and numbers that it adds, deletes, changes or senses. All values
+ * on its right side are read before the step.
+ */
 public sealed interface Effect {
 
   record Add(Formula.Atom atom) implements Effect {}
@@ -32,7 +35,7 @@ public sealed interface Effect {
   /** In a plan an unknown number becomes "any"; in the world nothing is written. */
   record SenseNumber(Expression.Fluent fluent) implements Effect {}
 
-  /** How a number is changed. */
+  /** The assignment operators for numbers. */
   enum Assignment {
     ASSIGN("assign"),
     INCREASE("increase"),

@@ -7,8 +7,8 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /**
- * What formulas are evaluated over. All atoms and fluents given to it are ground. Implementations
- * resolve derived and computed predicates themselves.
+ * The state over which formulas are evaluated. All atoms and fluents given to it are ground.
+ * Implementations resolve derived and computed predicates themselves.
  */
 public interface Facts {
 

@@ -2,7 +2,7 @@ package org.maestro.sl;
 
 import java.util.List;
 
-/** What the reader makes of a text: nested lists of tokens, each with its column. */
+/** A node of the reader's syntax tree: nested lists of tokens, each with its column. */
 sealed interface Node {
 
   int column();

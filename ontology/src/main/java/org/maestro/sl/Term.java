@@ -1,6 +1,6 @@
 package org.maestro.sl;
 
-/** What an atom speaks about: a variable, a named individual, an IRI or a literal value. */
+/** An argument of an atom: a variable, a named individual, an IRI or a literal value. */
 public sealed interface Term {
 
   /** A variable; {@code name} is without the question mark. */

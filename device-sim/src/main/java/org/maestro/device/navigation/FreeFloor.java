@@ -5,7 +5,7 @@ import org.maestro.hal.Surroundings.Obstacle;
 import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Segment;
 
-/** Where a round body has room among walls and round obstacles. Immutable. */
+/** The free space of a round body among walls and round obstacles. Immutable. */
 final class FreeFloor {
 
   static final double TOLERANCE = 1e-6;
@@ -49,8 +49,8 @@ final class FreeFloor {
   }
 
   /**
-   * What barred the last way: for many ways from one point to places that lie together it is the
-   * same wall. For one thread.
+   * The wall that barred the last way: for many ways from one point to places that lie together it
+   * is the same wall. For one thread.
    */
   static final class Memory {
     int wall = -1;

@@ -9,9 +9,9 @@ import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Segment;
 
 /**
- * Where walls leave room for a round body. They stay the same until a door moves, so that what is
- * known of them can be kept meanwhile. Squares of the floor know the walls near them: a way has to
- * be held against those alone that stand along it. Immutable.
+ * The free space that walls leave to a round body. Walls stay the same until a door moves, so that
+ * what is known of them can be kept meanwhile. Squares of the floor know the walls near them: a way
+ * has to be held against those alone that stand along it. Immutable.
  */
 public final class WalledFloor {
 

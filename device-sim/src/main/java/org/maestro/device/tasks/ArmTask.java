@@ -12,7 +12,7 @@ import org.maestro.rats.member.Execution;
 import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.RatsError;
 
-/** What picking and placing share: the robot, its arm, and the way out on cancel. */
+/** The common part of picking and placing: the robot, its arm, and the way out on cancel. */
 abstract class ArmTask extends DeviceProcedure {
 
   private final FeatureContext context;

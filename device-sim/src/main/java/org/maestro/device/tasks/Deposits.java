@@ -6,9 +6,9 @@ import java.util.TreeMap;
 import org.maestro.hal.Position;
 
 /**
- * Where a robot has put things down, as it remembers: for callers that know only in which area a
- * thing is. What it picks up again is there no more; what others carry off it does not notice.
- * Clock thread only.
+ * The places where a robot has put things down, as it remembers: for callers that know only in
+ * which area a thing is. What it picks up again is there no more; what others carry off it does not
+ * notice. Clock thread only.
  */
 public final class Deposits {
   private final Map<String, Position> places = new TreeMap<>();

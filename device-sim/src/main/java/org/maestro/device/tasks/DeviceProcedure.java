@@ -10,8 +10,8 @@ import org.maestro.rats.member.Procedure;
 import org.maestro.rats.protocol.CostAnswer;
 
 /**
- * What all procedures share: faulty parameters become an answer, never a stack trace. Clock thread
- * only.
+ * The start and the price of any procedure: faulty parameters become an answer, never a stack
+ * trace. Clock thread only.
  */
 abstract class DeviceProcedure implements Procedure {
 

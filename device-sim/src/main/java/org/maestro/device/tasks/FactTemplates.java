@@ -11,7 +11,7 @@ import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 
 /**
- * What a device's own words mean as facts: templates of its description, with {@code ?self} and
+ * The facts that a device's own words mean: templates of its description, with {@code ?self} and
  * other variables to fill in.
  */
 public final class FactTemplates {

@@ -12,7 +12,7 @@ import org.maestro.rats.time.Clock;
 import org.maestro.sl.Term;
 
 /**
- * What a procedure is made from: its feature's description, the device's drivers and the clock.
+ * The means of a procedure: its feature's description, the device's drivers and the clock.
  *
  * @param deposits the device's memory, shared by its features
  */

@@ -1,6 +1,6 @@
 package org.maestro.device.tasks;
 
-/** How members turn time and energy into cost units: one unit is a second. */
+/** The weights by which members turn time and energy into cost units: one unit is a second. */
 final class Prices {
 
   /**

@@ -13,8 +13,8 @@ import org.maestro.hal.Area;
 import org.maestro.ontology.home.Point2;
 
 /**
- * Where a robot stands to reach a spot of the floor, and where beside a thing it can put something
- * down. Clock thread only.
+ * The stands from which a robot reaches a spot of the floor, and the spots beside a thing where it
+ * can put something down. Clock thread only.
  */
 final class Reach {
 

@@ -16,7 +16,7 @@ import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Segment;
 
 /**
- * How a mobile robot finds its ways: its base, and what it knows of the floor. Clock thread only.
+ * The navigation of a mobile robot: its base, and what it knows of the floor. Clock thread only.
  */
 final class Robot {
 

@@ -10,7 +10,7 @@ import org.maestro.rats.protocol.RatsError;
 import org.maestro.sl.Term;
 
 /**
- * What a burst of frames allows to say.
+ * The verdict that a burst of frames allows.
  *
  * @param found enough frames agree
  * @param unfit areas in which the light does not allow to say "not there", or, where a part is

@@ -3,7 +3,10 @@ package org.maestro.hal.wheels;
 import java.util.List;
 import org.maestro.hal.Twist;
 
-/** How the wheels of a base are placed, and so what their speeds make of its motion. Immutable. */
+/**
+ * The kinematics of a base: how its wheels are placed, and so what their speeds make of its motion.
+ * Immutable.
+ */
 public sealed interface WheelGeometry permits MecanumWheels, DifferentialWheels {
 
   /**

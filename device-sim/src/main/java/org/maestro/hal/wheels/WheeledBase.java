@@ -30,7 +30,7 @@ public final class WheeledBase implements MobileBase {
   }
 
   /**
-   * What the base can do.
+   * The limits of the base and of its control.
    *
    * @param speed metres a second
    * @param turnSpeed radians a second

@@ -10,7 +10,8 @@ import org.maestro.sim.world.Flaw;
 import org.maestro.sim.world.World;
 
 /**
- * What all simulated drivers of a device share: time, chance, power and defects. Clock thread only.
+ * The common part of a device's simulated drivers: time, chance, power and defects. Clock thread
+ * only.
  */
 public final class Actuator {
 

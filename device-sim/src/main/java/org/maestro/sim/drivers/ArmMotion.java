@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.maestro.hal.Completion;
 
 /**
- * What one motor of an arm does: one command at a time, each of which takes its time and power and
+ * The commands of one motor of an arm: one at a time, each of which takes its time and power and
  * fails when the device is defect.
  */
 final class ArmMotion {

@@ -233,7 +233,7 @@ public final class DriverFactory {
             data.aimRadians()));
   }
 
-  /** What is at the end of a robot's arm. */
+  /** An end effector at a robot's arm: it makes the drivers of both. */
   private interface Fitting {
     Drivers at(Device device, Actuator actuator, ArmData arm, Grasp grasp);
   }

@@ -8,7 +8,10 @@ import org.maestro.ontology.home.Segment;
 import org.maestro.sim.world.Drive;
 import org.maestro.sim.world.World;
 
-/** Whether a robot that drives will run into another body that moves, as its scanner sees it. */
+/**
+ * Collisions ahead of a robot that drives: other bodies that move and that it will run into, as its
+ * scanner sees them.
+ */
 final class Encounters {
 
   private static final int MOMENTS = 5;

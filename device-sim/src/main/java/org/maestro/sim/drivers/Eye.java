@@ -10,8 +10,8 @@ import org.maestro.ontology.home.Pose;
 import org.maestro.sim.parameters.TurnData;
 
 /**
- * Where a camera looks: a cone of view, or several along which it looks one after the other while
- * it turns. Walls hide.
+ * A camera's field of view: a cone, or several along which it looks one after the other while it
+ * turns. Walls hide.
  *
  * @param views from one place
  * @param turnSeconds for turning on the way from the first to the last

@@ -10,7 +10,7 @@ import org.maestro.sim.world.Likeness;
 import org.maestro.sim.world.World;
 
 /**
- * What an arm's hand is about to take, and what it holds. A camera on board finds the thing near
+ * The thing that an arm's hand is about to take, or holds. A camera on board finds the thing near
  * where it is expected. Where something is over-lit it may take another thing of the right colour
  * ({@link Likeness}), and believes then to hold the wanted one.
  */
@@ -29,7 +29,7 @@ final class Grasp {
     this.likeness = likeness;
   }
 
-  /** What was taken, and what for. */
+  /** A mistaken grasp: the thing taken, and the one believed to be taken. */
   private record Mistake(String taken, String believed) {}
 
   void moveTo(Position place) {

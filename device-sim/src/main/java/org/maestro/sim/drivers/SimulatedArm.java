@@ -25,7 +25,7 @@ public final class SimulatedArm implements GripperArm {
   private final OptionalDouble height;
   private Optional<Boast> boast = Optional.empty();
 
-  /** What the hand is said to hold. */
+  /** A false report of the thing that the hand holds, or of an empty hand. */
   private record Boast(Optional<String> held) {}
 
   /**

@@ -7,9 +7,9 @@ import org.maestro.sim.world.FloorMap;
 import org.maestro.sl.Term;
 
 /**
- * What the home states of a device by the words of its own procedures: such as {@code payload},
- * which its description says to mean {@code (payload ?self)}. What a word means stands in the
- * vocabulary.
+ * Properties that the home states of a device, by the words of its own procedures: such as {@code
+ * payload}, which its description says to mean {@code (payload ?self)}. What a word means stands in
+ * the vocabulary.
  */
 final class Stated {
   private Stated() {}

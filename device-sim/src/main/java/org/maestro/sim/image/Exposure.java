@@ -1,9 +1,9 @@
 package org.maestro.sim.image;
 
 /**
- * How a camera makes a picture of light. It exposes so that the mean of the picture becomes a
- * middle grey, as far as its shortest and longest exposure allow: in little light pictures are dark
- * and noise shows, in too much they are white.
+ * A camera's exposure and noise, by which light becomes a picture. The camera exposes so that the
+ * mean of the picture becomes a middle grey, as far as its shortest and longest exposure allow: in
+ * little light pictures are dark and noise shows, in too much they are white.
  *
  * @param saturationLux with the shortest exposure, a wholly white surface in so much light is at
  *     the picture's end

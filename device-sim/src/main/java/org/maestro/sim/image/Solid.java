@@ -22,7 +22,7 @@ public record Solid(
     Colour colour,
     double lux) {
 
-  /** What it is like. */
+  /** The shape of a solid. */
   public enum Shape {
     BOX,
     DRUM,

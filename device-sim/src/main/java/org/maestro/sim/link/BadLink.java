@@ -6,8 +6,8 @@ import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.Transport;
 
 /**
- * How bad the link of one member is, whatever transport it has now. In the beginning it is good.
- * Any thread may call it.
+ * Loss, repetition and delay on the link of one member, whatever transport it has now. In the
+ * beginning it is good. Any thread may call it.
  */
 public final class BadLink {
 

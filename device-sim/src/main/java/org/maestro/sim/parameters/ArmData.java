@@ -1,7 +1,7 @@
 package org.maestro.sim.parameters;
 
 /**
- * What an arm reaches and lifts, and how long it takes.
+ * The reach and payload of an arm, and the times that it takes.
  *
  * @param reach from the base's middle; youBot data sheet: the arm reaches 0.655 m, minus its offset
  *     and the hand's angle (assumed)

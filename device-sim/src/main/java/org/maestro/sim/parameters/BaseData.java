@@ -1,7 +1,7 @@
 package org.maestro.sim.parameters;
 
 /**
- * How a robot's base drives.
+ * The speed, size and power of a robot's base.
  *
  * @param speed youBot data sheet: 0.8 m/s; reached at once (assumed)
  * @param radius youBot data sheet: 580 mm by 380 mm, the circle around it

@@ -3,7 +3,7 @@ package org.maestro.sim.parameters;
 import org.maestro.sim.scene.SimulationException;
 
 /**
- * What a robot's battery holds and what draws from it, beside base and arm while they move.
+ * The capacity of a robot's battery, and what draws from it beside base and arm while they move.
  *
  * @param wattHours KUKA youBot data sheet: 24 V, 5 Ah
  * @param idleWatts of computer, scanner and camera; assumed

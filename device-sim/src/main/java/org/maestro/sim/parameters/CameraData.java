@@ -1,7 +1,8 @@
 package org.maestro.sim.parameters;
 
 /**
- * What a camera takes, and in which light its detection finds things by their colour.
+ * The images that a camera takes, and the light in which its detection finds things by their
+ * colour.
  *
  * @param frameRate frames a second, unless the home states it; paper 4.1: 30
  * @param width of an image, pixels, unless the home states it; paper 4.1: 1080p

@@ -1,8 +1,9 @@
 package org.maestro.sim.parameters;
 
 /**
- * How colours look in an image. A channel of the image stands still where the light that a thing
- * throws back in it exceeds {@code saturationLux}.
+ * The saturation of colours in an image, and the distance at which one is taken for another. A
+ * channel of the image stands still where the light that a thing throws back in it exceeds {@code
+ * saturationLux}.
  *
  * @param saturationLux light in which a wholly white thing is at the image's end; assumed: that
  *     from which colours wash out

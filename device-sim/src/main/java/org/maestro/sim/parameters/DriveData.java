@@ -1,7 +1,7 @@
 package org.maestro.sim.parameters;
 
 /**
- * How long doors, shutters and switches take.
+ * The times that doors, shutters and switches take.
  *
  * @param doorSeconds to open or close; assumed
  * @param shutterSeconds for the whole way; assumed

@@ -1,7 +1,7 @@
 package org.maestro.sim.parameters;
 
 /**
- * How pictures come out.
+ * The exposure, noise and resolution of pictures.
  *
  * @param longestLux with the longest exposure, a wholly white thing in so much light is at the
  *     image's end; assumed: a floor in 72 lux just becomes a middle grey

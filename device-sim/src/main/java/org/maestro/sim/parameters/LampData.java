@@ -3,7 +3,7 @@ package org.maestro.sim.parameters;
 import java.util.List;
 
 /**
- * How a dimmable lamp changes.
+ * The transition time of a dimmable lamp, and its shades of white.
  *
  * @param transitionSeconds Hue's usual transition time is 400 ms; the light jumps at its end
  *     (assumed)

@@ -1,7 +1,7 @@
 package org.maestro.sim.parameters;
 
 /**
- * What a light sensor measures.
+ * The range, integration time and noise of a light sensor.
  *
  * @param leastLux TSL2561 data sheet: 0.1 lux; also its resolution here
  * @param greatestLux TSL2561 data sheet: 40,000 lux

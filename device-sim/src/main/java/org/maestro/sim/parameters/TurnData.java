@@ -6,7 +6,7 @@ import org.maestro.hal.Position;
 import org.maestro.ontology.home.Pose;
 
 /**
- * How a camera on a robot looks around: from its mast, turning with the base.
+ * The views of a camera on a robot that looks around: from its mast, turning with the base.
  *
  * @param height of the lens; metres; assumed
  * @param downDegrees how far it is tilted down, so that it sees the floor beside its own base;

@@ -1,7 +1,7 @@
 package org.maestro.sim.parameters;
 
 /**
- * How a base rolls on its wheels.
+ * The wheels of a base: their geometry, slip and control.
  *
  * @param wheelRadius KUKA youBot: 0.0475 m; so are the following
  * @param halfLength half of 0.471 m between the axles

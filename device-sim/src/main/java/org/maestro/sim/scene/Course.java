@@ -7,7 +7,7 @@ import java.util.TreeMap;
 import org.maestro.ontology.home.Point2;
 
 /**
- * What happens in a scene of its own accord. Immutable.
+ * The events of a scene that happen of their own accord. Immutable.
  *
  * @param faults by the thing, zone or device to which they happen; the empty name is the home
  * @param walks corners of the rounds that persons walk, by name

@@ -3,8 +3,8 @@ package org.maestro.sim.scene;
 import java.util.List;
 
 /**
- * What can go wrong or be done in a world while it runs: the words of {@code scene:fault}, and of
- * {@link ScriptedFault} in Java. After each word come its numbers or its name.
+ * Faults and deeds that can happen to a world while it runs: the words of {@code scene:fault}, and
+ * of {@link ScriptedFault} in Java. After each word come its numbers or its name.
  *
  * <table>
  * <caption>Faults</caption>
@@ -96,7 +96,7 @@ public enum Deed {
     }
   }
 
-  /** What follows the word. */
+  /** A word's argument: a name, any number, a number from 0 on, or a share. */
   enum Argument {
     NAME,
     ANY_NUMBER,

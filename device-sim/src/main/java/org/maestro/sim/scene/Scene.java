@@ -52,7 +52,7 @@ public record Scene(
   }
 
   /**
-   * What is true of one thing, place or device.
+   * The ground truth of one thing, place or device.
    *
    * @param hidden no camera sees it and no robot bumps into it: it is in a cupboard
    * @param radius of the circle around it on the floor; metres

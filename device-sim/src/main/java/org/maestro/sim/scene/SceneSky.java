@@ -6,7 +6,7 @@ import org.maestro.sim.sky.Clouds;
 import org.maestro.sim.sky.Sky;
 
 /**
- * What a scene says of the sky.
+ * The sky that a scene states.
  *
  * @param latitudeDegrees of the home, positive in the north
  * @param dayOfYear 1 is the first of January

@@ -31,7 +31,7 @@ public record ScriptedFault(
     numbers = List.copyOf(numbers);
   }
 
-  /** How the moment is found. */
+  /** The way in which the moment of a fault is found: a time, chance, or an event. */
   public enum When {
     AT,
     EVERY,

@@ -1,10 +1,10 @@
 package org.maestro.sim.sky;
 
 /**
- * How much light a clear sky, an overcast one and the sun give by the sun's elevation: IES RP-21,
- * "Recommended practice for the calculation of daylight availability" (1984), also in the IES
- * Lighting Handbook. A partly clouded sky is a clear and an overcast one in their shares, as DOE-2
- * reckons (Winkelmann and Selkowitz 1985).
+ * Daylight availability, the light that a clear sky, an overcast one and the sun give by the sun's
+ * elevation: IES RP-21, "Recommended practice for the calculation of daylight availability" (1984),
+ * also in the IES Lighting Handbook. A partly clouded sky is a clear and an overcast one in their
+ * shares, as DOE-2 reckons (Winkelmann and Selkowitz 1985).
  */
 final class Availability {
 

@@ -1,7 +1,7 @@
 package org.maestro.sim.sky;
 
 /**
- * Where the sun stands, as a vector of length 1 towards it.
+ * The direction of the sun: a vector of length 1 towards it.
  *
  * @param up sine of its elevation, negative below the horizon
  */

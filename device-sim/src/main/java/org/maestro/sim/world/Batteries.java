@@ -8,7 +8,7 @@ import org.maestro.rats.time.Clock;
 import org.maestro.sim.parameters.BatteryData;
 
 /**
- * What is left in robots' batteries: each moment is reckoned from what was drawn since the last
+ * The charge of robots' batteries: at each moment it is reckoned from what was drawn since the last
  * charge, so that nothing has to happen meanwhile. Guarded by the world's lock.
  */
 public final class Batteries {

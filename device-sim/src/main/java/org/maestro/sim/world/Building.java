@@ -15,7 +15,7 @@ public final class Building {
   private final FloorMap map;
   private volatile State state;
 
-  /** What changes with a door. */
+  /** The state of the doors, and the floor plan and walls that go with it. */
   private record State(Set<String> openDoors, FloorPlan plan, List<Segment> walls) {
     static State of(FloorMap map, Set<String> openDoors) {
       FloorPlan plan = map.plan(openDoors);

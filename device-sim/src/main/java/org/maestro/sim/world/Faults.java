@@ -13,8 +13,8 @@ import org.maestro.rats.time.Clock;
 import org.maestro.sim.scene.WorldEvent;
 
 /**
- * Which devices have no power or are defect, and what is to happen upon events. Guarded by the
- * world's lock.
+ * Faults of devices: power cuts, defects, flaws and errors of measurement, and what is to happen
+ * upon events. Guarded by the world's lock.
  */
 public final class Faults {
 

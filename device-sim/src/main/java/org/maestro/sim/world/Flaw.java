@@ -1,6 +1,6 @@
 package org.maestro.sim.world;
 
-/** How a device is broken without saying so: what it does of what it is told, and what it tells. */
+/** A silent fault of a device: what it does of what it is told, and what it tells. */
 public enum Flaw {
   /** It does what it says. */
   NONE,

@@ -6,7 +6,7 @@ import org.maestro.hal.Surroundings.Obstacle;
 import org.maestro.ontology.home.FloorPlan;
 import org.maestro.ontology.home.Point2;
 
-/** Where something lands that a robot lets go of: beside it, on free floor of its room. */
+/** The landing spot of a thing that a robot lets go of: beside it, on free floor of its room. */
 final class LandingSpot {
 
   private static final double DISTANCE_METRES = 0.1;

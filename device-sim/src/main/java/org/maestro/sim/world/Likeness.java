@@ -5,10 +5,10 @@ import org.maestro.sim.parameters.ColourData;
 import org.maestro.sim.scene.Paint;
 
 /**
- * How detection by colour takes one thing for another (paper 5.2). In the light that the camera is
- * made for, things of one colour are told apart, since they were followed all the time (assumed).
- * Where a thing is over-lit it is lost: then whatever has the right colour may be taken for it, and
- * itself it may be taken for what its washed-out colour looks like.
+ * False matches of detection by colour: one thing taken for another (paper 5.2). In the light that
+ * the camera is made for, things of one colour are told apart, since they were followed all the
+ * time (assumed). Where a thing is over-lit it is lost: then whatever has the right colour may be
+ * taken for it, and itself it may be taken for what its washed-out colour looks like.
  */
 public record Likeness(CameraData camera, ColourData colour) {
 

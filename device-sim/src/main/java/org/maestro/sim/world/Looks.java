@@ -13,8 +13,8 @@ import org.maestro.sim.scene.Scene;
 import org.maestro.sl.Term;
 
 /**
- * What things look like: their colour and size as the scene states them, or else as a value in the
- * home reads: the name of a colour, three lengths. Immutable.
+ * The colour and size of things, as the scene states them, or else as a value in the home reads:
+ * the name of a colour, three lengths. Immutable.
  */
 public final class Looks {
 

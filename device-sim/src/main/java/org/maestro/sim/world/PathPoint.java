@@ -3,5 +3,5 @@ package org.maestro.sim.world;
 import java.time.Duration;
 import org.maestro.ontology.home.Point2;
 
-/** Where a robot was at a moment of simulated time. */
+/** A robot's place on its path at a moment of simulated time. */
 public record PathPoint(Duration at, Point2 point) {}

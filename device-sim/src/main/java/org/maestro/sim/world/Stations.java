@@ -9,7 +9,10 @@ import org.maestro.ontology.home.Pose;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SimulationException;
 
-/** Where batteries are charged: points of the floor over which a robot stands then. Immutable. */
+/**
+ * Charging stations: points of the floor over which a robot stands while its battery charges.
+ * Immutable.
+ */
 final class Stations {
 
   /** So near a robot has contact; metres; assumed. */

@@ -14,7 +14,10 @@ import org.maestro.ontology.home.Point2;
 import org.maestro.rats.time.Clock;
 import org.maestro.sim.scene.SimulationException;
 
-/** Where all bodies are, who holds what, and who drives. Guarded by the world's lock. */
+/**
+ * The places of all bodies, the things that robots hold, and the drives under way. Guarded by the
+ * world's lock.
+ */
 public final class Whereabouts {
 
   /** Of a robot's way, some hundred drives; what is asked for is that of the last. */

@@ -5,10 +5,11 @@ import java.util.Optional;
 import org.maestro.sim.parameters.GripperData;
 
 /**
- * How a gripper's bag wraps an upright thing and holds it by its sides. Pressed on until its middle
- * is level with the thing's top, a ball reaches down the two sides that are nearest to each other
- * as far as its surface lies below its middle there. What holds are pinch and friction; suction and
- * interlocking (Brown et al. 2010), and the other two sides, would add to it and are not counted.
+ * The grip of a bag that wraps an upright thing and holds it by its sides. Pressed on until its
+ * middle is level with the thing's top, a ball reaches down the two sides that are nearest to each
+ * other as far as its surface lies below its middle there. What holds are pinch and friction;
+ * suction and interlocking (Brown et al. 2010), and the other two sides, would add to it and are
+ * not counted.
  */
 public record Wrap(GripperData bag, Looks.Size size) {
 

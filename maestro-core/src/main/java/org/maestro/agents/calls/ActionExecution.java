@@ -33,8 +33,8 @@ import org.maestro.sl.Content;
 import org.maestro.sl.Term;
 
 /**
- * What a generic agent's member is asked to do: calls over the bus, turned into messages to who
- * asked. Agent thread only.
+ * The requests to a generic agent's member to act: carried out as calls over the bus, and reported
+ * in messages to who asked. Agent thread only.
  */
 public final class ActionExecution {
   private static final int MOST_RECENT = 256;

@@ -6,9 +6,9 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * What an agent that moves takes along of its calls: the ways in which its members were called, and
- * the calls it has begun, so that what was ordered while it moved is done, and nothing twice. Agent
- * thread only.
+ * The record of calls that an agent takes along when it moves: the ways in which its members were
+ * called, and the calls it has begun, so that what was ordered while it moved is done, and nothing
+ * twice. Agent thread only.
  */
 public final class FormerCalls implements Serializable {
   private static final long serialVersionUID = 1L;

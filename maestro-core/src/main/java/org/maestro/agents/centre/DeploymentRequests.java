@@ -9,8 +9,8 @@ import org.maestro.sl.Content;
 import org.maestro.sl.SlSyntaxException;
 
 /**
- * What others want of the central agent about agents and containers: it hands that to the
- * supervisor, and the answer back. Agent thread only.
+ * The requests of others to the central agent about agents and containers: it hands them to the
+ * supervisor, and the answers back. Agent thread only.
  */
 public final class DeploymentRequests {
   private static final Duration LONGEST = Duration.ofMinutes(2);

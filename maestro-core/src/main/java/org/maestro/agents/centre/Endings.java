@@ -13,7 +13,7 @@ import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 
 /**
- * How goals ended, for those who stated them and for whoever asks, before or afterwards. Agent
+ * The ends of goals, for those who stated them and for whoever asks, before or afterwards. Agent
  * thread only.
  */
 final class Endings {

@@ -28,8 +28,8 @@ import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
 
 /**
- * What others want of the central agent about goals: to take one on, to tell its end, to cancel
- * one, to explain one, to list them. Agent thread only.
+ * The requests of others to the central agent about goals: to take one on, to tell its end, to
+ * cancel one, to explain one, to list them. Agent thread only.
  */
 public final class GoalRequests {
   private final MaestroAgent agent;

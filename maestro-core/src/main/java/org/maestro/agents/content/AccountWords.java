@@ -8,7 +8,7 @@ import org.maestro.knowledge.api.Moment;
 import org.maestro.knowledge.api.StepAccount;
 import org.maestro.sl.Content;
 
-/** How agents tell each other what a member said of itself, and when by its own order. */
+/** The message format of accounts: what a member said of itself, and when by its own order. */
 public final class AccountWords {
   private AccountWords() {}
 

@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What is asked for by {@code add}.
+ * A request to add devices, made by {@code add}.
  *
  * @param description of one device or several, as Turtle or JSON-LD
  * @param source how faults call the description, such as a file's name

@@ -3,7 +3,7 @@ package org.maestro.agents.content;
 import jade.lang.acl.ACLMessage;
 import java.util.Optional;
 
-/** Whether a message is one that an agent of MAESTRO can read at all. */
+/** The check whether a message is one that an agent of MAESTRO can read at all. */
 public final class Admission {
   /** Far more than any device's description has; JADE itself knows no bound. */
   static final int MOST_CHARACTERS = 256 * 1024;

@@ -12,7 +12,8 @@ import org.maestro.sl.Content;
 import org.maestro.sl.Content.Argument;
 
 /**
- * What is believed, by whom, since when and how surely, as content of messages. Ages in seconds.
+ * Beliefs as content of messages: what is believed, by whom, since when and how surely. Ages in
+ * seconds.
  */
 public final class BeliefWords {
   private static final double MILLIS_PER_SECOND = 1_000;

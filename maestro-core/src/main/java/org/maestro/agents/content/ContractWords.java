@@ -4,9 +4,9 @@ import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.api.Takeover;
 
 /**
- * What an agent tells the holder of a contract while its member is at it: {@code (inform (:member
- * rose) (:feature pick) (:goal G1) (:offer tim) (:cost 4) (:seconds 4))}, or that it comes back by
- * {@code (:release "...")}, or that it is at it still by {@code (:alive true)}.
+ * The messages that keep the holder of a contract informed while an agent's member is at it: {@code
+ * (inform (:member rose) (:feature pick) (:goal G1) (:offer tim) (:cost 4) (:seconds 4))}, or that
+ * it comes back by {@code (:release "...")}, or that it is at it still by {@code (:alive true)}.
  */
 public final class ContractWords {
 

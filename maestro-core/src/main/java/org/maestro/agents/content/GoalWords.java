@@ -13,7 +13,7 @@ import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
-/** How goals are asked for and listed in messages. */
+/** Goals in messages: how they are asked for and listed. */
 public final class GoalWords {
   private GoalWords() {}
 

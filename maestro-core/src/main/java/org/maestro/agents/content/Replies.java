@@ -7,7 +7,7 @@ import java.time.Duration;
 import java.util.Optional;
 import org.maestro.sl.SlSyntaxException;
 
-/** What replies have in common, whoever sent them. */
+/** Properties that all replies have in common, whoever sent them. */
 public final class Replies {
   private static final int MOST_CHARACTERS = 160;
   private static final String PLATFORM_PREFIX = "ams@";

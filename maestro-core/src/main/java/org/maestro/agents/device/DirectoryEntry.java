@@ -11,8 +11,8 @@ import org.maestro.agents.runtime.YellowPages;
 import org.maestro.ontology.home.Device;
 
 /**
- * Whether a generic agent has its entry in the yellow pages, and how it gets it; it takes along
- * that it has one when it moves. Agent thread only.
+ * A generic agent's entry in the yellow pages: whether it has one, and how it gets it; it takes
+ * along that it has one when it moves. Agent thread only.
  */
 public final class DirectoryEntry implements Serializable {
   private static final long serialVersionUID = 1L;

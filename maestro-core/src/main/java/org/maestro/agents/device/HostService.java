@@ -22,7 +22,7 @@ public final class HostService extends BaseService {
 
   private Host host = new Host();
 
-  /** How an agent reaches its container's host. */
+  /** The service helper by which an agent reaches its container's host. */
   public interface Access extends ServiceHelper {
     Host host();
   }

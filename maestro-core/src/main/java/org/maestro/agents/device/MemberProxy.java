@@ -27,7 +27,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What a generic agent is for one of its members: it hears what the member tells, makes it known,
+ * The proxy of one member within its generic agent: it hears what the member tells, makes it known,
  * and has it do what is ordered. Agent thread only.
  */
 public final class MemberProxy implements MemberNews.Listener {

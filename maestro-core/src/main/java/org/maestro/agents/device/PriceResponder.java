@@ -46,7 +46,7 @@ public final class PriceResponder {
   private int unnamed;
   private int offers;
 
-  /** Who may ask for what. */
+  /** The access policy: who may ask for what. */
   public interface Access {
     /** Everybody for everything. */
     Access OPEN = (message, words, feature) -> Optional.empty();

@@ -15,8 +15,8 @@ import org.maestro.ontology.home.Permission;
 import org.maestro.sl.Content;
 
 /**
- * Who may ask a generic agent for what, as the knowledge agent told it: {@code (:permissions
- * (:permission (:caller "tablet") (:permits "dim")) ...)}.
+ * The access rights at a generic agent, as the knowledge agent told them (who may ask for what):
+ * {@code (:permissions (:permission (:caller "tablet") (:permits "dim")) ...)}.
  *
  * @param known false until it was told
  * @param permissions that speak of the agent's device; empty: no list is stated, all is allowed

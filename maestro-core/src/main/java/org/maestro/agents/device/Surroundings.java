@@ -12,8 +12,8 @@ import org.maestro.ontology.home.Device;
 import org.maestro.rats.link.RatsLink;
 
 /**
- * What a container gives to the generic agents that live in it: whatever else they are, travels
- * with them.
+ * The environment that a container gives to the generic agents that live in it: whatever else they
+ * are, travels with them.
  *
  * @param describedBy reads a description (first argument) of a member (second); throws a
  *     RuntimeException with one sentence when it is faulty

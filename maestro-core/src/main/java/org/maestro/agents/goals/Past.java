@@ -10,7 +10,7 @@ import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.StoryEntry;
 
 /**
- * What a coordinator goes on from.
+ * The history from which a coordinator goes on.
  *
  * @param journal where it writes down what it does; its actions may run on any thread
  * @param recovery what was found there

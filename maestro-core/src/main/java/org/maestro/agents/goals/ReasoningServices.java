@@ -5,7 +5,7 @@ import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.planning.api.Planner;
 
 /**
- * What an agent needs to pursue goals itself.
+ * The services that an agent needs to pursue goals itself.
  *
  * @param decisionTime simulated time that a decision takes; zero on a paced clock
  */

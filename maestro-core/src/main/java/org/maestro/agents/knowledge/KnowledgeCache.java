@@ -17,10 +17,10 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.SlSyntaxException;
 
 /**
- * What an agent in another process reads of the collective knowledge. A question is asked of the
- * knowledge agent once, as a subscription; from then on it is answered here, and stays right, as
- * each change is told. Of many questions those read last are kept, the others' subscriptions are
- * cancelled. Agent thread only.
+ * A cache of the answers that an agent in another process reads of the collective knowledge. A
+ * question is asked of the knowledge agent once, as a subscription; from then on it is answered
+ * here, and stays right, as each change is told. Of many questions those read last are kept, the
+ * others' subscriptions are cancelled. Agent thread only.
  */
 public final class KnowledgeCache {
   private final MaestroAgent agent;

@@ -17,8 +17,9 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * Who wants to be told when the answer to a question changes: passive communication through what is
- * known (Three-layered architecture, 2; M15). The agent's thread only, but for {@link #isEmpty}.
+ * The subscriptions of those who want to be told when the answer to a question changes: passive
+ * communication through what is known (Three-layered architecture, 2; M15). The agent's thread
+ * only, but for {@link #isEmpty}.
  */
 public final class KnowledgeSubscriptions {
 
@@ -26,7 +27,7 @@ public final class KnowledgeSubscriptions {
   private final List<Subscription> subscriptions = new ArrayList<>();
   private volatile boolean empty = true;
 
-  /** What somebody asks for, and what was answered last. */
+  /** A question to which somebody has subscribed, and what was answered last. */
   private static final class Subscription {
     private final ACLMessage request;
     private final Formula formula;

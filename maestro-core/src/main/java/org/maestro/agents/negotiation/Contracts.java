@@ -8,16 +8,16 @@ import java.util.TreeMap;
 import java.util.function.Consumer;
 
 /**
- * What agents have promised for the goals of one coordinator. A part of a plan is awarded, then
- * held or broken; orders wait until it is known which. Who broke two contracts of a goal in a row
- * is not asked again for it. Agent thread only.
+ * The promises of agents for the goals of one coordinator (contract net). A part of a plan is
+ * awarded, then held or broken; orders wait until it is known which. Who broke two contracts of a
+ * goal in a row is not asked again for it. Agent thread only.
  */
 public final class Contracts {
   private static final int CHANCES = 2;
 
   private final Map<String, Map<String, Standing>> standingsByGoal = new TreeMap<>();
 
-  /** How a member stands with a goal. */
+  /** The standing of a member with a goal: its latest contract, and those it broke. */
   private static final class Standing {
     private Optional<Contract> latest = Optional.empty();
     private int broken;

@@ -9,8 +9,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 
 /**
- * Whether the agents of one container do their work: each is given something to do now and then,
- * and has to have done it. Any thread may call.
+ * A watchdog over the agents of one container: each is given something to do now and then, and has
+ * to have done it. Any thread may call.
  */
 final class Census {
   /** Ten thousand agents are not woken all at once. */

@@ -1,6 +1,6 @@
 package org.maestro.agents.pulse;
 
-/** What is known of somebody who should give signs of life. */
+/** The condition of somebody who should give signs of life, as far as it is known. */
 public enum Condition {
   ALIVE,
   /** Silent for longer than usual: nothing is asked of it. */

@@ -3,7 +3,8 @@ package org.maestro.agents.pulse;
 import java.time.Duration;
 
 /**
- * How often signs of life are given, and what silence means. Wall time, however fast the clock.
+ * The timing of heartbeats: how often signs of life are given, and what silence means. Wall time,
+ * however fast the clock.
  *
  * @param period between two signs of life
  * @param suspectedAfter so much silence nothing is asked of whoever is silent

@@ -7,8 +7,8 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * Who of several is alive, by their last signs of life. Times are wall time since some start. Any
- * thread may call.
+ * A failure detector: who of several is alive, by their last signs of life. Times are wall time
+ * since some start. Any thread may call.
  *
  * <p>When the signs of life of half of them or more come late, what they share is slow: the
  * network, or who listens. Then all have more time, within bounds; that all fall silent at once

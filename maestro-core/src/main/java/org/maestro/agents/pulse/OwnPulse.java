@@ -17,7 +17,7 @@ import org.slf4j.LoggerFactory;
 final class OwnPulse {
   private static final Logger LOG = LoggerFactory.getLogger(OwnPulse.class);
 
-  /** How a sign of life gets to the main container, and what it says of this one. */
+  /** The way of a sign of life to the main container, and what it says of this one. */
   interface Road {
     String beat(String beat) throws IMTPException, ServiceException;
 

@@ -3,7 +3,7 @@ package org.maestro.agents.pulse;
 import jade.core.IMTPException;
 import jade.core.Service;
 
-/** What the services of containers ask of each other. */
+/** The requests of the pulse services of containers to each other. */
 public interface PulseSlice extends Service.Slice {
 
   String BEAT = "beat";

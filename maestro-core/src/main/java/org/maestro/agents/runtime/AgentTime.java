@@ -6,7 +6,7 @@ import org.maestro.agents.stepping.SteppedMail;
 import org.maestro.rats.time.Clock;
 
 /**
- * How the agents of one platform live in time.
+ * The time in which the agents of one platform live: their clock, and how long they wait.
  *
  * @param mail what carries their messages on a stepped clock; empty on a paced one, where JADE does
  */

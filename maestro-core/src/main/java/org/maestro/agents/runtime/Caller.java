@@ -6,7 +6,7 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * Who asks an agent for something.
+ * The agent that asks another for something, and its user.
  *
  * @param agent its local name
  * @param user in whose process it lives, where the site is secured and that was proven

@@ -7,7 +7,7 @@ import java.util.function.BooleanSupplier;
 import org.maestro.agents.stepping.IdleDetector;
 import org.maestro.agents.stepping.WorkTickets;
 
-/** What an agent works with in one container; it gets another when it moves. */
+/** The working parts of an agent in one container; it gets others when it moves. */
 final class Equipment {
   final AgentTime time;
   final WorkTickets tickets;

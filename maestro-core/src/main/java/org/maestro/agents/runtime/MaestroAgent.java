@@ -34,9 +34,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What all MAESTRO agents have in common: messages in MAESTRO-SL, conversations that end, and work
- * handed over from other threads. Behaviours never block. {@link #tell} may be called by any
- * thread, everything else by the agent's own.
+ * The base of all MAESTRO agents: messages in MAESTRO-SL, conversations that end, and work handed
+ * over from other threads. Behaviours never block. {@link #tell} may be called by any thread,
+ * everything else by the agent's own.
  */
 public abstract class MaestroAgent extends Agent {
   private static final long serialVersionUID = 1L;

@@ -3,9 +3,9 @@ package org.maestro.agents.runtime;
 import java.time.Duration;
 
 /**
- * How long the agents of a platform wait for each other: no wait is without an end. Wall time on a
- * paced clock, however fast, as messages do not travel faster on it; simulated time on a stepped
- * one. An agent that never answers costs a goal no more than this.
+ * The timeouts of the agents of a platform that wait for each other: no wait is without an end.
+ * Wall time on a paced clock, however fast, as messages do not travel faster on it; simulated time
+ * on a stepped one. An agent that never answers costs a goal no more than this.
  *
  * @param bid from a call for proposals to the last answer that counts; the round closes earlier
  *     when all have answered

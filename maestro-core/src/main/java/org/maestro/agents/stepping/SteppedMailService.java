@@ -22,7 +22,7 @@ public final class SteppedMailService extends BaseService {
   private final Map<String, SteppedMail> mailBySender = new ConcurrentHashMap<>();
   private final Filter outgoing = new Outgoing();
 
-  /** How an agent reaches the service. */
+  /** The service helper by which an agent registers with the service. */
   public interface Registration extends ServiceHelper {
     /** From now on, what this agent sends goes by the given mail. */
     void register(Agent agent, SteppedMail mail);

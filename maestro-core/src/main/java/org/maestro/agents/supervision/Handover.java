@@ -4,7 +4,7 @@ import org.maestro.agents.content.Words;
 import org.maestro.sl.Content;
 
 /**
- * What a joining container is told of the bus, and of what is said there.
+ * The bus that a joining container is told of, and the words that are used there.
  *
  * @param words what the home adds to the shipped vocabulary, as Turtle; empty when it adds nothing
  */

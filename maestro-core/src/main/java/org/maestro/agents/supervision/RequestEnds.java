@@ -8,7 +8,7 @@ import org.maestro.deployment.DeploymentException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** How a request to the supervisor ends. Agent thread only. */
+/** The end of a request to the supervisor: done, or failed. Agent thread only. */
 public final class RequestEnds {
   private static final Logger LOG = LoggerFactory.getLogger(RequestEnds.class);
 

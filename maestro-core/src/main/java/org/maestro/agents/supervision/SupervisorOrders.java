@@ -15,8 +15,8 @@ import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.deployment.AgentStart;
 
 /**
- * What other agents are told and asked for the supervisor: hosts to start agents and to let names
- * go, and whoever counts on a member that it is gone. Any thread may call.
+ * The orders and news to other agents for the supervisor: hosts are asked to start agents and to
+ * let names go, and whoever counts on a member is told that it is gone. Any thread may call.
  */
 public final class SupervisorOrders {
   private static final Duration HOST_WITHIN = Duration.ofSeconds(10);

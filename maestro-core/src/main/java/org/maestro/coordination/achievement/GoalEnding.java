@@ -19,8 +19,8 @@ import org.maestro.planning.api.PlanningResult;
 import org.maestro.sl.Term;
 
 /**
- * How one goal comes to its end: reached and seen, reached as far as is known, or given up with the
- * reasons. The coordinator's thread only.
+ * The end of one goal: reached and seen, reached as far as is known, or given up with the reasons.
+ * The coordinator's thread only.
  */
 final class GoalEnding {
   /** A way that is blocked now is no proof; nobody knows for how long. */

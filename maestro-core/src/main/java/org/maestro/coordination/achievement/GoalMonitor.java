@@ -46,7 +46,7 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
-/** What is known now, as it looks to one goal: whether it holds, and whether steps lead to it. */
+/** The known present as it looks to one goal: whether it holds, and whether steps lead to it. */
 final class GoalMonitor {
   /** Each look in vain takes one; more looks than places and things together are of no use. */
   private static final int MOST_FINDING_OUT = 20;

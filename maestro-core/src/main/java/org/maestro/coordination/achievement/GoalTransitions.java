@@ -8,7 +8,7 @@ import org.maestro.coordination.api.ContractNet;
 import org.maestro.planning.api.Plan;
 import org.maestro.sl.Term;
 
-/** What comes next for a goal, as those who work at its parts ask for it. */
+/** The transitions of a goal, as those who work at its parts ask for them. */
 interface GoalTransitions {
 
   /**

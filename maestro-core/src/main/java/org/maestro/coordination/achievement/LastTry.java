@@ -12,11 +12,11 @@ import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.planning.api.StepKey;
 
 /**
- * What is left to be tried when there seems to be no plan. A step that failed, or for which its
- * member named no price, may be possible a moment later: what stands in a way drives on. So nothing
- * is given up because of such a step before it was waited for a while and tried once more; where
- * only a price was declined, twice, the second time after a longer while. The coordinator's thread
- * only.
+ * The retries that are left to a goal when there seems to be no plan. A step that failed, or for
+ * which its member named no price, may be possible a moment later: what stands in a way drives on.
+ * So nothing is given up because of such a step before it was waited for a while and tried once
+ * more; where only a price was declined, twice, the second time after a longer while. The
+ * coordinator's thread only.
  */
 final class LastTry {
   /** In this time a robot has left a doorway. */

@@ -11,8 +11,8 @@ import org.maestro.coordination.story.GoalLife;
 import org.maestro.coordination.story.GoalStory;
 
 /**
- * What those share who work at one goal: who plans for it, who follows its plan, and who ends it.
- * The coordinator's thread only.
+ * The parts shared by those who work at one goal: who plans for it, who follows its plan, and who
+ * ends it. The coordinator's thread only.
  */
 record PursuitParts(
     Ports ports,

@@ -11,9 +11,9 @@ import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Term;
 
 /**
- * What members said when asked for exact prices, kept until the member's own state changes. Silence
- * is no refusal: it counts for five times as long as was waited in vain, so that a silent member
- * costs no goal more than a sixth of its time, and then the member is asked again.
+ * The answers of members that were asked for exact prices, kept until the member's own state
+ * changes. Silence is no refusal: it counts for five times as long as was waited in vain, so that a
+ * silent member costs no goal more than a sixth of its time, and then the member is asked again.
  */
 public final class ExactPrices {
   private static final int TIMES_THE_WAIT = 5;

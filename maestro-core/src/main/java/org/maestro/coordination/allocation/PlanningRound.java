@@ -53,8 +53,8 @@ import org.slf4j.LoggerFactory;
 public final class PlanningRound {
 
   /**
-   * What to plan for: in a confirming round, the goal is extended by what has to be seen; in a
-   * round that finds out, to have seen what decides it will do.
+   * The goal of the round, as it is planned for: in a confirming round, it is extended by what has
+   * to be seen; in a round that finds out, to have seen what decides it will do.
    */
   public record Subject(
       String goalId, Formula goal, Optional<Confirmation> confirmation, boolean findingOut) {
@@ -84,7 +84,7 @@ public final class PlanningRound {
   }
 
   /**
-   * How the round ended.
+   * The outcome of the round.
    *
    * @param questions exact prices asked
    * @param unpriced sentences about exact prices that were not given or cannot be, the member's

@@ -16,10 +16,10 @@ import org.maestro.planning.api.Step;
 import org.maestro.planning.api.StepKey;
 
 /**
- * Which offers to take over a running step are worth a plan (Three-layered architecture, 3.2.1;
- * M43). Whoever is expected to be done for less than what is offered keeps its step without much
- * ado; the number of offers for one step is bounded, so that nobody is kept from working by being
- * offered help. The coordinator's thread only.
+ * The choice of those offers to take over a running step that are worth a plan (Three-layered
+ * architecture, 3.2.1; M43). Whoever is expected to be done for less than what is offered keeps its
+ * step without much ado; the number of offers for one step is bounded, so that nobody is kept from
+ * working by being offered help. The coordinator's thread only.
  */
 public final class TakeoverOffers {
   private static final int MOST_FOR_A_STEP = 3;

@@ -104,7 +104,7 @@ public interface ActionDispatcher {
     }
   }
 
-  /** How long the same step would be refused again. */
+  /** The duration of a refusal: how long the same step would be refused again. */
   enum Refusal {
     /** As long as the facts are as they are that the step relies on. */
     AS_THINGS_ARE,
@@ -113,7 +113,7 @@ public interface ActionDispatcher {
   }
 
   /**
-   * How a step ended; for a continuous feature, that it is established.
+   * The result of a step; for a continuous feature, that it is established.
    *
    * @param outputs empty unless it succeeded
    * @param problem one sentence unless it succeeded

@@ -5,7 +5,7 @@ import java.util.Map;
 import org.maestro.sl.Formula;
 
 /**
- * What a contract-net round asks.
+ * A call for proposals: the question of a contract-net round.
  *
  * @param features names of the features in question, by member
  */

@@ -1,7 +1,7 @@
 package org.maestro.coordination.api;
 
 /**
- * What a goal took so far.
+ * The effort that a goal took so far.
  *
  * @param plans made, those to have it seen among them
  * @param confirmingPlans made to have it seen

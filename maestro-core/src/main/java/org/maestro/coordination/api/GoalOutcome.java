@@ -6,7 +6,7 @@ import java.util.Map;
 import org.maestro.sl.Term;
 
 /**
- * How a goal ended.
+ * The end of a goal: in which state, for which reasons, and after which effort.
  *
  * @param confirmed a witness has seen it; false when only its doer says so, or nobody can look
  *     again

@@ -5,8 +5,8 @@ import java.util.Comparator;
 import java.util.Optional;
 
 /**
- * Who goes first where not all can: the higher priority, then the earlier deadline, then who asked
- * first. The first of all is the least.
+ * The precedence of a goal where not all can go first: the higher priority, then the earlier
+ * deadline, then who asked first. The first of all is the least.
  *
  * @param number counts up with each goal
  */

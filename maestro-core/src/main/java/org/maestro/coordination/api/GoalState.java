@@ -1,6 +1,6 @@
 package org.maestro.coordination.api;
 
-/** Where a goal stands. */
+/** The state of a goal in its life cycle. */
 public enum GoalState {
   SUBMITTED,
   PLANNING,

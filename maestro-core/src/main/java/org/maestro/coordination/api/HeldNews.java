@@ -3,7 +3,7 @@ package org.maestro.coordination.api;
 import java.util.List;
 
 /**
- * What the requester of a held goal is told while the goal lives.
+ * News of a held goal, told to its requester while the goal lives.
  *
  * @param confirmed it is so, and that does not rest on the word of those alone who did it
  * @param reasons why it is not so and cannot be made so, in sentences; empty unless that is known
@@ -14,7 +14,7 @@ public record HeldNews(String goalId, Kind kind, boolean confirmed, List<String>
     reasons = List.copyOf(reasons);
   }
 
-  /** What happened. */
+  /** The change of which the news tells. */
   public enum Kind {
     /** It is so for the first time. */
     HELD,

@@ -3,7 +3,7 @@ package org.maestro.coordination.api;
 import java.util.function.Consumer;
 
 /**
- * Where the life of goals is written down, so that another coordinator can go on with them after
+ * A write-ahead log of the life of goals, so that another coordinator can go on with them after
  * this one's death. Called on the coordinator's thread; nothing blocks.
  *
  * <p>The order of things is what makes a step happen once: a call is written down before it is

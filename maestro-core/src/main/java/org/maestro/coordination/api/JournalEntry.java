@@ -10,7 +10,7 @@ import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 
-/** What a {@link Journal} is told. */
+/** An event of which a {@link Journal} is told. */
 public sealed interface JournalEntry {
 
   /** An entry about one goal. */

@@ -10,8 +10,8 @@ import java.util.Set;
 import java.util.function.ToLongFunction;
 
 /**
- * What is kept of goals that are over: the latest, as many as fit into so many bytes of memory. Not
- * safe for use by several threads.
+ * A bounded memory of goals that are over: the latest, as many as fit into so many bytes. Not safe
+ * for use by several threads.
  */
 public final class Latest<V> {
   private final long mostBytes;

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What the coordinators before this one have left, in times of this one's clock (which are below
+ * The legacy of the coordinators before this one, in times of this one's clock (which are below
  * zero for what was before its start).
  *
  * @param lastGoalNumber the highest that a goal's id has had
@@ -74,7 +74,7 @@ public record Recovery(
       List<UnfinishedCall> calls) {}
 
   /**
-   * What a goal has learnt on its way.
+   * The lessons that a goal has learnt on its way.
    *
    * @param everHeld a held goal was so once
    * @param failures one for each step that failed

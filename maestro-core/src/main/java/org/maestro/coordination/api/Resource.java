@@ -14,7 +14,7 @@ public record Resource(Kind kind, String owner, String part) implements Comparab
           .thenComparing(Resource::owner)
           .thenComparing(Resource::part);
 
-  /** What kind of thing it is. */
+  /** The kind of thing that a resource is. */
   public enum Kind {
     /** A part of a member, had by one goal from the first step that uses it to the last. */
     COMPONENT,

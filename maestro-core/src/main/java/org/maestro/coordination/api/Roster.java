@@ -8,9 +8,9 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 
 /**
- * Which members have an agent that can be asked, and why the others cannot. One in doubt is there
- * as far as anybody knows, and is not counted on until that is certain. Owned by the coordinator's
- * thread.
+ * The members whose agent can be asked, and the reasons why the others cannot. One in doubt is
+ * there as far as anybody knows, and is not counted on until that is certain. Owned by the
+ * coordinator's thread.
  */
 public final class Roster {
   private final SortedMap<String, Optional<String>> absenceByMember = new TreeMap<>();

@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 import org.maestro.planning.api.PlanningResult.Obstacle;
 
 /**
- * What became of a search that found nothing: everywhere it was looked, and where not, and why.
+ * The record of a search that found nothing: everywhere it was looked, and where not, and why.
  *
  * @param predicate the functional predicate whose value was sought, such as {@code in}
  * @param thing what was sought

@@ -11,9 +11,9 @@ import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.Step;
 
 /**
- * Which steps of a plan may start. A step waits for those before it. As plans hope that sensing
- * finds what is sought, a step that no sensing needs also waits until all sensing is done that does
- * not need it: nobody drives off before it is known that it is worth it.
+ * The order in which the steps of a plan may start. A step waits for those before it. As plans hope
+ * that sensing finds what is sought, a step that no sensing needs also waits until all sensing is
+ * done that does not need it: nobody drives off before it is known that it is worth it.
  */
 final class ExecutionOrder {
   private final Plan plan;

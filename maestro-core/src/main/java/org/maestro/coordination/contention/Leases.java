@@ -21,9 +21,10 @@ import org.maestro.coordination.api.Resource;
 import org.maestro.coordination.api.WaitsFor;
 
 /**
- * Who has what, and who waits for what. A goal keeps components of members over many steps, and
- * gets all that it asks for at once or nothing, so that goals that have nothing yet never wait for
- * each other in a circle. A step has what it uses, and the individuals it claims, while it runs.
+ * The mutual exclusion of goals and of steps: who has what, and who waits for what. A goal keeps
+ * components of members over many steps, and gets all that it asks for at once or nothing, so that
+ * goals that have nothing yet never wait for each other in a circle. A step has what it uses, and
+ * the individuals it claims, while it runs.
  */
 public final class Leases {
   private final Map<String, GoalPriority> standings = new LinkedHashMap<>();

@@ -10,10 +10,10 @@ import java.util.function.Consumer;
 import org.maestro.rats.time.Clock;
 
 /**
- * When many goals are stated at once, all of them get a plan before the first step of any is begun:
- * steps take processors from planning, and change what the plans of the others count on, which are
- * then made in vain. It lasts until all are planned, and a few seconds at most; then it is over
- * until there was a moment without goals to be planned. The coordinator's thread only.
+ * A burst of goals that are stated at once: all of them get a plan before the first step of any is
+ * begun, as steps take processors from planning, and change what the plans of the others count on,
+ * which are then made in vain. It lasts until all are planned, and a few seconds at most; then it
+ * is over until there was a moment without goals to be planned. The coordinator's thread only.
  */
 public final class Rush {
   /** So many goals without a plan are common where several people share a home. */

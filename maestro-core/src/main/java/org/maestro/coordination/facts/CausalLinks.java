@@ -15,8 +15,9 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * What has to stay so for a goal: conditions of steps that it has yet to do or is doing, and those
- * parts of the goal that it has brought about already. Only what is so now counts.
+ * The protected conditions of a goal, which have to stay so: those of steps that it has yet to do
+ * or is doing, and those parts of the goal that it has brought about already. Only what is so now
+ * counts.
  */
 public final class CausalLinks {
   private final Vocabulary vocabulary;

@@ -26,12 +26,12 @@ import org.maestro.sl.Term;
 import org.maestro.sl.TypedVariable;
 
 /**
- * What still has to be seen or measured before a goal may be called reached: the things of those
- * goal atoms that are only expected, though an observation of positions could decide them, the
- * numbers that are only reckoned, and what was observed so long ago that somebody may have changed
- * it since. For planning, "seen" and "measured" are synthetic predicates that every sensing of the
- * thing or number brings about, and "touched" is what becomes of a thing of which a step changes
- * what could be seen: nothing is carried about only to be seen.
+ * The observations that are still needed before a goal may be called reached: of the things of
+ * those goal atoms that are only expected, though an observation of positions could decide them, of
+ * the numbers that are only reckoned, and of what was observed so long ago that somebody may have
+ * changed it since. For planning, "seen" and "measured" are synthetic predicates that every sensing
+ * of the thing or number brings about, and "touched" is what becomes of a thing of which a step
+ * changes what could be seen: nothing is carried about only to be seen.
  */
 public final class Confirmation {
   private static final String SEEN = "seen%";

@@ -22,8 +22,8 @@ import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 
 /**
- * Which facts a goal and its plan depend on, so that a change wakes only those whom it concerns. A
- * fact is told by its name and the first of its arguments that is no variable, {@code (canSee
+ * The facts that a goal and its plan depend on, so that a change wakes only those whom it concerns.
+ * A fact is told by its name and the first of its arguments that is no variable, {@code (canSee
  * ?agent Cup)} by the cup; one of variables alone stands for any. The value of a functional
  * predicate tells no fact: it is what changes. A change is told by all of its arguments.
  */

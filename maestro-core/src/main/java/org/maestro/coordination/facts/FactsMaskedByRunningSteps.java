@@ -25,7 +25,7 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * What is known, with what steps under way are changing as it was when these steps began. While a
+ * The known facts, with what steps under way are changing as it was when these steps began. While a
  * robot grasps a cup, a camera loses sight of it: that is the step at work, not news. The step's
  * own report will say how it ended.
  */
@@ -51,7 +51,7 @@ public final class FactsMaskedByRunningSteps implements Facts {
   }
 
   /**
-   * What a step is just changing, and what was known before.
+   * The subjects that a step is just changing, and what was known before.
    *
    * @param spokenOf the subjects as changes tell them
    */

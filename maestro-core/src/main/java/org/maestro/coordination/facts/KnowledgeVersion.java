@@ -3,8 +3,8 @@ package org.maestro.coordination.facts;
 import org.maestro.knowledge.api.KnowledgeBase;
 
 /**
- * What was known when a plan was looked at or begun. Changes are told one after the other, and the
- * coordinator may hear of them late: what was in the facts already is no news.
+ * The state of knowledge when a plan was looked at or begun. Changes are told one after the other,
+ * and the coordinator may hear of them late: what was in the facts already is no news.
  *
  * @param version of the knowledge
  * @param facts what it showed, but for what steps were just changing

@@ -29,10 +29,10 @@ import org.maestro.sl.Truth;
 import org.maestro.sl.TypedVariable;
 
 /**
- * What a goal that holds rests on without any witness of late, or though a witness says otherwise:
- * things whose place is only expected, disputed or was seen too long ago, other facts of which only
- * their doer tells, and numbers that are only reckoned, told by who made them, or were measured too
- * long ago. Sources of numbers differ always a little; of these the surer counts.
+ * The grounds of a goal that holds that have no witness of late, or that a witness denies: things
+ * whose place is only expected, disputed or was seen too long ago, other facts of which only their
+ * doer tells, and numbers that are only reckoned, told by who made them, or were measured too long
+ * ago. Sources of numbers differ always a little; of these the surer counts.
  */
 final class OnlyExpected {
   static final String POSITION = "position";

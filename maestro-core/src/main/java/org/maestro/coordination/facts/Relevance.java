@@ -17,9 +17,9 @@ import org.maestro.sl.Effect;
 import org.maestro.sl.Formula;
 
 /**
- * Which features could take part in reaching a goal: those that change what it speaks of, or what a
- * relevant feature's condition speaks of, and so on backwards. Works on names, not on instances: a
- * superset of what any plan needs.
+ * The features that could take part in reaching a goal: those that change what it speaks of, or
+ * what a relevant feature's condition speaks of, and so on backwards. Works on names, not on
+ * instances: a superset of what any plan needs.
  */
 public final class Relevance {
   private final Home home;

@@ -9,7 +9,7 @@ import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
 
-/** Which changes could make another plan necessary, or end a goal. */
+/** The changes that could make another plan necessary, or end a goal. */
 public final class ReplanTriggers {
   private final FactFilter goal;
   private final FactFilter conditions;

@@ -10,7 +10,7 @@ import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Formula;
 
-/** What a feature's effect finds out. */
+/** The sensing in a feature's effect: what it finds out. */
 public final class Sensing {
 
   private Sensing() {}

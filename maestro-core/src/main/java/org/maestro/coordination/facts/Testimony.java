@@ -19,8 +19,8 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * Who has seen or measured what a goal rests on, and who only says so: a step's result and a
- * device's own state are the word of the one that did it, and no witness of it.
+ * The witnesses who have seen or measured what a goal rests on, and those who only say so: a step's
+ * result and a device's own state are the word of the one that did it, and no witness of it.
  */
 final class Testimony {
   private final Snapshot snapshot;

@@ -24,8 +24,8 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * What is known, with what nobody goes on observing as unknown. What a device says of itself, and
- * what stands in the home, needs no observer.
+ * A snapshot of what is known, with what nobody goes on observing as unknown. What a device says of
+ * itself, and what stands in the home, needs no observer.
  */
 public final class WatchedSnapshot implements Snapshot {
   private final Snapshot now;

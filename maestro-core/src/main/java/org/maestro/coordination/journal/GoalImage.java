@@ -14,7 +14,10 @@ import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.journal.JournalImage.Dated;
 import org.maestro.planning.api.StepKey;
 
-/** What a journal's entries about one goal amount to. Not safe for use by several threads. */
+/**
+ * The state to which a journal's entries about one goal amount. Not safe for use by several
+ * threads.
+ */
 final class GoalImage {
   private static final class Call {
     private final Dated begun;

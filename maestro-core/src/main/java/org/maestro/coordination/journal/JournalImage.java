@@ -14,8 +14,8 @@ import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Recovery;
 
 /**
- * What a journal's entries amount to: what somebody who takes over has to know, and no more. Not
- * safe for use by several threads.
+ * The state to which a journal's entries amount: what somebody who takes over has to know, and no
+ * more. Not safe for use by several threads.
  */
 public final class JournalImage {
   /** An entry and the clock's time at which it was written. */

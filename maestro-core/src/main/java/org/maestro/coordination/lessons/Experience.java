@@ -14,7 +14,7 @@ import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 
 /**
- * What steps have shown of members beyond their descriptions, for all goals of a coordinator:
+ * The lessons of steps about members, beyond their descriptions and for all goals of a coordinator:
  * features of which the results teach nothing again and again, and conditions that members insist
  * on. Forgotten when the member describes itself anew. The coordinator's thread only.
  */

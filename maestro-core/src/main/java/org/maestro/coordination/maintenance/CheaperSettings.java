@@ -58,7 +58,7 @@ final class CheaperSettings {
   }
 
   /**
-   * What would be cheaper.
+   * Settings that would be cheaper.
    *
    * @param goal that these settings be as they would be in the cheaper plan, and the goal holds
    * @param cost of these settings

@@ -15,7 +15,7 @@ import org.maestro.sl.Truth;
 import org.maestro.sl.TypedVariable;
 
 /**
- * What a held goal wants to be so.
+ * The condition that a held goal wants to be so.
  *
  * @param body what is to be reached
  * @param closed the same for any values of its free variables

@@ -13,7 +13,7 @@ import org.maestro.coordination.story.Decisions;
 import org.maestro.sl.Formula;
 
 /**
- * What is done for a held goal now, if anything is: a pursuit of its own that ends, so that the
+ * The work that is done for a held goal now, if any is: a pursuit of its own that ends, so that the
  * goal keeps nothing from others while it holds. Either the goal is brought about, or its settings
  * are made anew while it holds. The coordinator's thread only.
  */

@@ -9,7 +9,10 @@ import org.maestro.coordination.story.GoalPhase;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Formula;
 
-/** Whether a goal holds, and what is told when that changes. The coordinator's thread only. */
+/**
+ * The monitor of a held goal: whether it holds, and what is told when that changes. The
+ * coordinator's thread only.
+ */
 final class Holding {
   private final Formula condition;
   private final GoalLife life;

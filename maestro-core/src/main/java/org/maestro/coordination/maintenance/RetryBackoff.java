@@ -3,10 +3,10 @@ package org.maestro.coordination.maintenance;
 import java.time.Duration;
 
 /**
- * When a held goal is tried again. What was lost long after it was reached is restored at once, and
- * so are three losses in a row within ten seconds each; after that, and after each attempt that
- * failed, the pauses double, up to a minute. So two held goals that contradict each other do not
- * take turns for ever at full speed.
+ * The backoff after which a held goal is tried again. What was lost long after it was reached is
+ * restored at once, and so are three losses in a row within ten seconds each; after that, and after
+ * each attempt that failed, the pauses double, up to a minute. So two held goals that contradict
+ * each other do not take turns for ever at full speed.
  */
 final class RetryBackoff {
   private static final Duration SOON = Duration.ofSeconds(10);

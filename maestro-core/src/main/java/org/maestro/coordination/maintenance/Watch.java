@@ -40,7 +40,7 @@ final class Watch {
   private @Nullable Home home;
   private Set<String> watchable = Set.of();
 
-  /** What a stream tells of: an atom or fluent by name, of a state variable without its value. */
+  /** The subject of a stream: an atom or fluent by name, of a state variable without its value. */
   private record Subject(String name, List<Term> arguments) {}
 
   private record Stream(Set<Subject> subjects, ActionDispatcher.Handle performance) {}

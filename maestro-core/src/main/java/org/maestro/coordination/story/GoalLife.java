@@ -23,7 +23,7 @@ import org.maestro.rats.time.Clock;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
-/** Where one goal stands and why, what it took so far, and how it ended. */
+/** The state of one goal and the reason for it, what the goal took so far, and how it ended. */
 public final class GoalLife {
   private final String id;
   private final GoalRequest request;

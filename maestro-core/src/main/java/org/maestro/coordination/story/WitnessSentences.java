@@ -11,7 +11,10 @@ import org.maestro.knowledge.api.Belief;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.SlParser;
 
-/** Who has to look before a goal is called reached, who cannot, and who says otherwise. */
+/**
+ * Sentences about witnesses: who has to look before a goal is called reached, who cannot, and who
+ * says otherwise.
+ */
 record WitnessSentences(Vocabulary vocabulary, Instant now) {
 
   /** What is to be seen before. */

@@ -12,7 +12,7 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * What a question is answered, and on whose word.
+ * The answer to a question, and on whose word it rests.
  *
  * @param binding of the question's free variables
  * @param because the beliefs that the answer was drawn from, the oldest first; without what stands

@@ -18,7 +18,7 @@ public record Dispute(Optional<Belief> believed, List<Loser> losers) {
   /** A statement that is not believed, and by which rule. */
   public record Loser(Belief belief, Rule rule) {}
 
-  /** How sources that disagree are settled. Within one source the newer counts. */
+  /** The rule by which a disagreement of sources is settled. Within one source the newer counts. */
   public enum Rule {
     SURER("the surer source counts"),
     LATER("of equally sure sources, what was received later counts"),

@@ -13,10 +13,10 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * Who said what of every state variable, when and how surely; statements that lost are among them.
- * The last statement of each variable is kept. Those before it go when they are older than the kept
- * time, and the oldest of them when there are too many of one variable, or too many bytes of all.
- * Not thread-safe.
+ * The statements on every state variable: who said what, when and how surely; statements that lost
+ * are among them. The last statement of each variable is kept. Those before it go when they are
+ * older than the kept time, and the oldest of them when there are too many of one variable, or too
+ * many bytes of all. Not thread-safe.
  */
 public final class History {
   private static final int BYTES_OF_A_CHARACTER = 2;

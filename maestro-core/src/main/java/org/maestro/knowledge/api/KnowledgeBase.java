@@ -63,7 +63,7 @@ public interface KnowledgeBase extends AutoCloseable {
   void close();
 
   /**
-   * What one write changed.
+   * The changes made by one write.
    *
    * @param facts the new beliefs, and {@code (unknown ...)} for what was lost, in MAESTRO-SL
    * @param expected those of them that nobody has reported: they follow from what a step is for

@@ -1,7 +1,8 @@
 package org.maestro.knowledge.api;
 
 /**
- * What was said cannot be kept or asked. The message says what, by whom, and what would be right.
+ * A statement that cannot be kept, or a question that cannot be asked. The message says what, by
+ * whom, and what would be right.
  */
 public final class KnowledgeException extends IllegalArgumentException {
 

@@ -5,7 +5,7 @@ import java.time.Duration;
 import java.util.Optional;
 
 /**
- * How much of the past is kept.
+ * The retention of the past: how much of it is kept, and where.
  *
  * @param kept how long statements are kept; what is known now is kept however old it is
  * @param mostOfEach statements kept of one state variable, so that a stream of positions cannot

@@ -11,7 +11,8 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
 /**
- * What is known at one moment. Immutable; any thread may read it. Too-old facts are unknown in it.
+ * The collective knowledge at one moment. Immutable; any thread may read it. Too-old facts are
+ * unknown in it.
  */
 public interface Snapshot extends Facts {
 

@@ -1,7 +1,7 @@
 package org.maestro.knowledge.api;
 
 /**
- * Where a fact comes from.
+ * The provenance of a fact.
  *
  * @param agent who said or did it: a member's id, {@code home} or {@code user}
  */

@@ -5,8 +5,8 @@ import java.util.List;
 import org.maestro.sl.Term;
 
 /**
- * What has one value at a time: a number, a functional predicate of the arguments before its last,
- * or the truth of any other atom.
+ * A variable that has one value at a time: a number, a functional predicate of the arguments before
+ * its last, or the truth of any other atom.
  */
 public record StateVariable(String predicate, List<Term> arguments) {
   public StateVariable {

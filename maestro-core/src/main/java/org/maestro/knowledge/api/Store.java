@@ -3,7 +3,7 @@ package org.maestro.knowledge.api;
 import java.net.URI;
 import java.nio.file.Path;
 
-/** Where the RDF dataset of the collective knowledge is kept. */
+/** The place where the RDF dataset of the collective knowledge is kept. */
 public sealed interface Store {
 
   /** In this process, and gone with it. */

@@ -23,9 +23,9 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * What would be so if a statement that is not believed were believed, such as one that lost against
- * a surer source's: what it says itself, and what an observation of the place that it names would
- * tell. Immutable.
+ * The facts as they would be if a statement that is not believed were believed, such as one that
+ * lost against a surer source's: what it says itself, and what an observation of the place that it
+ * names would tell. Immutable.
  */
 public final class AsClaimed implements Facts {
   private final Snapshot now;

@@ -11,11 +11,11 @@ import org.maestro.knowledge.api.Source;
 import org.maestro.sl.Term;
 
 /**
- * What is said of one state variable, and what is believed of it. Claims that stand are kept the
- * best first: a surer one before one that came later, which takes its place when the surer ages or
- * is withdrawn. Those that were overruled are kept to be seen, and do not come back, as the world
- * may have moved on since, unless their source goes on saying so. A cell without claims says that
- * what was known, or described in the home, is lost. Immutable.
+ * The claims on one state variable, and what is believed of it. Claims that stand are kept the best
+ * first: a surer one before one that came later, which takes its place when the surer ages or is
+ * withdrawn. Those that were overruled are kept to be seen, and do not come back, as the world may
+ * have moved on since, unless their source goes on saying so. A cell without claims says that what
+ * was known, or described in the home, is lost. Immutable.
  */
 public final class Cell {
 

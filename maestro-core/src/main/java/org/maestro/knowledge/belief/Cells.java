@@ -12,10 +12,10 @@ import org.jspecify.annotations.Nullable;
 import org.maestro.knowledge.api.StateVariable;
 
 /**
- * What is known of all state variables, in the order in which they were first spoken of. Immutable:
- * a change shares all but a few small arrays with what was before, so that neither a write nor a
- * snapshot copies what is known. Numbers of variables are common to all versions and are never
- * given back; there are as many as things that can be said of the home.
+ * A trie of what is known of all state variables, in the order in which they were first spoken of.
+ * Immutable: a change shares all but a few small arrays with what was before, so that neither a
+ * write nor a snapshot copies what is known. Numbers of variables are common to all versions and
+ * are never given back; there are as many as things that can be said of the home.
  */
 public final class Cells {
 
@@ -130,7 +130,7 @@ public final class Cells {
     }
   }
 
-  /** Which number stands for which variable. Readers need not wait for the writer. */
+  /** The numbering of the variables. Readers need not wait for the writer. */
   private static final class Numbers {
     private final Map<StateVariable, Integer> byVariable = new ConcurrentHashMap<>();
     private final List<StateVariable> variables = Collections.synchronizedList(new ArrayList<>());

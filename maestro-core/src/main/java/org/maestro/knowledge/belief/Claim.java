@@ -4,7 +4,7 @@ import org.maestro.knowledge.api.Source;
 import org.maestro.sl.Term;
 
 /**
- * What one source says of a state variable.
+ * A statement of one source about a state variable.
  *
  * @param has whether the variable has the value, or is known not to have it
  */

@@ -17,7 +17,7 @@ import org.maestro.sl.Self;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
-/** How sure sources are, by what their descriptions say. */
+/** The confidence of sources in what they say, by their descriptions. */
 public final class Confidence {
 
   /** How sure a device's observations are; a property of the meta-vocabulary. */

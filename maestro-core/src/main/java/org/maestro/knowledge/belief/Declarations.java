@@ -20,7 +20,7 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
-/** How the home's vocabulary wants predicates to be kept. Immutable. */
+/** The predicates as the home's vocabulary declares them: how each is to be kept. Immutable. */
 public final class Declarations {
 
   /** Where a thing is, as a text; the one predicate that is known without a vocabulary. */
@@ -34,7 +34,7 @@ public final class Declarations {
   private final Home home;
   private final Map<Subject, Optional<Duration>> validities = new ConcurrentHashMap<>();
 
-  /** What a validity depends on. */
+  /** The predicate and the first argument on which a validity depends. */
   private record Subject(String predicate, Optional<Term> first) {}
 
   Declarations(Home home) {

@@ -18,7 +18,8 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
 /**
- * What stands in the home and the descriptions: classes and properties of individuals. Immutable.
+ * The facts that stand in the home and the descriptions: classes and properties of individuals.
+ * Immutable.
  */
 final class Described {
 

@@ -8,7 +8,7 @@ import org.maestro.knowledge.api.Moment;
 import org.maestro.knowledge.api.StateVariable;
 
 /**
- * Which message of a member was the last that told of what, by the member's own order: what was
+ * The last messages in which a member told of each variable, by the member's own order: what was
  * said earlier and comes to be known later is no news. One writer at a time.
  */
 public final class LastWords {

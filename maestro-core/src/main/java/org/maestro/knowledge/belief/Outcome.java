@@ -9,7 +9,7 @@ import org.maestro.knowledge.api.StateVariable;
 import org.maestro.sl.Term;
 
 /**
- * What a write came to: its facts for listeners, the beliefs for the history, and what enters and
+ * The result of a write: its facts for listeners, the beliefs for the history, and what enters and
  * leaves the dataset.
  *
  * @param facts what is, then what is not, then {@code (unknown ...)} for what was lost

@@ -8,7 +8,10 @@ import org.maestro.sl.Self;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
 
-/** What a device tells of itself in each state, by its description, whenever it is so. */
+/**
+ * The reports of a device on itself: what it tells in each state, by its description, whenever it
+ * is so.
+ */
 public record OwnReports(String device, List<Formula.Atom> templates) {
 
   public OwnReports(Device device) {

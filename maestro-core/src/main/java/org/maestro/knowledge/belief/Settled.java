@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.maestro.sl.Term;
 
 /**
- * What is believed of a state variable after its claims were weighed.
+ * The belief about a state variable after its claims were weighed.
  *
  * @param excluded values that it is known not to have
  * @param losers claims that a surer one contradicts

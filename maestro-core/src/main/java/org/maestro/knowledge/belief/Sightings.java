@@ -18,7 +18,7 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 import org.maestro.sl.TypedVariable;
 
-/** What follows from where things were seen, by the predicates' {@code observedWhen}. */
+/** The conclusions from where things were seen, by the predicates' {@code observedWhen}. */
 final class Sightings {
 
   /** State variables first, then by label, so that the order does not hang on names. */

@@ -12,8 +12,8 @@ import org.maestro.ontology.home.Device;
 import org.maestro.sl.Fact;
 
 /**
- * What each device said of itself last. A device tells all its values each time: what it leaves out
- * does not hold any more.
+ * The last statements of each device about itself. A device tells all its values each time: what it
+ * leaves out does not hold any more.
  */
 public final class Statements {
 

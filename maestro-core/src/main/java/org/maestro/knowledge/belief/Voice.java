@@ -4,7 +4,7 @@ import java.util.OptionalDouble;
 import org.maestro.knowledge.api.Source;
 
 /**
- * Who says something, and how sure it is of what it says.
+ * The speaker of a statement, and how sure it is of what it says.
  *
  * @param confidence 0 (worthless) to 1 (certain)
  * @param coveredShare the share of a place's floor, 0 to 1, of which it speaks, where it says so

@@ -30,7 +30,7 @@ import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
-/** What the result of a feature teaches. */
+/** The facts that the result of a feature teaches. */
 public final class Lesson {
 
   /** By which share two readings of the same number may differ: five deviations of 1 %. */
@@ -160,7 +160,7 @@ public final class Lesson {
         && expected.value() < world.declarations().least(equation.fluent().name());
   }
 
-  /** What a sensor, reading while the step ran, shows of the step's share of a number. */
+  /** The reading of a sensor while a step ran: what it shows of the step's share of a number. */
   private enum Meanwhile {
     /** It read before the step had its effect, or not at all. */
     NOTHING,

@@ -27,7 +27,7 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * What a member itself has reported of what its step changes, set against what the effect predicts.
+ * The reports of a member itself on what its step changes, set against what the effect predicts.
  * What it reported after the step stands. What it reported while the step went on stands too,
  * unless it is only what was known before: then the effect was still to come.
  */
@@ -36,7 +36,7 @@ final class OwnWord {
   /** By which share sums may differ that are the same. */
   private static final double ROUNDING = 1e-6;
 
-  /** What to make of a fact that the effect predicts. */
+  /** The verdict on a fact that the effect predicts. */
   enum Verdict {
     /** It is as predicted, as far as the member has said. */
     PREDICTED,

@@ -13,7 +13,7 @@ import org.maestro.sl.FreeVariables;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
-/** Whether the outputs of a result are what the feature's description says that they are. */
+/** The check whether a result's outputs are what the feature's description says that they are. */
 public final class ResultCheck {
   private static final Set<String> WHOLE =
       Set.of("integer", "int", "long", "short", "byte", "nonNegativeInteger", "positiveInteger");

@@ -20,9 +20,9 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * What continuous features let know lasts no longer than the numbers that they need: a camera that
- * had a thing in view does not see it any more when its zone is too dark, whether it says so or
- * not. Where a thing was seen stays known. Guarded by the writer's lock.
+ * The observations of continuous features, which last no longer than the numbers that the features
+ * need: a camera that had a thing in view does not see it any more when its zone is too dark,
+ * whether it says so or not. Where a thing was seen stays known. Guarded by the writer's lock.
  */
 public final class Sights {
   private final Map<StateVariable, Formula> needs = new LinkedHashMap<>();

@@ -7,8 +7,8 @@ import org.apache.jena.graph.Triple;
 import org.apache.jena.sparql.core.Quad;
 
 /**
- * Where the dataset lives: in memory, on disk or behind an endpoint. Thread-safe; each method is
- * one transaction.
+ * The storage of the RDF dataset: in memory, on disk or behind an endpoint. Thread-safe; each
+ * method is one transaction.
  */
 public interface GraphStorage extends AutoCloseable {
   /** Makes the edits, in order. */
@@ -35,7 +35,7 @@ public interface GraphStorage extends AutoCloseable {
     apply(List.of(new Edit.Change(removed, forgotten, added)));
   }
 
-  /** What is written at once. */
+  /** An edit of the dataset, written at once. */
   sealed interface Edit {
     /** Of a statement of three or four terms. */
     long BYTES_OF_A_STATEMENT = 256;

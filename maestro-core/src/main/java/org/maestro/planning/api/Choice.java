@@ -13,7 +13,7 @@ import org.maestro.planning.api.PlanningResult.Obstacle;
 public record Choice(Step step, double cost, List<Other> others) {
 
   /**
-   * What the plan would be with another member.
+   * An alternative: what the plan would be with another member.
    *
    * @param more how much more the plan would cost; empty: with it there is none
    * @param atLeast the price is a lower bound, since nobody asked

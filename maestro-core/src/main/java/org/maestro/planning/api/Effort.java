@@ -1,8 +1,8 @@
 package org.maestro.planning.api;
 
 /**
- * How much the searches for one plan may cost together, counted and not timed, so that the same
- * task has the same plan on any machine. For one thread at a time.
+ * The search budget of one plan: how much the searches for it may cost together, counted and not
+ * timed, so that the same task has the same plan on any machine. For one thread at a time.
  */
 public final class Effort {
   /** Some seconds; a plan that comes later than that helps nobody, however cheap it is. */
@@ -11,7 +11,7 @@ public final class Effort {
   /** Without any plan the goal is given up: that is worth more than a proof. */
   private static final long FOR_ANY_PLAN = 4 * FOR_ONE_PLAN;
 
-  /** What the searches of one effort share. */
+  /** The work that is left, shared by the searches of one effort. */
   private static final class Work {
     private long left;
 

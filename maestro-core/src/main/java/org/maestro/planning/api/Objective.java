@@ -1,6 +1,6 @@
 package org.maestro.planning.api;
 
-/** What a plan is to be best in: the allocation strategy's choice. */
+/** The criterion by which a plan is to be best: the allocation strategy's choice. */
 public enum Objective {
   /** Least sum of costs. */
   CHEAPEST,

@@ -9,8 +9,8 @@ import java.util.Set;
 import org.maestro.sl.Effect;
 
 /**
- * How long a plan takes as it is executed: a step begins when those before it are done, and, unless
- * some sensing needs it, when all sensing is done.
+ * The makespan of a plan as it is executed: a step begins when those before it are done, and,
+ * unless some sensing needs it, when all sensing is done.
  */
 public final class PlanTime {
   private PlanTime() {}

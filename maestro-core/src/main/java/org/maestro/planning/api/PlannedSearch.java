@@ -4,8 +4,8 @@ import java.util.List;
 import org.maestro.sl.Term;
 
 /**
- * Where a plan looks for something that nobody knows, and what else it could have looked into
- * first.
+ * A search within a plan for something that nobody knows: where the plan looks, and what else it
+ * could have looked into first.
  *
  * @param predicate the functional predicate whose value is sought, such as {@code in}
  * @param arguments its arguments without the value: the thing

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 
-/** What planning ends with. */
+/** The result of planning: a plan, the proof that there is none, or neither within the bounds. */
 public sealed interface PlanningResult {
 
   /**
@@ -64,7 +64,7 @@ public sealed interface PlanningResult {
       Optional<StepKey> subject,
       List<Cure> cures) {
 
-    /** What is wrong with a condition. */
+    /** The reason why a condition is not met. */
     public enum Kind {
       /** A number is not enough, and known. */
       NUMBER,
@@ -82,7 +82,7 @@ public sealed interface PlanningResult {
       GOAL
     }
 
-    /** How far it goes what is told to be possible. */
+    /** The strength of what is told to be possible: how far it goes. */
     public enum Extent {
       /** It is that, as far as is known; how far it can be moved is not told. */
       KNOWN,
@@ -114,7 +114,7 @@ public sealed interface PlanningResult {
   }
 
   /**
-   * What would overcome an obstacle.
+   * The conditions that would overcome an obstacle.
    *
    * @param conditions all of them together; they name no cures of their own
    */

@@ -8,7 +8,7 @@ import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 
 /**
- * What is to be planned.
+ * The planning problem: known facts, features with their prices, and the goal.
  *
  * @param facts what is known now; immutable while planning
  * @param goal free variables are existential, and bound in the plan

@@ -27,7 +27,7 @@ import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
-/** What would be so if obstacles were overcome. */
+/** The world as it would be if obstacles were overcome. */
 public final class Cures {
   /** Strict comparisons are met by that much. */
   private static final double BEYOND = 0.001;

@@ -61,7 +61,7 @@ final class ExcuseSearch {
     this.effort = effort;
   }
 
-  /** What the search ended with. */
+  /** The result of the search: excuses, none that would do, or neither. */
   sealed interface Outcome {
     /**
      * @param neededBy for each assumed condition the step that needs it; empty: the goal

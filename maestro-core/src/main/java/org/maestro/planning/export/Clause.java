@@ -16,7 +16,7 @@ import org.maestro.planning.problem.Variable;
 record Clause(Map<Fact, Boolean> facts, List<Bound> bounds) {
   static final Clause EMPTY = new Clause(Map.of(), List.of());
 
-  /** What is said of a state without numbers. */
+  /** A proposition about a state, without numeric fluents. */
   sealed interface Fact {}
 
   /** A variable has a value. */
@@ -32,7 +32,7 @@ record Clause(Map<Fact, Boolean> facts, List<Bound> bounds) {
   record Said(String word) implements Fact {}
 
   /**
-   * What is asked of a sum.
+   * A bound on a sum.
    *
    * @param relation as PDDL writes it
    */

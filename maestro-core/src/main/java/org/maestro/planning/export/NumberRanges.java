@@ -21,8 +21,8 @@ import org.maestro.sl.Effect.Assignment;
 import org.maestro.sl.SlPrinter;
 
 /**
- * Which values the numbers of a problem can have. Those with few are told one by one; a number that
- * is known and only has amounts added that depend on such numbers is a sum.
+ * The values that the numbers of a problem can have. Those with few are told one by one; a number
+ * that is known and only has amounts added that depend on such numbers is a sum.
  */
 final class NumberRanges {
   private static final int MOST_VALUES = 40;

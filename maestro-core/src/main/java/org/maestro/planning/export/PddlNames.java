@@ -16,7 +16,7 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
-/** What things are called in PDDL, which knows small letters, digits, {@code -} and {@code _}. */
+/** The names of things in PDDL, which knows small letters, digits, {@code -} and {@code _}. */
 final class PddlNames {
   private final Map<String, String> objects = new LinkedHashMap<>();
   private final Map<String, String> words = new LinkedHashMap<>();

@@ -52,7 +52,7 @@ final class StepCases {
   /** Some changes happen, under this condition. */
   private record Happening(Clause condition, List<Change> changes) {}
 
-  /** What becomes of a variable under a condition. */
+  /** A conditional effect on a variable: what becomes of it under a condition. */
   private record Way(Clause condition, Map<Clause.Fact, Boolean> effects) {}
 
   StepCases(Operator operator, NumberRanges ranges, ClauseCompiler conditions) {

@@ -2,7 +2,7 @@ package org.maestro.planning.ground;
 
 /** Two amounts and one of {@code < <= = >= >}. */
 public record Comparison(Relation relation, Amount left, Amount right) {
-  /** How the left amount has to stand to the right one. */
+  /** The relation in which the left amount has to stand to the right one. */
   public enum Relation {
     LESS,
     AT_MOST,

@@ -39,7 +39,7 @@ public record GroundTask(
     }
   }
 
-  /** What things are called, for people. */
+  /** The names of facts and operators, for people. */
   public interface Names {
     String fact(int fact);
 

@@ -4,8 +4,8 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
 /**
- * How long planning may go on: until a moment, or until somebody cancels it. It is asked often,
- * from the planning thread; who cancels may be any thread.
+ * The time limit of planning: it may go on until a moment, or until somebody cancels it. It is
+ * asked often, from the planning thread; who cancels may be any thread.
  */
 public final class GroundingBudget {
   private static final int ASKED_BETWEEN = 64;

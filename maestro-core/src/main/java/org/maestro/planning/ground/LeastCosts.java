@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** What an instance of a schema costs at least, as a common number: fast, for orders and bounds. */
+/** A lower bound on a schema instance's cost, as a common number: fast, for orders and bounds. */
 final class LeastCosts {
   private final LiftedTask task;
   private final boolean[] changing;

@@ -11,9 +11,9 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What could matter for a task's goal, found backwards from it without enumerating operators: an
- * object that no condition on the way to the goal can name does not appear. Functions follow the
- * predicates in the numbering of symbols.
+ * The atoms that could matter for a task's goal, found backwards from it without enumerating
+ * operators: an object that no condition on the way to the goal can name does not appear. Functions
+ * follow the predicates in the numbering of symbols.
  */
 final class RelevantAtoms {
   /** So many bindings of one condition are told apart. */

@@ -22,8 +22,8 @@ import org.maestro.sl.Truth;
 import org.maestro.sl.TypedVariable;
 
 /**
- * How likely each value of a functional predicate is that nobody knows. What was known last, though
- * too old to count, has the chance that the facts tell. The rest goes to the values that are
+ * The probability of each value of a functional predicate that nobody knows. What was known last,
+ * though too old to count, has the chance that the facts tell. The rest goes to the values that are
  * expected first ({@code likelyWhen}) and, a smaller part, to all others; within both by floor
  * area, since a thing may lie anywhere. What is excluded has none, and the others share it.
  */

@@ -6,7 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
 
-/** Which facts were otherwise from task to task, for those who looked at them some tasks ago. */
+/** A log of which facts changed from task to task, for those who looked at them some tasks ago. */
 public final class ChangeLog {
   private static final int LONGEST = 256;
 

@@ -13,8 +13,8 @@ import org.maestro.planning.problem.Operator;
 import org.maestro.planning.problem.VariableValue;
 
 /**
- * What a plan pays at least before it can use an operator: some step has to bring about each
- * condition that does not hold yet. What no one feature can bring about together adds up.
+ * A lower bound on what a plan pays before it can use an operator: some step has to bring about
+ * each condition that does not hold yet. What no one feature can bring about together adds up.
  */
 final class CostAhead {
 

@@ -58,7 +58,7 @@ final class FeatureTemplate {
       Map<List<Term>, Boolean> answers) {}
 
   /**
-   * Which parameter is bound next.
+   * The parameter that is bound next.
    *
    * @param rest those that are open then
    * @param decided static conditions that are decided then

@@ -35,7 +35,7 @@ import org.maestro.sl.Formula;
  */
 public final class Grounder {
   /**
-   * What was grounded.
+   * The result of grounding.
    *
    * @param beyond the budget from which on more instances may be of use; infinite when there are no
    *     more

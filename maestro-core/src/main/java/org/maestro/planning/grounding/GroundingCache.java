@@ -38,7 +38,7 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
 /**
- * What grounding makes that no goal changes: variables, feature instances with their prices, and
+ * The part of grounding that no goal changes: variables, feature instances with their prices, and
  * which of them bring something about. Goals that are planned for one after the other share it, as
  * long as the same can be changed and all is so that cannot; members, prices and what steps can
  * change may be otherwise each time. For one thread at a time.

@@ -21,10 +21,10 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * What would be known if members were there that are not. Nobody knows now how they are set and
- * where they stand. For the question whether they could help, a setting is taken to be at the first
- * of its values, and a place to be the one where the member was known last, else the first that
- * there is.
+ * The facts as they would be known if members were there that are not. Nobody knows now how they
+ * are set and where they stand. For the question whether they could help, a setting is taken to be
+ * at the first of its values, and a place to be the one where the member was known last, else the
+ * first that there is.
  */
 public final class Returned implements Facts {
 

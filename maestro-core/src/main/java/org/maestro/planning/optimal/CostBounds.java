@@ -10,10 +10,10 @@ import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.Operator;
 
 /**
- * What plans cost at least, by the landmark cuts of the initial state. The cuts leave a rest of
- * each operator's cost, and a plan costs at least the bound and the rests of all that it uses.
- * Where the bound is tight, as it is among many like devices, few operators are of use to plans
- * that cost little more.
+ * Lower bounds on the cost of plans, by the landmark cuts of the initial state. The cuts leave a
+ * rest of each operator's cost, and a plan costs at least the bound and the rests of all that it
+ * uses. Where the bound is tight, as it is among many like devices, few operators are of use to
+ * plans that cost little more.
  */
 public final class CostBounds {
   private static final double ROUNDING = 1e-6;

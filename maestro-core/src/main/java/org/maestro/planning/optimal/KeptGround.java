@@ -20,9 +20,9 @@ import org.maestro.planning.problem.State;
 import org.maestro.planning.problem.Successors;
 
 /**
- * What was grounded for a goal, and what plans cost at least that use its operators. Whoever leaves
- * only takes operators away, and these bounds stay true; whoever comes back brings the same ones.
- * For one thread at a time.
+ * The problem that was grounded for a goal, and lower bounds on the cost of plans that use its
+ * operators. Whoever leaves only takes operators away, and these bounds stay true; whoever comes
+ * back brings the same ones. For one thread at a time.
  */
 public final class KeptGround {
   private static final double ROUNDING = 1e-6;

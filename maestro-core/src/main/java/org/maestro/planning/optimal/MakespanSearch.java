@@ -32,7 +32,7 @@ public final class MakespanSearch {
   private static final double GRAIN = 1e6;
   private static final double NOTHING_SENSED = -1;
 
-  /** How the search ended. */
+  /** The result of the search: a plan, exhaustion, or a bound on the makespan. */
   public sealed interface Outcome {
     record Found(List<Operator> operators) implements Outcome {}
 
@@ -42,7 +42,7 @@ public final class MakespanSearch {
     record BoundReached(double atLeastSeconds) implements Outcome {}
   }
 
-  /** What decides which steps may follow and when. */
+  /** The part of a search node that decides which steps may follow and when. */
   private record Situation(State state, boolean sensingIsOver, Set<Operator> unserved) {}
 
   /**

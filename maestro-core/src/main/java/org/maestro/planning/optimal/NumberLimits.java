@@ -24,8 +24,9 @@ import org.maestro.planning.problem.Threshold;
 import org.maestro.sl.SlPrinter;
 
 /**
- * How far numbers can be moved by what can be done. All states that matter for a number are tried,
- * the best first; where these are too many, the best is proven only if no settings add up to more.
+ * The limits to which numbers can be moved by what can be done. All states that matter for a number
+ * are tried, the best first; where these are too many, the best is proven only if no settings add
+ * up to more.
  */
 public final class NumberLimits {
   /** Tried for one number; a state costs no more here than its successors do. */

@@ -33,7 +33,7 @@ public final class OptimalSearch {
   /** No estimate was made yet. */
   private static final double UNEVALUATED = -1;
 
-  /** How the search ended. */
+  /** The result of the search: a plan, exhaustion, or the bound that ended it. */
   public sealed interface Outcome {
     record Found(List<Operator> operators) implements Outcome {}
 

@@ -25,7 +25,7 @@ public final class Pruning {
   private Pruning() {}
 
   /**
-   * What is left.
+   * The problem that is left after pruning.
    *
    * @param relaxed of the problem, and unsolvable where that shows that there is no plan
    */

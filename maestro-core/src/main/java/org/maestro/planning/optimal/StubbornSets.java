@@ -20,11 +20,11 @@ import org.maestro.planning.problem.Successors;
 import org.maestro.sl.Effect.Assignment;
 
 /**
- * Which operators are enough to go on with from a state, where many do not touch each other: else
- * each order of theirs would be searched. A set is closed over what its operators interfere with,
- * and over what has to come before those that are not possible yet, so that the first of its
- * operators in any plan can just as well be the first of that plan (strong stubborn sets, Wehrle
- * and Helmert 2012). No plan loses but its order.
+ * The operators that are enough to go on with from a state, where many do not touch each other
+ * (partial order reduction): else each order of theirs would be searched. A set is closed over what
+ * its operators interfere with, and over what has to come before those that are not possible yet,
+ * so that the first of its operators in any plan can just as well be the first of that plan (strong
+ * stubborn sets, Wehrle and Helmert 2012). No plan loses but its order.
  */
 final class StubbornSets {
   private final GroundProblem problem;
@@ -34,7 +34,7 @@ final class StubbornSets {
   private final BitSet[] interfering;
 
   /**
-   * What an operator has to do with.
+   * The parts of a state that an operator reads and changes.
    *
    * @param added numbers that are only increased or decreased: in any order the sum is the same
    */

@@ -9,7 +9,7 @@ import org.maestro.planning.pddl.Expression.Group;
 import org.maestro.planning.pddl.Expression.Position;
 import org.maestro.planning.pddl.Expression.Word;
 
-/** What the words of a domain and a problem name: types, objects, predicates, functions. */
+/** The symbol table of a domain and a problem: types, objects, predicates, functions. */
 final class Symbols {
   static final String OBJECT = "object";
 

@@ -7,8 +7,8 @@ import org.maestro.planning.problem.Condition.Question;
 import org.maestro.sl.Effect.Assignment;
 
 /**
- * Whether a change may make a condition true, and what else must hold for it. Errs on the side of
- * "it may".
+ * The test whether a change may make a condition true, and what else must hold for it. Errs on the
+ * side of "it may".
  */
 public final class Achievement {
   private Achievement() {}

@@ -13,11 +13,11 @@ import java.util.Set;
 import java.util.function.ToDoubleFunction;
 
 /**
- * Which operators a plan within a budget can use. Each step of a plan that leaves nothing out helps
- * another step, and that one yet another, up to the goal: the least cost of such a chain, the step
- * itself included, and what has to be paid before the step can be taken, is what a plan costs at
- * least that uses it. Found backwards from the goal, the cheapest chain first, so that an operator
- * out of budget need not even be made.
+ * The operators that a plan within a budget can use. Each step of a plan that leaves nothing out
+ * helps another step, and that one yet another, up to the goal: the least cost of such a chain, the
+ * step itself included, and what has to be paid before the step can be taken, is what a plan costs
+ * at least that uses it. Found backwards from the goal, the cheapest chain first, so that an
+ * operator out of budget need not even be made.
  */
 public final class ChainCosts {
 

@@ -49,7 +49,7 @@ public sealed interface Condition {
     }
   }
 
-  /** What is asked of a variable and one of its values. */
+  /** A question about a variable and one of its values. */
   enum Question {
     IS,
     IS_NOT,
@@ -96,8 +96,8 @@ public sealed interface Condition {
   }
 
   /**
-   * What stands in the way for good, kept for explanations only: a static condition that does not
-   * hold, a member that is not there, a step that is not done.
+   * A permanent obstacle, kept for explanations only: a static condition that does not hold, a
+   * member that is not there, a step that is not done.
    */
   record Fixed(Obstacle obstacle) implements Condition {
     @Override

@@ -11,7 +11,7 @@ import org.maestro.sl.Self;
 import org.maestro.sl.Term;
 
 /**
- * What a feature costs at least, whatever its parameters are and whatever happens: interval
+ * A lower bound on a feature's price, whatever its parameters are and whatever happens: interval
  * arithmetic over its price, with the whole line for what may change.
  */
 public final class LeastPrice {

@@ -19,7 +19,7 @@ import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 
 /**
- * Which predicates and numbers the offered features may change. All others are static: the facts
+ * The predicates and numbers that the offered features may change. All others are static: the facts
  * decide them once. A derived predicate is dynamic when its definition is.
  */
 public final class Signature {

@@ -2,7 +2,7 @@ package org.maestro.planning.problem;
 
 import java.util.Arrays;
 
-/** What is true, unknown and how much at one point of a plan. Immutable. */
+/** The facts and numbers at one point of a plan: what is true, unknown and how much. Immutable. */
 public final class State {
   private final int[] codes;
   private final NumberVector numbers;

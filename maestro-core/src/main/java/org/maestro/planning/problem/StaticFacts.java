@@ -31,7 +31,7 @@ public final class StaticFacts {
   private final Set<Object> told = new LinkedHashSet<>();
 
   /**
-   * How other facts differ in what was asked.
+   * The differences of other facts from these, in what was asked.
    *
    * @param changed atoms and fluents that steps may change
    * @param ofWhatStays whether others are otherwise too

@@ -8,9 +8,10 @@ import java.util.TreeSet;
 import org.maestro.sl.Effect.Assignment;
 
 /**
- * Which steps of a sequence must wait for which. A step waits for an earlier one of the same
- * member, and for an earlier one when either writes what the other reads or writes; additions to
- * one number may be made in any order. All orders that respect this lead to the same end.
+ * The partial order of a sequence's steps: which must wait for which. A step waits for an earlier
+ * one of the same member, and for an earlier one when either writes what the other reads or writes;
+ * additions to one number may be made in any order. All orders that respect this lead to the same
+ * end.
  */
 public final class StepOrder {
   private StepOrder() {}

@@ -1,7 +1,7 @@
 package org.maestro.planning.problem;
 
 /**
- * What an operator costs in a state.
+ * The action cost of an operator in a state, and its duration.
  *
  * @param exact the member itself has given or stated the price
  */

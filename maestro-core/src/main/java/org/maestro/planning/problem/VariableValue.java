@@ -1,6 +1,6 @@
 package org.maestro.planning.problem;
 
-/** That a variable gets a value. */
+/** The assignment of a value to a variable. */
 public record VariableValue(Variable variable, int value) {
 
   /** Whether the change may bring it about. */

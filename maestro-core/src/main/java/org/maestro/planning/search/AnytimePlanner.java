@@ -42,7 +42,7 @@ public final class AnytimePlanner {
   /** A part of the operators is searched first if it is smaller than this part of all. */
   private static final double MOST_OF_ALL = 0.5;
 
-  /** How a greedy search ended. */
+  /** The result of a greedy search. */
   private enum Attempt {
     FOUND,
     /** There is no plan among the operators that were searched. */

@@ -15,7 +15,7 @@ import org.maestro.planning.ground.GroundingBudget;
  * bounds are landmark cuts from centre and prices. Not thread-safe.
  */
 final class DecoupledSearch {
-  /** How a search ended. */
+  /** The reason why a search ended. */
   enum End {
     /** Nothing is cheaper than the bound or the best plan found: proven. */
     EXHAUSTED,

@@ -13,9 +13,9 @@ import org.maestro.planning.ground.GroundingBudget;
 import org.maestro.planning.search.Components.Component;
 
 /**
- * Which components of a task become leaves: such that none looks at another, so that only the rest,
- * the centre, has to be searched. Components that have few neighbours, many states and operators
- * that look at nothing else come first.
+ * The choice of those components of a task that become leaves: none of them looks at another, so
+ * that only the rest, the centre, has to be searched. Components that have few neighbours, many
+ * states and operators that look at nothing else come first.
  */
 final class Factoring {
   private static final int MOST_STATES = 4000;

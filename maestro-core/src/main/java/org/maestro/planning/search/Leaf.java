@@ -22,7 +22,7 @@ final class Leaf {
   static final int ANYTHING = 0;
 
   /**
-   * What becomes of a price list.
+   * The successor of a price list, after something was done to it.
    *
    * @param prices its number
    * @param paid what the cheapest state costs more than before; infinite when no state is left

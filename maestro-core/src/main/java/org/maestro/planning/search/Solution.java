@@ -4,7 +4,7 @@ import java.util.List;
 import org.maestro.planning.ground.GroundOperator;
 
 /**
- * What a planner knows at one moment.
+ * The knowledge of a planner at one moment: its best plan so far, and a bound.
  *
  * @param operators the best plan so far; empty unless {@link #hasPlan}
  * @param cost of that plan, in units of the task
@@ -21,7 +21,7 @@ public record Solution(
     operators = List.copyOf(operators);
   }
 
-  /** How far a planner came. */
+  /** The verdict of a planner: how far it came. */
   public enum Verdict {
     /** No plan is cheaper: proven. */
     OPTIMAL,

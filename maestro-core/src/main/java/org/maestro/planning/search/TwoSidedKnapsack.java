@@ -18,11 +18,11 @@ public final class TwoSidedKnapsack {
 
   private TwoSidedKnapsack() {}
 
-  /** What a group may give, and what that costs, at least 0. */
+  /** A gain that a group may give, and what it costs, at least 0. */
   public record Option(long gain, long cost) {}
 
   /**
-   * What is best.
+   * The best selection of options.
    *
    * @param options of each group the number of the chosen one
    */

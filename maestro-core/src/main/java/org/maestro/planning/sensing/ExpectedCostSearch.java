@@ -180,7 +180,7 @@ public final class ExpectedCostSearch {
   }
 
   /**
-   * What comes after each look, as far as it is estimated by now.
+   * The rest of the plan after each look, as far as it is estimated by now.
    *
    * @param after the state after a successful look; null where none is estimated yet
    * @param rest the cost from there on

@@ -12,8 +12,8 @@ import org.maestro.planning.problem.Operator;
 import org.maestro.planning.problem.Sought;
 
 /**
- * Where things that are sought are supposed to be: looks elsewhere are of use only once that is
- * known.
+ * The places where things that are sought are supposed to be: looks elsewhere are of use only once
+ * that is known.
  *
  * @param places the value of each; negative: nowhere that can be looked at
  */

@@ -3,10 +3,10 @@ package org.maestro.planning.sensing;
 import java.util.Arrays;
 
 /**
- * What it is expected to cost to look into one box after another until the thing is found. For
- * boxes that do not depend on each other the best order is by chance over cost of the look; where a
- * look makes others cheaper or dearer (a robot has come nearer, a lamp shines into two rooms), all
- * orders are weighed against each other while they are few.
+ * The expected cost of looking into one box after another until the thing is found. For boxes that
+ * do not depend on each other the best order is by chance over cost of the look; where a look makes
+ * others cheaper or dearer (a robot has come nearer, a lamp shines into two rooms), all orders are
+ * weighed against each other while they are few.
  *
  * <p>The chances sum up to 1: what no box holds is no part of the decision.
  */
@@ -15,7 +15,7 @@ final class SearchOrder {
   private static final int MOST_WEIGHED = 10;
 
   /**
-   * What a box costs.
+   * The cost of a box: of the look into it, and of what follows when the thing is there.
    *
    * @param look cost of the look into it
    * @param rest cost of the rest of the plan once the thing is found there

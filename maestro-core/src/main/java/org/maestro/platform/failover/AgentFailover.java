@@ -47,7 +47,7 @@ public final class AgentFailover {
   private final Set<String> homeless = new TreeSet<>();
   private final Set<String> awaited = new TreeSet<>();
 
-  /** What can be done about it. */
+  /** The measures that can be taken for an agent without a host. */
   public interface Ways {
     Provision needs(String member);
 

@@ -41,7 +41,7 @@ final class LeaderHeartbeat {
   private Duration silence = Duration.ZERO;
   private boolean isToldOf;
 
-  /** Who beat last. */
+  /** The process that beat last. */
   private record Sign(String machine, long pid, String started) {
     static Sign own() {
       ProcessHandle own = ProcessHandle.current();

@@ -16,7 +16,7 @@ import org.maestro.deployment.AgentStart;
 public final class MigrationReservations {
   private final Map<String, Handed> handedByContainer = new TreeMap<>();
 
-  /** What is on its way to one container. */
+  /** The agents that are on their way to one container. */
   private static final class Handed {
     private final String asker;
     private final List<AgentStart> starts;

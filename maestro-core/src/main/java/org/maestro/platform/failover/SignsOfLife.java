@@ -10,7 +10,7 @@ import org.maestro.agents.pulse.Pulse;
 import org.maestro.agents.pulse.Watcher;
 import org.maestro.rats.time.Clock;
 
-/** Whether the containers of a platform give signs of life. Any thread may call. */
+/** The liveness of a platform's containers, by their signs of life. Any thread may call. */
 public final class SignsOfLife {
   private final Clock clock;
   private final HeartbeatSettings settings;

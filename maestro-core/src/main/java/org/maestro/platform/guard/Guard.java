@@ -225,7 +225,7 @@ public final class Guard {
   }
 
   /**
-   * What is made of who has connected.
+   * The decision about somebody who has connected.
    *
    * @param socket over which it is heard
    * @param refusal why it was not let in, in a part of a sentence

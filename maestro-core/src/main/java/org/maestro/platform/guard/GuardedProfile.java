@@ -3,7 +3,7 @@ package org.maestro.platform.guard;
 import jade.core.Profile;
 import jade.util.leap.Properties;
 
-/** What JADE is told so that a container is guarded. */
+/** The JADE properties by which a container is guarded. */
 public final class GuardedProfile {
   private GuardedProfile() {}
 

@@ -33,7 +33,7 @@ public final class HomeMobilityService extends AgentMobilityService {
     return super.getLocalSlice();
   }
 
-  /** What other containers ask for, as far as it is done here. */
+  /** The slice that does what other containers ask for, as far as it is done here. */
   private final class Guarded implements Service.Slice {
     private static final long serialVersionUID = 1L;
 

@@ -5,9 +5,9 @@ import java.util.Map;
 import org.maestro.rats.bounded.BoundedMap;
 
 /**
- * Which numbered messages of each sending process have come, so that none counts twice. Of each
- * process the latest numbers are told apart, older ones count as come; so no clocks are compared,
- * and memory is bounded. Thread-safe.
+ * The record of the numbered messages that have come from each sending process, so that none counts
+ * twice. Of each process the latest numbers are told apart, older ones count as come; so no clocks
+ * are compared, and memory is bounded. Thread-safe.
  */
 final class ReplayWindow {
   /** So many messages may overtake one. */

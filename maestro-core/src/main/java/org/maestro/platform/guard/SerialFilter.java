@@ -67,7 +67,7 @@ public final class SerialFilter implements ObjectInputFilter {
   private final Bounds bounds;
   private final Refusals refusals = new Refusals();
 
-  /** How much of one stream is read. */
+  /** The limits on what is read of one stream. */
   private record Bounds(int depth, int references, int arrayLength) {
     private boolean areExceededBy(FilterInfo info) {
       return info.depth() > depth

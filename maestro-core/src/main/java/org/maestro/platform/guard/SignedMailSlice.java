@@ -4,7 +4,7 @@ import jade.core.IMTPException;
 import jade.core.Service;
 import jade.core.ServiceException;
 
-/** What the service asks its part in another container. */
+/** The request of the service to its part in another container. */
 interface SignedMailSlice extends Service.Slice {
   String CERTIFICATE = "certificate";
 

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * How long to wait before something that has died is started again: at once the first time, then
- * twice as long each time, and at once again when it has lived for long. Not thread-safe.
+ * The delay before something that has died is started again: at once the first time, then twice as
+ * long each time, and at once again when it has lived for long. Not thread-safe.
  */
 public final class Backoff {
   private final Duration first;

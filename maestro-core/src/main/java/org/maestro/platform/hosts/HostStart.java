@@ -8,8 +8,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * How the process of a container is started on its host, again and again if need be (ADE, 3.2;
- * A35-A37).
+ * The start of a container's process on its host, again and again if need be (ADE, 3.2; A35-A37).
  *
  * @param name of the container
  * @param topics whose agents it is for

@@ -5,7 +5,7 @@ import java.util.Comparator;
 import java.util.Optional;
 import org.maestro.deployment.Provision;
 
-/** Which host gets an agent. */
+/** The placement of agents: which host gets one. */
 public final class Placing {
   private Placing() {}
 

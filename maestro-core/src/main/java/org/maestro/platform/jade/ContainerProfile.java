@@ -20,8 +20,8 @@ import org.maestro.platform.threads.AgentThreads;
 import org.maestro.platform.wires.CuttablePeer;
 
 /**
- * How a JADE container is to be made, with safe defaults: loopback only, no multicast, no MTP, no
- * files in the working directory.
+ * The properties of a JADE container that is to be made, with safe defaults: loopback only, no
+ * multicast, no MTP, no files in the working directory.
  */
 final class ContainerProfile {
   private static final String LETTERS = BoundedLetters.class.getName();

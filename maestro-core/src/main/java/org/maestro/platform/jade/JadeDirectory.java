@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.Comparator;
 
 /**
- * Where JADE writes its files, so that it leaves none in the working directory.
+ * The directory in which JADE writes its files, so that it leaves none in the working directory.
  *
  * @param path of a directory that goes with the platform
  */

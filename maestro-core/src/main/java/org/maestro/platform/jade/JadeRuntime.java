@@ -192,7 +192,7 @@ public final class JadeRuntime {
   }
 
   /**
-   * How a container comes into a platform.
+   * The way of a container into a platform.
    *
    * @param guard of a secured site; empty on an open one
    * @param first whether no other container of the platform is in this process: it listens for all

@@ -17,7 +17,7 @@ public final class PlatformEvents implements AgentManager.Listener {
   private final Supplier<Instant> now;
   private final Listener listener;
 
-  /** Who wants to know. Told on a thread of JADE that must not be held up. */
+  /** A listener to the events of a platform. Told on a thread of JADE that must not be held up. */
   public interface Listener {
     /** An agent is there that was not, also one in the place of another. */
     void born(String agent);

@@ -6,8 +6,8 @@ import java.util.Set;
 import org.maestro.platform.hosts.HostStart;
 
 /**
- * What the process of a platform has of its surroundings: where others reach it, what its machine
- * provides, and which other hosts it may start processes on.
+ * The surroundings of a platform's process: where others reach it, what its machine provides, and
+ * which other hosts it may start processes on.
  *
  * @param host an address of this machine, on which containers listen for each other
  * @param letters where messages of agents on other platforms come in; empty: there they are not

@@ -14,10 +14,11 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
 
 /**
- * What JADE has once for a whole process, such as the threads that deliver messages: it begins with
- * the first container, and ends with the last in a thread of JADE's own. A container that began
- * before that thread was through got the old ones, and its messages were never delivered. JADE also
- * counts its containers without guarding the count, so they begin and end one at a time.
+ * The part of JADE that there is once for a whole process, such as the threads that deliver
+ * messages: it begins with the first container, and ends with the last in a thread of JADE's own. A
+ * container that began before that thread was through got the old ones, and its messages were never
+ * delivered. JADE also counts its containers without guarding the count, so they begin and end one
+ * at a time.
  */
 final class SharedJade {
   private static final Duration LONGEST_END = Duration.ofSeconds(1);

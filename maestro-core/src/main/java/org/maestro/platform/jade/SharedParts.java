@@ -4,7 +4,7 @@ import org.maestro.agents.pulse.ProcessPulse;
 import org.maestro.platform.wires.Wires;
 
 /**
- * What the containers that one platform has in this process have in common.
+ * The parts common to the containers that one platform has in this process.
  *
  * @param wires their connections to others
  * @param pulse their signs of life

@@ -58,7 +58,10 @@ public final class JournalFile implements Journal, AutoCloseable {
   /** The writing thread's. */
   private boolean failing;
 
-  /** What stands in the queue of the journal. */
+  /**
+   * An item in the queue of the journal: an entry, an action that waits for those before it, or a
+   * goal to be taken on.
+   */
   private sealed interface Item {}
 
   private record Entry(Dated dated) implements Item {}

@@ -6,7 +6,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** What is missing in a journal from a damaged line on, as far as the lines after it tell. */
+/**
+ * The part of a journal that is missing from a damaged line on, as far as the lines after it tell.
+ */
 final class JournalLoss {
   private final List<String> lines;
   private final int from;

@@ -14,7 +14,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.Optional;
 
 /**
- * How long a journal was when it was last forced to the disk, in a file beside it: a journal that
+ * The length of a journal when it was last forced to the disk, in a file beside it: a journal that
  * was cut at the end of a line looks whole. The mark is written after what it speaks of, so a
  * process that dies between leaves one that says less than is there, never more.
  *

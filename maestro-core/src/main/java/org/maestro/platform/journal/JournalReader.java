@@ -25,7 +25,7 @@ final class JournalReader {
   private final JournalCodec codec;
 
   /**
-   * What was found.
+   * The image that was found in a journal.
    *
    * @param generation the highest that is known
    */

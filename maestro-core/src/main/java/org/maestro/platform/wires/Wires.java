@@ -32,7 +32,7 @@ public final class Wires {
   private final Map<String, List<Connection>> openByAddress = new HashMap<>();
   private final Map<String, Long> barredByAddress = new HashMap<>();
 
-  /** How a connection to an address is made. */
+  /** The factory of connections to addresses. */
   public interface Maker {
     Connection make(TransportAddress address) throws IOException;
   }

@@ -12,8 +12,8 @@ import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceGraph;
 
 /**
- * What the shipped vocabulary, the alignments and the home say of the words that a description
- * uses: read when first needed, then kept. Safe for threads.
+ * Statements of the shipped vocabulary, the alignments and the home about the words that a
+ * description uses: read when first needed, then kept. Safe for threads.
  */
 final class Background {
 

@@ -40,7 +40,7 @@ public final class Geometry {
   private final Map<Pair, OptionalDouble> daylightShares = new ConcurrentHashMap<>();
   private final Map<Pair, OptionalDouble> sunlightShares = new ConcurrentHashMap<>();
 
-  /** What one individual does to another; both stay where the home says. */
+  /** A device and a location to which it gives light; both stay where the home says. */
   private record Pair(String device, String location) {}
 
   private record Sight(Pose pose, double viewAngle, String zone) {}

@@ -17,8 +17,8 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * What a home's file alone says: classes, stated properties, derived and computed predicates.
- * Observable facts that it does not state are unknown. Immutable.
+ * The facts that a home's file alone states: classes, stated properties, derived and computed
+ * predicates. Observable facts that it does not state are unknown. Immutable.
  */
 public final class HomeFacts implements Facts {
 

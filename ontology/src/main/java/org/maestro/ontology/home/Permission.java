@@ -8,7 +8,8 @@ import java.util.stream.Collectors;
 import org.maestro.sl.Term;
 
 /**
- * Who may ask which agents for which features, as a home states it.
+ * An access rule that a home states: its callers, the agents that they may ask, and for which
+ * features.
  *
  * @param callers names of agents and of users; "*" is everybody
  * @param asks names of devices and of device classes; empty: all devices

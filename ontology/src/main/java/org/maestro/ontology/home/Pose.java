@@ -3,7 +3,7 @@ package org.maestro.ontology.home;
 import org.maestro.sl.SlPrinter;
 
 /**
- * Where something is and how it is turned: metres, and degrees about the vertical axis (yaw, from x
+ * A position and orientation in space: metres, and degrees about the vertical axis (yaw, from x
  * towards y), upwards from the horizontal (pitch) and about its own axis (roll). A pose of ceiling
  * cameras and lamps that says only where they are looks straight down: see {@link #parse}.
  */

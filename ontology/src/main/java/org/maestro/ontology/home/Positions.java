@@ -2,7 +2,7 @@ package org.maestro.ontology.home;
 
 import java.util.Optional;
 
-/** Where movable things are, as far as anybody knows. */
+/** The poses of movable things, as far as anybody knows. */
 @FunctionalInterface
 public interface Positions {
 

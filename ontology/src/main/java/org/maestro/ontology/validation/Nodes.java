@@ -2,7 +2,7 @@ package org.maestro.ontology.validation;
 
 import org.apache.jena.graph.Node;
 
-/** How RDF nodes look to people. */
+/** RDF nodes as text for people. */
 final class Nodes {
 
   private Nodes() {}

@@ -26,7 +26,7 @@ import org.apache.jena.vocabulary.RDF;
  */
 public final class SourceGraph {
 
-  /** Where a statement stands. */
+  /** The source and line of a statement. */
   record Origin(String source, int line) {}
 
   private final Map<Triple, Origin> origins = new LinkedHashMap<>();

@@ -4,8 +4,8 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.TypedVariable;
 
 /**
- * What a feature needs for itself while it runs, beyond its member's own components: every
- * individual that is a value of the variable under which the formula holds.
+ * The resources that a feature needs for itself while it runs, beyond its member's own components:
+ * every individual that is a value of the variable under which the formula holds.
  *
  * @param when over the variable, {@code ?self}, inputs and binds
  */

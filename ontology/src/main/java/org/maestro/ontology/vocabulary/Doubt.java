@@ -3,7 +3,7 @@ package org.maestro.ontology.vocabulary;
 import org.maestro.sl.Formula;
 
 /**
- * How sure a feature's results are, at most.
+ * The greatest confidence in a feature's results, under a condition.
  *
  * @param confidence 0 (worthless) to 1 (certain)
  * @param when the formula over {@code ?self}, inputs and binds under which it is no surer

@@ -3,7 +3,7 @@ package org.maestro.ontology.vocabulary;
 import org.maestro.sl.Expression;
 
 /**
- * What a feature costs (Three-layered architecture, 3.2.2; M53): computable by anybody, or only by
+ * The cost of a feature (Three-layered architecture, 3.2.2; M53): computable by anybody, or only by
  * the member itself.
  */
 public sealed interface Price {

@@ -5,7 +5,7 @@ import java.util.OptionalDouble;
 import org.maestro.sl.Term;
 
 /**
- * Where a fluent's number comes from when it is not stated by itself: the text of another property.
+ * The source of a fluent's number that is not stated by itself: the text of another property.
  *
  * @param property local name of that property
  * @param numbers which of the text's numbers count, from 1 on; the least of them is taken

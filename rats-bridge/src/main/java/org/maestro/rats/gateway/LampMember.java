@@ -54,7 +54,7 @@ final class LampMember implements Procedure {
 
   private record Underway(Execution execution, double level) {}
 
-  /** What the gateway is told for this lamp. */
+  /** The channel to the gateway for this lamp's orders and questions. */
   interface Gateway {
     void set(JsonNode order);
 

@@ -3,7 +3,7 @@ package org.maestro.rats.gateway;
 import java.util.Optional;
 import org.maestro.rats.protocol.CostAnswer;
 
-/** What the lamps of a gateway are on the RATS bus: their ids, descriptions and words. */
+/** The role of a gateway's lamps on the RATS bus: their ids, descriptions and words. */
 public interface LampRole {
 
   /** The member's id; empty: this lamp does not take part. */

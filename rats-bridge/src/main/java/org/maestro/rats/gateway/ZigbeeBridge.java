@@ -49,7 +49,7 @@ public final class ZigbeeBridge implements AutoCloseable {
   private volatile boolean closed;
 
   /**
-   * Where the members join.
+   * The site that the members join.
    *
    * @param transports one for each member, by id; not open yet
    */

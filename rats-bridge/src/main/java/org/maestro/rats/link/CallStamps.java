@@ -6,7 +6,7 @@ import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.Result;
 import org.maestro.rats.time.Clock;
 
-/** When calls were made, by a clock of the caller's own. Clock thread only. */
+/** Timestamps of calls, by a clock of the caller's own. Clock thread only. */
 final class CallStamps {
   private final Clock clock;
   private final String name;

@@ -10,8 +10,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What a controller says of itself, and what others say in its name: members end after a while what
- * runs for one that is gone. Clock thread only, but for {@link #leave}.
+ * A controller's retained status and last will, kept right against what others say in its name:
+ * members end after a while what runs for one that is gone. Clock thread only, but for {@link
+ * #leave}.
  */
 final class ControllerStatus {
 

@@ -27,7 +27,7 @@ final class Hearing {
     void subscribe(String filter, RetainedMessages retained, Consumer<Message> handler);
   }
 
-  /** Who takes what members publish of themselves. */
+  /** The handlers of what members publish of themselves. */
   record Handlers(
       Consumer<Message> status,
       Consumer<Message> description,

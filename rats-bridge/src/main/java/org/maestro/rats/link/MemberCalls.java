@@ -24,9 +24,9 @@ import org.maestro.rats.transport.Transport;
 import org.maestro.rats.transport.Transport.RetainedMessages;
 
 /**
- * What a member asks of others, in its own name and over the one connection that it has: a secured
- * broker lets nobody have two. The member called decides by the site's rules. Any thread may call;
- * nothing blocks; listeners are told on the clock's thread.
+ * Calls and cost questions of a member to others, in its own name and over the one connection that
+ * it has: a secured broker lets nobody have two. The member called decides by the site's rules. Any
+ * thread may call; nothing blocks; listeners are told on the clock's thread.
  *
  * <p>Of those it calls it hears results, progress and whether they are there, which every user of a
  * secured site may read; of continuous features that is the first values, since what comes after

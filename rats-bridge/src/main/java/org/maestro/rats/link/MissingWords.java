@@ -7,10 +7,10 @@ import java.util.Optional;
 import org.maestro.rats.time.Clock;
 
 /**
- * What members have not said of themselves although they are there, or should be: they are asked
- * again, later and later, until it is heard. A broker may lose a retained message to a subscriber
- * that comes at the very moment of its publication (seen with Artemis), and a question may get lost
- * or be answered too late. Clock thread only.
+ * Statements about themselves that members still owe although they are there, or should be: they
+ * are asked again, later and later, until these are heard. A broker may lose a retained message to
+ * a subscriber that comes at the very moment of its publication (seen with Artemis), and a question
+ * may get lost or be answered too late. Clock thread only.
  */
 final class MissingWords {
 
@@ -23,7 +23,7 @@ final class MissingWords {
   /** Of who was never heard of, or is said to be gone: it may not be there at all. */
   private static final int MOST_QUESTIONS_TO_STRANGERS = 8;
 
-  /** How to ask. */
+  /** The ways to ask members for what is missing. */
   interface Questions {
     /** The member is to describe itself. */
     void ask(String member);
@@ -32,14 +32,14 @@ final class MissingWords {
     void lookForStrangers();
   }
 
-  /** What is known of a member. */
+  /** The extent of what is known of a member. */
   enum Known {
     NOTHING,
     A_PART,
     ENOUGH
   }
 
-  /** Who knows that. */
+  /** The records of what is known of each member. */
   interface Records {
     Known of(String member);
   }

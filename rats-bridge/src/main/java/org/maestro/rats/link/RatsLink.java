@@ -100,7 +100,7 @@ public interface RatsLink extends AutoCloseable {
   void close();
 
   /**
-   * What a member is to do.
+   * An order to a member to carry out a feature.
    *
    * @param id no other call of this controller may have it, now or before; empty: the link chooses
    * @param boot the life of the member that is meant, any other fails with RESTARTED; empty: the

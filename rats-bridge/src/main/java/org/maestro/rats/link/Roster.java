@@ -21,8 +21,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Who is there, from what members publish of themselves. Clock thread only, but for {@link
- * #members}.
+ * The members that are there, from what members publish of themselves. Clock thread only, but for
+ * {@link #members}.
  */
 final class Roster {
 
@@ -326,7 +326,7 @@ final class Roster {
   }
 
   /**
-   * What was said of a member's life.
+   * A statement on the bus about a member's life.
    *
    * @param boot the life that it speaks of
    * @param endsLife whether the one that was known is over then

@@ -1,6 +1,6 @@
 package org.maestro.rats.link;
 
-/** Whether a site's broker makes sure of who says what. */
+/** The security of a site: whether its broker makes sure of who says what. */
 public enum SiteKind {
   /** The paper's bare topics are legal, on which anybody may answer for anybody. */
   OPEN,

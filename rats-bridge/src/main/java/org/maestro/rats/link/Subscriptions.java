@@ -12,8 +12,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What one party hears of the bus, on the clock's thread. A message that cannot be read is passed
- * over, and complained of now and then.
+ * The subscriptions of one party to the bus, handled on the clock's thread. A message that cannot
+ * be read is passed over, and complained of now and then.
  */
 final class Subscriptions implements Hearing.Subscriber {
 

@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Who wants to hear of members: of all, or of one. Clock thread only. */
+/** The listeners for news of members: of all, or of one. Clock thread only. */
 final class Watchers {
   private final List<RatsLink.MemberListener> ofAll = new ArrayList<>();
   private final Map<String, List<RatsLink.MemberListener>> ofOne = new HashMap<>();

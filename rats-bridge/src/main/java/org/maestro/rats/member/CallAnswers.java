@@ -27,7 +27,7 @@ final class CallAnswers {
   private static final int MOST_REMEMBERED = 4096;
   private static final Duration BETWEEN_FORGETTING = Duration.ofSeconds(10);
 
-  /** What is known of a call that arrived. */
+  /** The state of a call among those remembered, when it arrives. */
   enum Known {
     NEW,
     /** Its answer was sent again. */

@@ -1,8 +1,8 @@
 package org.maestro.rats.member;
 
 /**
- * Who may call which feature of whom on a site. The broker makes sure that a caller is who it says;
- * the member asks here before it does anything for it.
+ * The access rules of a site: who may call which feature of whom. The broker makes sure that a
+ * caller is who it says; the member asks here before it does anything for it.
  */
 public interface CallPolicy {
 

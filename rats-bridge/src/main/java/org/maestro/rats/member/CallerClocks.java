@@ -8,10 +8,10 @@ import org.maestro.rats.protocol.Call;
 import org.maestro.rats.time.Clock;
 
 /**
- * How old calls are when they arrive, from what their callers say of when they were made. A
- * caller's clock need not agree with the member's: what counts is by how much longer a call was on
- * its way than the quickest one of the same caller that was heard before. A call that is the first
- * of its caller's clock tells nothing. Clock thread only.
+ * The age of calls when they arrive, from what their callers say of when they were made. A caller's
+ * clock need not agree with the member's: what counts is by how much longer a call was on its way
+ * than the quickest one of the same caller that was heard before. A call that is the first of its
+ * caller's clock tells nothing. Clock thread only.
  */
 final class CallerClocks {
   /** By which two clocks may drift apart; more than any that is kept by a quartz. */

@@ -3,7 +3,10 @@ package org.maestro.rats.member;
 import java.time.Duration;
 import java.util.Map;
 
-/** How often a continuous feature tells a value, Freq (Three-layered architecture, 3.2.2; M52). */
+/**
+ * The rate at which a continuous feature tells values, Freq (Three-layered architecture, 3.2.2;
+ * M52).
+ */
 public sealed interface Frequency {
 
   /** The parameter by which a caller asks for fewer values: a number, in hertz. */

@@ -10,8 +10,8 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 
 /**
- * What the runtime must know of a member, r = (Id, F, Z, z, Zs) (Three-layered architecture, 3.2.1;
- * M32).
+ * The profile from which the runtime makes a member, r = (Id, F, Z, z, Zs) (Three-layered
+ * architecture, 3.2.1; M32).
  *
  * @param description the JSON-LD document published for MAESTRO
  * @param states Z; {@code safeStates} is a subset with at least one element (Three-layered

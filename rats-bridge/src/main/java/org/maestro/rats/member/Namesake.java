@@ -19,8 +19,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What is said of this member in its name, by itself, by its will, or by another that calls itself
- * by its id (Three-layered architecture, 2; M9).
+ * Statements in this member's name: by itself, by its will, or by another that calls itself by its
+ * id (Three-layered architecture, 2; M9).
  *
  * <p>Of two of one id the one that started later has to go. On an open site anybody may say that
  * there is another, so the later one asks the other life first. If that answers, it goes; it looks
@@ -45,7 +45,7 @@ final class Namesake {
   /** Simulated time between two descriptions, however often another one is told. */
   private static final Duration BETWEEN_DESCRIPTIONS = Duration.ofSeconds(1);
 
-  /** What becomes of the member. */
+  /** The listener for what becomes of the member. */
   interface Watcher {
     /** The status that stands on the bus is not the member's: it has to say that it is there. */
     void contradicted();

@@ -146,7 +146,7 @@ public final class RatsMember implements AutoCloseable {
   }
 
   /**
-   * What a member is, and the state it is in: r = (Id, F, Z, z, Zs) of the paper's section 3.2.1
+   * A member and the state it is in: r = (Id, F, Z, z, Zs) of the paper's section 3.2.1
    * (Three-layered architecture, 3.2.1; M32).
    *
    * @param features F, the ids of those that it has, disabled ones too

@@ -7,8 +7,8 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * How a member's state z may change (Three-layered architecture, 3.2.1; M35), and what happens when
- * nobody is left to tell it.
+ * The transitions of a member's state z that are allowed (Three-layered architecture, 3.2.1; M35),
+ * and what happens when nobody is left to tell it.
  *
  * @param transitions from a state to those that may follow; one without an entry may be followed by
  *     any

@@ -32,7 +32,7 @@ final class Task implements Execution {
     ENDED
   }
 
-  /** What becomes of a task. */
+  /** The listener for what becomes of a task. */
   interface Keeper {
     void progressed(Task task, Progress.Kind kind, double fraction, Map<String, Object> values);
 

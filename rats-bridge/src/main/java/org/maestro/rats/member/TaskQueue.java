@@ -21,9 +21,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What runs and what waits on a member. A task starts when neither a running one nor one that has
- * waited longer needs a component of its (Three-layered architecture, 3.2.1; M38-M40). Clock thread
- * only.
+ * The tasks that run and those that wait on a member. A task starts when neither a running one nor
+ * one that has waited longer needs a component of its (Three-layered architecture, 3.2.1; M38-M40).
+ * Clock thread only.
  */
 final class TaskQueue implements Task.Keeper {
 

@@ -76,7 +76,7 @@ public record Call(
   }
 
   /**
-   * When a call was made.
+   * The timestamp that a caller gives its call.
    *
    * @param clock names the clock, which nobody else need share; a caller that cannot rely on its
    *     clock any more names another
@@ -85,7 +85,7 @@ public record Call(
   public record Sent(String clock, long millis) {}
 
   /**
-   * What a caller counts on.
+   * The cost and duration on which a caller counts.
    *
    * @param cost in cost units: seconds plus weighted energy
    * @param seconds simulated seconds from its beginning to its end

@@ -1,4 +1,4 @@
 package org.maestro.rats.protocol;
 
-/** What is enough to refuse a malformed call: its id, and the member that it is for. */
+/** The id and the member of a malformed call: enough to refuse it. */
 public record CallAddress(String id, String member) {}

@@ -3,7 +3,7 @@ package org.maestro.rats.protocol;
 import java.util.Optional;
 
 /**
- * What one parameter set would cost ({@code $cost}).
+ * The expected cost of one parameter set ({@code $cost}).
  *
  * @param cost in cost units (seconds plus weighted energy); absent when the member cannot do it,
  *     then {@code reason} says why

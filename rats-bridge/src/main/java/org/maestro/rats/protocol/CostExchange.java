@@ -8,8 +8,8 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What {@code $cost} carries (Three-layered architecture, 3.2.2; M54): a feature and parameter sets
- * on the way there, one answer for each set, in order, on the way back.
+ * The content of {@code $cost} (Three-layered architecture, 3.2.2; M54): a feature and parameter
+ * sets on the way there, one answer for each set, in order, on the way back.
  */
 public record CostExchange(String feature, List<Map<String, Object>> sets) {
 

@@ -3,8 +3,8 @@ package org.maestro.rats.protocol;
 import java.util.Map;
 
 /**
- * What a message's values may be: texts of whole characters, finite numbers, truth values, lists
- * and maps of them.
+ * The values that a message may hold: texts of whole characters, finite numbers, truth values,
+ * lists and maps of them.
  */
 final class JsonValues {
 

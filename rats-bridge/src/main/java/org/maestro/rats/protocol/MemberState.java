@@ -3,7 +3,7 @@ package org.maestro.rats.protocol;
 import java.util.List;
 
 /**
- * What a member says of itself; retained.
+ * A member's report of itself: state, values and calls; retained.
  *
  * @param state z, the current abstract state
  * @param values facts in MAESTRO-SL: level, position, what it holds

@@ -1,6 +1,6 @@
 package org.maestro.rats.protocol;
 
-/** Whether a member is there; retained, and its last will. */
+/** The presence of a member; retained, and its last will. */
 public record MemberStatus(String member, Phase phase, String boot) {
 
   public enum Phase {

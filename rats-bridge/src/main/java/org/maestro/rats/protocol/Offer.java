@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What {@code $offer} carries (Three-layered architecture, 3.2.1; M43): a member tells the holder
- * of a contract that it could do what another is at.
+ * The parameters of {@code $offer} (Three-layered architecture, 3.2.1; M43): a member tells the
+ * holder of a contract that it could do what another is at.
  *
  * @param task the id of the call that the other is at
  * @param cost in cost units, from where the member is now

@@ -1,6 +1,6 @@
 package org.maestro.rats.protocol;
 
-/** How a call ended. */
+/** The outcome of a call. */
 public enum Outcome {
   SUCCEEDED,
   FAILED,

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What {@code $release} carries (Three-layered architecture, 3.2.1; M44): a member gives a task
- * back before its time is over.
+ * The parameters of {@code $release} (Three-layered architecture, 3.2.1; M44): a member gives a
+ * task back before its time is over.
  *
  * @param task the id of the call
  * @param reason one sentence

@@ -2,7 +2,7 @@ package org.maestro.rats.protocol;
 
 import java.util.Optional;
 
-/** What every member understands, whatever its features are. */
+/** The features that every member understands, whatever its own are. */
 public enum ReservedFeature {
   /**
    * Ends the call {@code {"id": ...}}, by its caller or a controller (Three-layered architecture,

@@ -3,8 +3,8 @@ package org.maestro.rats.protocol;
 import java.util.regex.Pattern;
 
 /**
- * What a text of a message may be, with the words that say so. The JSON Schemas hold the same
- * patterns.
+ * The pattern that a text of a message has to match, with the words that say so. The JSON Schemas
+ * hold the same patterns.
  */
 enum Rule {
   /** Becomes a level of a topic. */

@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.StringJoiner;
 
 /**
- * What Artemis needs to guard a site. Of several matches Artemis takes only the best one, so each
- * address of a user has a setting of its own.
+ * The files with which Artemis guards a site. Of several matches Artemis takes only the best one,
+ * so each address of a user has a setting of its own.
  */
 final class ArtemisFiles {
 

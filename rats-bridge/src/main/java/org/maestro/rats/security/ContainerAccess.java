@@ -13,8 +13,9 @@ import javax.naming.ldap.LdapName;
 import javax.net.ssl.SSLContext;
 
 /**
- * What a process needs to be a container of a secured site's platform: its own certificate, by
- * which it speaks TLS and signs, and the token that all containers of the site share. Immutable.
+ * The credentials by which a process can be a container of a secured site's platform: its own
+ * certificate, by which it speaks TLS and signs, and the token that all containers of the site
+ * share. Immutable.
  */
 public final class ContainerAccess {
   private static final String ALGORITHM = "SHA256withECDSA";

@@ -4,7 +4,9 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** What mosquitto needs to guard a site: its configuration, password file and access list. */
+/**
+ * The files with which mosquitto guards a site: its configuration, password file and access list.
+ */
 final class MosquittoFiles {
 
   static final int PASSWORD_PORT = 8883;

@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Who belongs to a secured site, and where its broker is.
+ * The users of a secured site, and the hosts of its broker.
  *
  * @param site its name on the bus
  * @param hosts names and addresses that the broker is reached by

@@ -10,9 +10,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
 /**
- * Whether a broker lets a client in, asked once before anything begins: a transport tries for ever,
- * as it should in a site that runs, and would do so with the wrong certificate, too. Any thread may
- * ask, and waits.
+ * A test whether a broker lets a client in, made once before anything begins: a transport tries for
+ * ever, as it should in a site that runs, and would do so with the wrong certificate, too. Any
+ * thread may ask, and waits.
  */
 public final class ConnectionTester {
   private static final Duration KEEP_ALIVE = Duration.ofSeconds(15);

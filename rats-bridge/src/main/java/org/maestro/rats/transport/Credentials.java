@@ -4,7 +4,7 @@ import java.util.Optional;
 import javax.net.ssl.SSLContext;
 
 /**
- * How a client shows a secured broker who it is. Its text tells the user only.
+ * A client's password or certificate for a secured broker. Its text tells the user only.
  *
  * @param user also the client id
  * @param password empty: the context holds the user's certificate

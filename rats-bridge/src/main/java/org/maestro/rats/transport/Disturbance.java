@@ -3,14 +3,17 @@ package org.maestro.rats.transport;
 import java.time.Duration;
 import java.util.List;
 
-/** What a bad bus within the process makes of messages. Told where they are published, or heard. */
+/**
+ * Loss, repetition, change and delay of messages on a bad bus within the process. Told where they
+ * are published, or heard.
+ */
 public interface Disturbance {
 
   /** A bus that does what it should. */
   Disturbance NONE = new Disturbance() {};
 
   /**
-   * What becomes of a message.
+   * One delivery of a message on a bad bus.
    *
    * @param later than usual, in simulated time
    */

@@ -45,7 +45,7 @@ final class PahoConnection implements MqttCallback {
 
   private static final int CONNECT_SECONDS = 5;
 
-  /** What happened, told on Paho's threads. */
+  /** The listener for a connection's events, told on Paho's threads. */
   interface Events {
     /**
      * @param receiveMaximum so many publishes may be under way, as the broker says

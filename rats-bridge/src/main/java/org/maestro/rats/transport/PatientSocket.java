@@ -119,7 +119,7 @@ class PatientSocket extends Socket {
     super.close();
   }
 
-  /** What is in the buffer already needs no question to the system. */
+  /** A buffered stream that asks the system nothing while bytes are in its buffer. */
   private static final class AtHand extends BufferedInputStream {
     private AtHand(InputStream bare) {
       super(bare);

@@ -9,9 +9,9 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What waits to be published and what is under way: Paho throws when more publishes are in progress
- * than the broker allows, so their number is bounded here, and nothing is dropped without telling.
- * Confined to the transport's thread.
+ * The queue of messages that wait to be published, and those under way: Paho throws when more
+ * publishes are in progress than the broker allows, so their number is bounded here, and nothing is
+ * dropped without telling. Confined to the transport's thread.
  */
 final class PublishQueue {
 

@@ -96,6 +96,9 @@ public interface Transport extends AutoCloseable {
     void completed(Optional<PublishException> failure);
   }
 
-  /** What the broker publishes, retained at QoS 1, when the client vanishes. */
+  /**
+   * The last will: a message that the broker publishes, retained at QoS 1, when the client
+   * vanishes.
+   */
   record Will(String topic, byte[] payload) {}
 }

@@ -21,8 +21,8 @@ import org.maestro.sl.Self;
 import org.maestro.sl.Term;
 
 /**
- * Who speak for the members where no agents do: each tells the knowledge and the coordinator what
- * its member tells. Clock thread only.
+ * Proxies of the members where no agents speak for them: each tells the knowledge and the
+ * coordinator what its member tells. Clock thread only.
  */
 final class Deputies {
   private final Clock clock;

@@ -51,7 +51,7 @@ final class LinkActionDispatcher implements ActionDispatcher {
     call.life().ifPresent(boot -> link.cancel(member, boot, call.id()));
   }
 
-  /** What becomes of one order. */
+  /** The listener to one order. */
   private record Performing(Deputies.Deputy deputy, Step step, Consumer<Report> reported)
       implements CallReporter.Listener {
     @Override

@@ -3,7 +3,7 @@ package org.maestro.assembly;
 import com.sun.management.UnixOperatingSystemMXBean;
 import java.lang.management.ManagementFactory;
 
-/** How many files and connections this process may have open. */
+/** The limit on files and connections that this process may have open. */
 public final class OpenFiles {
 
   /** What a process of a site opens besides: libraries loaded late, logs, the platform's ports. */

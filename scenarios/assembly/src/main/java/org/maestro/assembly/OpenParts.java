@@ -3,7 +3,7 @@ package org.maestro.assembly;
 import java.util.ArrayDeque;
 import java.util.Deque;
 
-/** What a site has opened, to be closed with it: the latest part first. For one thread. */
+/** The parts that a site has opened, to be closed with it: the latest first. For one thread. */
 final class OpenParts implements AutoCloseable {
   private final Deque<AutoCloseable> parts = new ArrayDeque<>();
 

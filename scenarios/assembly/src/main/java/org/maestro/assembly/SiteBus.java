@@ -13,9 +13,9 @@ import org.maestro.rats.transport.PahoTransport;
 import org.maestro.rats.transport.Transport;
 
 /**
- * How a process takes part in a site over MQTT, open or secured. On a secured one everybody
- * connects under its own name; on an open one the site's name is put before it, so that several
- * sites can share a broker.
+ * The access of a process to a site over MQTT, open or secured. On a secured one everybody connects
+ * under its own name; on an open one the site's name is put before it, so that several sites can
+ * share a broker.
  */
 public final class SiteBus {
   private static final Duration ANSWER_WITHIN = Duration.ofSeconds(10);

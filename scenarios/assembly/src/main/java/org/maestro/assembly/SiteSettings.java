@@ -12,7 +12,7 @@ import org.maestro.sim.parameters.PhysicalParameters;
 import org.maestro.sim.scene.Scene;
 
 /**
- * How a site is to run.
+ * The settings with which a site runs.
  *
  * @param name of the JADE platform, and of the site on the bus
  * @param scene ground truth of the simulated world; empty: no simulated devices

@@ -8,7 +8,7 @@ import java.util.OptionalDouble;
 import java.util.stream.Stream;
 
 /**
- * What a benchmark measured, and on what.
+ * The figures of a benchmark, and the machine on which they were measured.
  *
  * @param summary lines for people, after the figures
  */

@@ -11,14 +11,16 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
 /**
- * How long planning goes on that was cancelled, in processor time: at several moments of problems
+ * The processor time for which planning goes on that was cancelled: at several moments of problems
  * of several sizes, each the first of a process of its own, where nothing is compiled yet. For one
  * thread.
  */
 public final class CancelBench {
   private static final long ENDED_WITHIN_SECONDS = 60;
 
-  /** What is planned, and when it is cancelled, in milliseconds of processor time. */
+  /**
+   * A problem to be planned, and the moment of its cancellation, in milliseconds of processor time.
+   */
   private record Moment(int agents, PlanningHome.Wish wish, int afterMilliseconds) {}
 
   private static final List<Moment> MOMENTS =

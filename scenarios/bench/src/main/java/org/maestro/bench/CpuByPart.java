@@ -10,7 +10,7 @@ import java.util.Objects;
 import java.util.function.Predicate;
 
 /**
- * Which part of a platform's process takes how much of the processors, by the names of its threads.
+ * The processor time that each part of a platform's process takes, by the names of its threads.
  * Threads that have ended, and those of Java itself, count among the rest.
  */
 final class CpuByPart {

@@ -15,8 +15,8 @@ import org.maestro.rats.transport.Publication;
 import org.maestro.rats.transport.Transport;
 
 /**
- * What members of the bus say of themselves, said by one client for all of them: who is to be
- * measured are the agents that listen.
+ * Members of the bus in appearance only: one client says for all of them what they say of
+ * themselves. To be measured are the agents that listen.
  */
 final class Crowd implements AutoCloseable {
   private static final String BOOT = "bench";

@@ -13,9 +13,9 @@ import org.maestro.experiment.drawing.Ink;
 import org.maestro.experiment.drawing.Stacks;
 
 /**
- * What a goal costs the platform's own process, part by part, with more and more containers: of
- * what there is one only, which part grows. Writes {@code growth.csv} and {@code growth.png}. For
- * one thread.
+ * The processor time that a goal costs the platform's own process, part by part, with more and more
+ * containers: of what there is one only, which part grows. Writes {@code growth.csv} and {@code
+ * growth.png}. For one thread.
  */
 public final class GrowthBench {
   /** Usually measured with. */

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** What is lost while a goal is pursued. */
+/** A loss that strikes while a goal is pursued. */
 public enum Loss {
   NONE("nothing"),
   KILLED("a container's process killed"),

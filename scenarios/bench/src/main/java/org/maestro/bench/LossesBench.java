@@ -9,9 +9,9 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 
 /**
- * What it costs to lose a container, a host or the platform's process while a goal is pursued: each
- * is done some times, and has to end with the goal reached, no step done twice and no agent there
- * twice. For one thread.
+ * The recovery after the loss of a container, a host or the platform's process while a goal is
+ * pursued: each loss is caused some times, and has to end with the goal reached, no step done twice
+ * and no agent there twice. For one thread.
  */
 public final class LossesBench {
   private final List<Loss> losses;
@@ -93,7 +93,7 @@ public final class LossesBench {
     return String.join(", ", parts);
   }
 
-  /** What is measured of a run. */
+  /** A figure that is measured of a run. */
   enum Figure {
     NOTICED("noticed after"),
     BACK("agent back, from then"),

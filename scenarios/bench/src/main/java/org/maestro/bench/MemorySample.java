@@ -12,7 +12,7 @@ import java.util.function.ToDoubleFunction;
 import org.maestro.assembly.SiteException;
 
 /**
- * What this process has of memory after so many goals.
+ * The memory that this process has after so many goals.
  *
  * @param heapMiB live: after all garbage was collected
  * @param committedMiB of the heap, live or free

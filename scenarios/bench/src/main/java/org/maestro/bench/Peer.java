@@ -26,7 +26,7 @@ final class Peer {
           + " print(os.path.join(os.path.dirname(s.origin), '%s'))";
   private static final double GRACE_SECONDS = 5;
 
-  /** How a planner is called and where its package keeps it. */
+  /** A planner: its name, and the place where its package keeps it. */
   enum Kind {
     FAST_DOWNWARD("Fast Downward", "up_fast_downward", "downward/fast-downward.py"),
     ENHSP("ENHSP", "up_enhsp", "ENHSP/enhsp.jar");
@@ -122,7 +122,7 @@ final class Peer {
             .formatted(name(), kind.module.replace('_', '-'));
   }
 
-  /** How it ended: of its own accord with or without a plan, or at the deadline. */
+  /** The end of a planner's run: of its own accord with or without a plan, or at the deadline. */
   enum End {
     PLAN,
     /** It says that there is none. */
@@ -131,7 +131,7 @@ final class Peer {
     STOPPED
   }
 
-  /** What became of a problem, and when. */
+  /** The end of a planner's run on a problem, and the time until then. */
   record Outcome(End end, double passedMilliseconds) {
     /** Until it had its plan; empty when it has none. */
     OptionalDouble milliseconds() {

@@ -15,7 +15,7 @@ import java.util.TreeSet;
  * had with one lamp; whether a transport can be done is left to chance.
  */
 final class PlanningHome {
-  /** What is asked for. */
+  /** A goal to be planned for. */
   enum Wish {
     OBSERVE,
     ILLUMINATE,

@@ -21,8 +21,9 @@ import org.maestro.rats.transport.PahoTransport;
 import org.maestro.sim.SimulatedHome;
 
 /**
- * How long a simulated robot takes to say what its ways cost, from the question to the answer over
- * the bus: it searches for a way to each place that is asked for. The baseline is what is demanded.
+ * The response time of a simulated robot that is asked what its ways cost, from the question to the
+ * answer over the bus: it searches for a way to each place that is asked for. The baseline is what
+ * is demanded.
  */
 final class PricesAsked implements AutoCloseable {
   private static final String SITE = "bench-prices";

@@ -81,7 +81,7 @@ final class Relay implements AutoCloseable {
     line.add(new Due(System.nanoTime(), new byte[0]));
   }
 
-  /** What is on its way, and when it is there; nothing at all is the end. */
+  /** Bytes on their way, and the time when they are there; no bytes are the end. */
   private record Due(long atNanos, byte[] bytes) {}
 
   private static void deliver(BlockingQueue<Due> line, Socket on) {

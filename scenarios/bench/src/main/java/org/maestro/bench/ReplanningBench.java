@@ -30,7 +30,7 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * How much sooner the platform's planner has a plan again when one agent left: in a home of many
+ * The time in which the platform's planner has a plan again when one agent left: in a home of many
  * like rooms where it is known how bright it is and where everything is, a thing is to be brought
  * two rooms farther. The baseline is the first time, of a planner that knows nothing yet.
  */
@@ -181,7 +181,10 @@ final class ReplanningBench {
     return sorted.get(sorted.size() / 2);
   }
 
-  /** What stands in the home, where everything is, and that it is light in every other room. */
+  /**
+   * The facts that stand in the home, with the places of all things, and with light in every other
+   * room.
+   */
   private record AllSeen(Facts described, Map<String, String> places) implements Facts {
     @Override
     public Truth truth(Formula.Atom atom) {

@@ -16,7 +16,7 @@ import org.maestro.sim.scene.Scene;
 import org.maestro.sl.SlParser;
 
 /**
- * How fast the simulated world runs: alone (physics and members on the stepped clock) as a multiple
+ * The speed of the simulated world: alone (physics and members on the stepped clock) as a multiple
  * of real time, and with the whole platform as runs a minute. Each figure stands beside what is
  * demanded of it. For one thread.
  */

@@ -20,7 +20,7 @@ import org.maestro.sl.SlParser;
 final class SoakGoals {
   private static final long PATIENCE_SECONDS = 120;
 
-  /** How a goal ended. */
+  /** The end of a goal. */
   enum End {
     REACHED("reached"),
     NOT_REACHED("not reached"),

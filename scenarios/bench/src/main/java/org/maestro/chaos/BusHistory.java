@@ -20,9 +20,9 @@ import org.maestro.rats.transport.Message;
 import org.maestro.rats.transport.Transport;
 
 /**
- * What was said on a bus, and what of it may not be: a call that ran twice, one that nobody made,
- * one that began after its time. What members execute is read from their states. For the thread
- * that lets time pass.
+ * The calls and states heard on a bus, and violations found in them: a call that ran twice, one
+ * that nobody made, one that began after its time. What members execute is read from their states.
+ * For the thread that lets time pass.
  */
 final class BusHistory {
   private static final String CONTROLLER = "maestro";

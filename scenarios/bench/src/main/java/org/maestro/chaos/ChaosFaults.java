@@ -206,7 +206,7 @@ final class ChaosFaults {
     };
   }
 
-  /** How much of a disturbance is left. */
+  /** The time that is left of a disturbance. */
   private interface Left {
     Duration get();
   }

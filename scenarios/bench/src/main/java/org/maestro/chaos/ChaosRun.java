@@ -84,7 +84,7 @@ public record ChaosRun(
     return new ChaosRun(home.seed(), agents, findings, claims, home.faults() + "\n" + story);
   }
 
-  /** Who sees to it that bus and journal are looked at. */
+  /** An onlooker that has the bus and the journal looked at. */
   private record Watcher(BusHistory history, Ledger ledger) implements RandomRun.Onlooker {
     @Override
     public void begin(InProcessBus bus, Clock clock) {

@@ -47,7 +47,7 @@ final class Ledger implements AutoCloseable {
   private final List<String> findings = new ArrayList<>();
   private Optional<Begun> begun = Optional.empty();
 
-  /** What is written, and the home whose words it takes to read it. */
+  /** A journal that is being written, and the home whose words it takes to read it. */
   private record Begun(JournalFile journal, Home home) {}
 
   Ledger(long seed) {

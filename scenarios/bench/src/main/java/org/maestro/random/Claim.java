@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import org.maestro.sl.Term;
 
-/** What was said of a goal at its end. */
+/** The platform's claim about a goal at its end. */
 record Claim(
     String goal,
     boolean reached,

@@ -12,7 +12,7 @@ public sealed interface Fault {
 
   Duration at();
 
-  /** What faults strike. */
+  /** The targets of faults: world, bus, clock and main process. */
   interface Stage {
     World world();
 
@@ -59,7 +59,7 @@ public sealed interface Fault {
     }
   }
 
-  /** What the member says takes so much longer, for a while. */
+  /** Latency added to all that the member says, for a while. */
   record Delay(Duration at, String member, Duration extra, Duration lasts) implements Fault {
     @Override
     public void strike(Stage stage) {
@@ -148,7 +148,7 @@ public sealed interface Fault {
     }
   }
 
-  /** What is done to the bus. */
+  /** An action that disturbs the bus. */
   interface BusDeed {
     void begin(InProcessBus bus, Clock clock);
   }

@@ -30,7 +30,7 @@ final class FloorDraft {
     }
   }
 
-  /** What a door is like. */
+  /** The kind of a door: whether it is open, driven or locked. */
   enum Kind {
     OPEN,
     SHUT,

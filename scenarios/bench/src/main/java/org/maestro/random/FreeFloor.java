@@ -13,8 +13,8 @@ import org.maestro.ontology.home.Polygon;
 import org.maestro.ontology.home.Segment;
 
 /**
- * Where one robot can surely go: cells of 5 cm flooded from where it stands, with 2 cm to spare,
- * the given doors open, other bodies where they are.
+ * The space that one robot can surely reach: cells of 5 cm flooded from where it stands, with 2 cm
+ * to spare, the given doors open, other bodies where they are.
  */
 final class FreeFloor {
   private static final double CELL = 0.05;

@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.Optional;
 import org.maestro.sl.Formula;
 
-/** What is said of one goal that is to be held, judged as long as it is. */
+/** The claims about one maintenance goal, judged as long as it is to be held. */
 final class Holding {
   /** In this time a loss has to be told: a sensor's news, a new attempt, a decision. */
   private static final Duration SILENCE = Duration.ofSeconds(20);

@@ -12,7 +12,7 @@ import org.maestro.ontology.home.Point2;
 import org.maestro.ontology.home.Pose;
 
 /**
- * What light can be made with the lamps and the shutter that can be used, all others staying as
+ * The light that can be made with the lamps and the shutter that can be used, all others staying as
  * they are: every combination of levels is tried.
  */
 final class Lighting {

@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
-/** Whether anybody honest could have seen at one moment that a goal is not so. */
+/** Honest observers at one moment, and whether any could have seen that a goal is not so. */
 record Onlookers(Site site, Moment moment, Possibilities possibilities) {
 
   /**

@@ -14,14 +14,15 @@ import org.maestro.hal.Position;
 import org.maestro.sl.Formula;
 
 /**
- * What can surely be brought about from one moment on, with the devices that can be used then: for
- * each thing every place where it could end (left, in a hand, beside another thing, in a zone), for
- * each robot every zone, for the lamps every combination of levels. "Surely" has two sides: it is
- * physically possible with something to spare, and what has to be found can be looked at.
+ * The states that can surely be brought about from one moment on, with the devices that can be used
+ * then: for each thing every place where it could end (left, in a hand, beside another thing, in a
+ * zone), for each robot every zone, for the lamps every combination of levels. "Surely" has two
+ * sides: it is physically possible with something to spare, and what has to be found can be looked
+ * at.
  */
 final class Possibilities {
 
-  /** Where a thing ends. */
+  /** The final place of a thing. */
   private record End(Kind kind, String where) {
     enum Kind {
       LEFT,

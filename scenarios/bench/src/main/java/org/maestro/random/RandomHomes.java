@@ -384,7 +384,7 @@ public final class RandomHomes {
     return text(place.floor()) + " 0";
   }
 
-  /** Who and what there is, by name. */
+  /** The names of all persons, things, places and devices of a home. */
   static final class Cast {
     final List<String> zones = new ArrayList<>();
     final List<String> desks = new ArrayList<>();

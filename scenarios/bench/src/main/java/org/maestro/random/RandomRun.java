@@ -33,7 +33,7 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
   /** Longer than the latest fault takes to strike. */
   private static final Duration HELD = Duration.ofSeconds(100);
 
-  /** Who looks on, and may disturb. Told on the thread that lets time pass. */
+  /** An onlooker, who may disturb. Told on the thread that lets time pass. */
   public interface Onlooker {
     /** The site is open, and no goal is stated yet. */
     void begin(InProcessBus bus, Clock clock);

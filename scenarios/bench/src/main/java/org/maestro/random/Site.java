@@ -13,7 +13,7 @@ import org.maestro.ontology.home.Pose;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sl.Term;
 
-/** What does not change of a home, as the judge sees it. */
+/** The fixed part of a home, as the judge sees it. */
 final class Site {
   static final double CAMERA_LEAST_LUX = 72;
   static final double CAMERA_GREATEST_LUX = 2000;

@@ -6,7 +6,7 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
 /**
- * Whether a goal is so in the simulated world at one moment. What the sensors cannot tell from true
+ * The truth of goals in the simulated world at one moment. What the sensors cannot tell from true
  * counts as close: 15 cm for distances and borders (four times what two cameras err at 2.8 m), 4 %
  * for light, and that a thing is nowhere in sight when it is shut away where it should not be.
  */
@@ -18,7 +18,7 @@ final class Truths {
   private final Moment moment;
   private final Site site;
 
-  /** How true it is. */
+  /** The degree of truth: false, close to true, or true. */
   enum Grade {
     FALSE,
     CLOSE,

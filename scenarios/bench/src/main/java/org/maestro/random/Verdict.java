@@ -1,7 +1,7 @@
 package org.maestro.random;
 
 /**
- * What the judge says of one claim.
+ * The judgement on one claim.
  *
  * @param reason of a disagreement, in one sentence
  */

@@ -9,15 +9,15 @@ import java.util.SplittableRandom;
 import org.maestro.experiment.running.TrialSite;
 
 /**
- * Who comes, goes and fails while a goal is pursued; drawn from a seed, before anything is known of
- * how the goal is pursued.
+ * The events of members that come, go and fail while a goal is pursued; drawn from a seed, before
+ * anything is known of how the goal is pursued.
  */
 record Comings(List<Coming> events) {
   private static final int LATEST_MILLIS = 12_000;
   private static final double OFTEN = 0.5;
   private static final double LESS_OFTEN = 0.4;
 
-  /** What can happen to a member. */
+  /** The kind of an event. */
   enum Kind {
     /** Its power fails: it lets go of what it holds and vanishes. */
     FAILS,

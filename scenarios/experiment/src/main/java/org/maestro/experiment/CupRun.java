@@ -40,7 +40,7 @@ record CupRun(
   private static final double SCATTER_METRES = 0.1;
 
   /**
-   * What a robot has done.
+   * An action that a robot has carried out.
    *
    * @param second since the goal was stated
    */

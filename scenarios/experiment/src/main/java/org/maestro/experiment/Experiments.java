@@ -32,7 +32,7 @@ public final class Experiments {
   }
 
   /**
-   * What is set for an experiment.
+   * The settings that an experiment was given.
    *
    * @param notes a sentence about each of what was given that changes nothing in it
    */

@@ -16,7 +16,7 @@ import org.maestro.experiment.measuring.Table;
 import org.maestro.experiment.page.Page;
 
 /**
- * What an experiment found.
+ * The findings of an experiment: figures, raw data, drawings and a page.
  *
  * @param tables raw data, by file name without ending
  * @param results its main figures

@@ -35,7 +35,7 @@ record JoinRun(
   private static final List<String> ROBOTS = List.of("rose", "tim");
   private static final Duration PATIENCE = Duration.ofMinutes(5);
 
-  /** How the goal is pursued. */
+  /** The condition under which the goal is pursued. */
   enum Way {
     /** Nobody comes, goes or fails. */
     UNDISTURBED(0),

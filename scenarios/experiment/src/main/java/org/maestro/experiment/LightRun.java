@@ -51,7 +51,7 @@ record LightRun(
   private static final double BEFORE = 80;
   private static final double PERIOD_SECONDS = 20;
 
-  /** What happens. */
+  /** The course of the light in a run. */
   enum Case {
     /** Nobody sees to the light: 16 to 19 lux, as in the paper. */
     DARK(0),

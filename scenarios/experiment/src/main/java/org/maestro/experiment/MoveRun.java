@@ -66,7 +66,7 @@ record MoveRun(
   /** A camera needs five frames at least for one look. */
   private static final double LOOK_FRAMES = 5;
 
-  /** What is to be brought where. */
+  /** A thing to be moved, and the one next to which it is to end. */
   record Job(String carried, String target) {
     String goal() {
       return "(nextTo %s %s)".formatted(carried, target);

@@ -29,7 +29,7 @@ final class OverExposure implements Experiment {
           new Stacks.Piece("says that it cannot be done", Ink.GREY),
           new Stacks.Piece("claims what is not so", Ink.RED));
 
-  /** What differs. */
+  /** An experimental condition: the settings in which it differs from the others. */
   private record Condition(String label, String key, boolean notices, boolean shutters) {
     Settings of(Settings settings) {
       return settings

@@ -3,7 +3,7 @@ package org.maestro.experiment;
 import org.maestro.experiment.setting.Settings;
 
 /**
- * How an experiment is to be carried out.
+ * The runs, seed and settings with which an experiment is to be carried out.
  *
  * @param runs one or more
  * @param seed of all chance; each run has a seed of its own that follows from it

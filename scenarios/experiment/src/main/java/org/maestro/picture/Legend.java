@@ -19,7 +19,10 @@ final class Legend {
   /** Height of the scale bar, beside the title. */
   private static final double BAR = 48;
 
-  /** What a picture may show, in the order in which it is explained. */
+  /**
+   * The symbols that a picture may show and their meanings, in the order in which they are
+   * explained.
+   */
   enum Entry {
     CAMERA("camera and what it sees", Legend::field),
     LAMP("lamp, filled as lit", (canvas, at) -> Symbols.lamp(canvas, at, 0.75)),

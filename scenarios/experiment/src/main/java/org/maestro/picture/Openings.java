@@ -8,7 +8,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import org.maestro.ontology.home.Segment;
 
-/** What lets light through a wall. */
+/** Windows in a wall, and the shutters that cover them. */
 final class Openings {
   private static final float GLASS = 9;
   private static final float SLATS = 13;

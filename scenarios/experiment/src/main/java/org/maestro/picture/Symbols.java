@@ -11,7 +11,7 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 
-/** What stands for what. */
+/** The symbols of lamps, cameras, sensors, robots, persons and things. */
 final class Symbols {
   /** Room around a lamp, camera, sensor or thing; pixels. */
   static final double SMALL = 18;

@@ -10,7 +10,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.util.List;
 
-/** Where a robot went: a line with a ring where it began and arrows the way it went. */
+/** A robot's path, drawn as a line with a ring where it began and arrows the way it went. */
 final class Way {
   private static final double RING = 11;
   private static final double ARROW = 16;

@@ -1,6 +1,6 @@
 package org.maestro.junit;
 
-/** How time passes on a stage. */
+/** The clock of a stage: how time passes there. */
 public enum ClockKind {
   /**
    * From event to event, as fast as the machine can: the same seed gives the same run. Everything

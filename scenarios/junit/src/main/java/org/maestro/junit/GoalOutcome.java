@@ -9,7 +9,7 @@ import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
 /**
- * How a goal ended on a stage.
+ * The outcome of a goal on a stage.
  *
  * @param goal as it was stated
  * @param story all it told, in order

@@ -14,7 +14,7 @@ import org.maestro.ontology.home.HomeLoader;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SceneLoader;
 
-/** What a test class asked for, read from the class path. */
+/** The site that a test class asked for, read from the class path. */
 record SiteWanted(Class<?> testClass, MaestroTest wanted) {
 
   /** The site's name on the bus: another for each stage, so that all share a broker. */

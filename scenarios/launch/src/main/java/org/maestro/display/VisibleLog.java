@@ -5,7 +5,7 @@ import ch.qos.logback.core.pattern.CompositeConverter;
 import org.maestro.text.VisibleText;
 
 /**
- * What a log's line is made of: {@code %visible(%msg){line}} is one line whatever the message
+ * The converter of a log's lines: {@code %visible(%msg){line}} is one line whatever the message
  * holds, {@code %visible(%ex){lines}} as many as a stack trace has.
  */
 public final class VisibleLog extends CompositeConverter<ILoggingEvent> {

@@ -39,7 +39,7 @@ final class AgentCommand implements Runnable {
         spec.commandLine(), "Say what to do: agent add, move, reconfigure or remove.");
   }
 
-  /** What the four have in common. */
+  /** The common part of the four requests to the coordinator. */
   abstract static class Request implements Callable<Integer> {
     @Spec private CommandSpec spec;
     @Mixin private PlatformOptions platform;

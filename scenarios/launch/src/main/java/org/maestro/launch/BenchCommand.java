@@ -47,7 +47,7 @@ final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
   private static final int LEAST_GOALS = 250;
 
-  /** What was asked for with options. */
+  /** The options that were given. */
   private record Wanted(
       Path directory,
       int runs,

@@ -78,7 +78,7 @@ final class DemoCommand implements Callable<Integer> {
   @Option(names = "--json", description = "Print one JSON document instead of the story.")
   private boolean json;
 
-  /** What was found out, in the words of the JSON document. */
+  /** The result of a demo run, in the words of the JSON document. */
   private record Summary(
       String goal,
       boolean reached,

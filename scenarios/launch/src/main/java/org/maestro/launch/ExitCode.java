@@ -1,6 +1,6 @@
 package org.maestro.launch;
 
-/** What the shell is told. */
+/** The exit status that the shell is told. */
 final class ExitCode {
   static final int DONE = 0;
 

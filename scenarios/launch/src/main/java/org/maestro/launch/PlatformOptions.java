@@ -9,7 +9,7 @@ import org.maestro.rats.security.SiteSecurity;
 import org.maestro.rats.time.PacedClock;
 import picocli.CommandLine.Option;
 
-/** Which running platform a command means. */
+/** The options by which a command finds its running platform. */
 final class PlatformOptions {
   @Option(
       names = "--platform",

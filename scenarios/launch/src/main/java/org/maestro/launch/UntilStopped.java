@@ -3,7 +3,7 @@ package org.maestro.launch;
 import java.io.PrintWriter;
 import java.util.concurrent.CountDownLatch;
 
-/** What the commands that stay have in common. */
+/** The wait until the process is stopped, common to the commands that stay. */
 final class UntilStopped {
 
   private UntilStopped() {}

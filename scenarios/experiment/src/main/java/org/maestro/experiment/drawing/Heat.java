@@ -22,7 +22,10 @@ import org.jfree.data.xy.DefaultXYDataset;
 import org.jfree.data.xy.DefaultXYZDataset;
 import org.maestro.ontology.home.Point2;
 
-/** How long somebody was in each square of a floor: a bivariate histogram, colours by logarithm. */
+/**
+ * A heat map of the time that somebody was in each square of a floor: a bivariate histogram,
+ * colours by logarithm.
+ */
 public final class Heat {
   private static final double SQUARE_METRES = 0.1;
   private static final double LEAST_SECONDS = 0.1;

@@ -15,7 +15,10 @@ import org.jfree.chart.renderer.category.StackedBarRenderer;
 import org.jfree.chart.renderer.category.StandardBarPainter;
 import org.jfree.data.category.DefaultCategoryDataset;
 
-/** How runs under several conditions ended: a bar for each condition, a piece for each ending. */
+/**
+ * A stacked bar chart of the endings of runs under several conditions: a bar for each condition, a
+ * piece for each ending.
+ */
 public final class Stacks {
 
   /** A way of ending. */

@@ -22,7 +22,7 @@ import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.chart.ui.TextAnchor;
 
-/** What all figures have in common. */
+/** The common style of all figures. */
 final class Style {
   static final int WIDTH = 1600;
   static final int HEIGHT = 900;

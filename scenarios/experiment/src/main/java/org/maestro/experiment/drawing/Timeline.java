@@ -18,7 +18,7 @@ import org.jfree.chart.renderer.category.IntervalBarRenderer;
 import org.jfree.chart.renderer.category.StandardBarPainter;
 import org.jfree.data.category.DefaultIntervalCategoryDataset;
 
-/** Who did what when: a row for each deed, in the colour of who did it. */
+/** A Gantt chart of who did what when: a row for each deed, in the colour of who did it. */
 public final class Timeline {
   private static final List<Ink> INKS =
       List.of(Ink.BLUE, Ink.ORANGE, Ink.GREEN, Ink.PURPLE, Ink.SKY, Ink.BLACK);

@@ -36,7 +36,10 @@ public final class Page {
     body.append("<p>To repeat it: <code>").append(escaped(command)).append("</code></p>\n");
   }
 
-  /** What is compared, what the paper says of it, what was measured here, and what to know. */
+  /**
+   * A row of the comparison with the paper: what is compared, what the paper says of it, what was
+   * measured here, and what to know.
+   */
   public record Row(String what, String paper, String here, String remark) {}
 
   public Page heading(String text) {

@@ -7,7 +7,7 @@ import org.maestro.agents.content.GoalReport;
 import org.maestro.coordination.api.StoryEntry;
 
 /**
- * How a goal ended, as the platform says.
+ * The end of a goal, as the platform tells it.
  *
  * @param report empty when it did not end in time
  * @param story all it told, in order

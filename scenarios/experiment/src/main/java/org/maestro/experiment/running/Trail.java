@@ -6,7 +6,7 @@ import java.util.List;
 import org.maestro.ontology.home.Point2;
 import org.maestro.sim.world.PathPoint;
 
-/** Where a robot was, at even times: between two corners of its path it drove evenly. */
+/** A robot's places at even times: between two corners of its path it drove evenly. */
 public record Trail(Duration step, List<Point2> places) {
   public Trail {
     places = List.copyOf(places);

@@ -10,7 +10,7 @@ import org.maestro.sim.parameters.PhysicalParameters;
 import org.maestro.sim.scene.Scene;
 
 /**
- * What one run is made from.
+ * The home, scene, seed and settings of one run.
  *
  * @param name that the platform's begins with
  * @param seed of all chance in the world

@@ -14,7 +14,7 @@ import org.maestro.sim.parameters.PhysicalSettings;
  */
 public record Setting(String name, String usual, Range range, String meaning) {
 
-  /** What may be said of it. */
+  /** The range of values that are allowed. */
   sealed interface Range {
 
     /** From the least to the greatest, both included. */
@@ -23,7 +23,7 @@ public record Setting(String name, String usual, Range range, String meaning) {
     /** True or false. */
     record Truth() implements Range {}
 
-    /** What the simulated world says of it. */
+    /** The range that the simulated world has for the setting. */
     record Physical() implements Range {}
   }
 

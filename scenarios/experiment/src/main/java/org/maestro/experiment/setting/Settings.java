@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** What is set for a run of an experiment: each setting has a value that was checked. Immutable. */
+/** The values set for a run of an experiment, each of them checked. Immutable. */
 public final class Settings {
   private final Map<String, Setting> known = new LinkedHashMap<>();
   private final Map<String, String> values = new TreeMap<>();
