@@ -19,6 +19,13 @@ public final class Rush {
   /** So many goals without a plan are common where several people share a home. */
   private static final int FEW = 8;
 
+  private enum Phase {
+    CALM,
+    RUSH,
+    /** Over by its length, while goals are still to be planned. */
+    SPENT
+  }
+
   /** Wall time: how fast plans are made does not depend on how fast the world goes. */
   public static final Duration LONGEST = Duration.ofSeconds(5);
 
@@ -28,8 +35,7 @@ public final class Rush {
   private final Set<String> unplanned = new LinkedHashSet<>();
   private final Set<String> heldBack = new LinkedHashSet<>();
   private Clock.Timer limit = () -> {};
-  private boolean under;
-  private boolean spent;
+  private Phase phase = Phase.CALM;
 
   /**
    * @param goOn told of each goal that was held back and is not any more
@@ -43,8 +49,8 @@ public final class Rush {
   /** The goal's first plan is being made. */
   public void planning(String goal) {
     unplanned.add(goal);
-    if (!under && !spent && unplanned.size() > FEW) {
-      under = true;
+    if (phase == Phase.CALM && unplanned.size() > FEW) {
+      phase = Phase.RUSH;
       limit = clock.schedule(clock.ofWallAtLeast(LONGEST), "rush", () -> owner.execute(this::over));
     }
   }
@@ -53,25 +59,25 @@ public final class Rush {
   public void planned(String goal) {
     if (unplanned.remove(goal) && unplanned.isEmpty()) {
       over();
-      spent = false;
+      phase = Phase.CALM;
     }
   }
 
   /** Whether nothing is begun for the goal yet; if so, it is told when that is over. */
   public boolean holdsBack(String goal) {
-    if (under) {
+    boolean isHeldBack = phase == Phase.RUSH;
+    if (isHeldBack) {
       heldBack.add(goal);
     }
-    return under;
+    return isHeldBack;
   }
 
   private void over() {
-    if (!under) {
+    if (phase != Phase.RUSH) {
       return;
     }
     limit.cancel();
-    under = false;
-    spent = true;
+    phase = Phase.SPENT;
     List<String> free = new ArrayList<>(heldBack);
     heldBack.clear();
     free.forEach(goOn);

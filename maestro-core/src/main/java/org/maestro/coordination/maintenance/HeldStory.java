@@ -2,6 +2,7 @@ package org.maestro.coordination.maintenance;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.StringJoiner;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Sentences;
@@ -18,8 +19,9 @@ final class HeldStory {
   private final String goalId;
   private final Ports ports;
   private final GoalStory goal;
-  private final List<StoryEntry> heldBack = new ArrayList<>();
-  private boolean quiet;
+
+  /** Entries that are told only if more becomes of it; empty: each is told at once. */
+  private Optional<List<StoryEntry>> heldBack = Optional.empty();
 
   HeldStory(String goalId, Ports ports) {
     this.goalId = goalId;
@@ -38,8 +40,7 @@ final class HeldStory {
    * @param again after it could not be; then nothing is told unless there is a plan this time
    */
   void begin(boolean again) {
-    quiet = again;
-    heldBack.clear();
+    heldBack = again ? Optional.of(new ArrayList<>()) : Optional.empty();
   }
 
   /** What is done to bring it about is part of the story; that this ends is not its end. */
@@ -48,30 +49,24 @@ final class HeldStory {
       case GOAL, KNOWN, END -> {
         // Told for the goal as a whole.
       }
-      case BIDS, REPLAN -> {
-        if (quiet) {
-          heldBack.add(entry);
-        } else {
-          ports.story().tell(entry);
-        }
-      }
+      case BIDS, REPLAN ->
+          heldBack.ifPresentOrElse(entries -> entries.add(entry), () -> ports.story().tell(entry));
       default -> {
-        quiet = false;
-        heldBack.forEach(ports.story()::tell);
-        heldBack.clear();
+        heldBack.ifPresent(entries -> entries.forEach(ports.story()::tell));
+        heldBack = Optional.empty();
         ports.story().tell(entry);
       }
     }
   }
 
-  void holds(Formula condition, boolean again, boolean unobserved, boolean confirmed) {
+  void holds(Formula condition, boolean again, Evidence evidence, boolean confirmed) {
     tell(
         StoryEntry.Kind.HELD,
         "It is so"
             + (again ? " again" : ", and is kept so")
             + quantities(condition)
             + (confirmed ? "" : "; nobody has seen it but who says so")
-            + (unobserved
+            + (evidence == Evidence.KNOWN
                 ? "; nobody can observe it all the time, it is so by what is known."
                 : "."));
   }

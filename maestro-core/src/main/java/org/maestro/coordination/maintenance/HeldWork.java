@@ -23,9 +23,15 @@ final class HeldWork {
   private final Reaching reaching;
   private final ActiveGoal held;
   private final Runnable over;
-  private Optional<ActiveGoal> current = Optional.empty();
+  private Optional<Work> current = Optional.empty();
   private Decisions decisions = new Decisions();
-  private boolean setting;
+
+  private enum Purpose {
+    BRINGING_ABOUT,
+    SETTING_ANEW
+  }
+
+  private record Work(ActiveGoal pursuit, Purpose purpose) {}
 
   /**
    * @param held whose work it is; it stands for the goal again when the work is over
@@ -40,24 +46,24 @@ final class HeldWork {
   }
 
   Optional<ActiveGoal> current() {
-    return current;
+    return current.map(Work::pursuit);
   }
 
   boolean isNone() {
     return current.isEmpty();
   }
 
-  boolean isSettingAnew() {
-    return setting;
+  /** The work of bringing the goal about, so that it cannot hold already. */
+  Optional<ActiveGoal> bringingAbout() {
+    return current.filter(work -> work.purpose() == Purpose.BRINGING_ABOUT).map(Work::pursuit);
   }
 
-  /** Whether the goal is being brought about, so that it cannot hold already. */
   boolean isBringingAbout() {
-    return current.isPresent() && !setting;
+    return bringingAbout().isPresent();
   }
 
   <T> Optional<T> asked(Function<ActiveGoal, Optional<T>> question) {
-    return current.flatMap(question);
+    return current().flatMap(question);
   }
 
   /** Of what is done now, or was done last. */
@@ -66,31 +72,23 @@ final class HeldWork {
   }
 
   double seconds(ToDoubleFunction<ActiveGoal> question) {
-    return current.map(question::applyAsDouble).orElse(0.0);
+    return current().map(question::applyAsDouble).orElse(0.0);
   }
 
   void told(Consumer<ActiveGoal> news) {
-    current.ifPresent(news);
+    current().ifPresent(news);
   }
 
   /** It is not started yet. */
   ActiveGoal bringAbout(Formula goal, Ports with, Consumer<GoalOutcome> then) {
-    return begin(goal, with, then);
+    return begin(Purpose.BRINGING_ABOUT, goal, with, then);
   }
 
   void setAnew(Formula goal, Ports with, Runnable then) {
-    setting = true;
-    begin(
-            goal,
-            with,
-            outcome -> {
-              setting = false;
-              then.run();
-            })
-        .start();
+    begin(Purpose.SETTING_ANEW, goal, with, outcome -> then.run()).start();
   }
 
-  private ActiveGoal begin(Formula goal, Ports with, Consumer<GoalOutcome> then) {
+  private ActiveGoal begin(Purpose purpose, Formula goal, Ports with, Consumer<GoalOutcome> then) {
     GoalRequest once =
         new GoalRequest(
             goal, wish.request().requester(), wish.request().priority(), Optional.empty());
@@ -98,13 +96,13 @@ final class HeldWork {
     begun[0] =
         reaching.pursuit(
             once, with, outcome -> activeGoals.run(() -> ended(begun[0], outcome, then)));
-    current = Optional.of(begun[0]);
+    current = Optional.of(new Work(begun[0], purpose));
     decisions = begun[0].decisions();
     return begun[0];
   }
 
   private void ended(ActiveGoal ended, GoalOutcome outcome, Consumer<GoalOutcome> then) {
-    if (current.filter(now -> now == ended).isPresent()) {
+    if (current().filter(now -> now == ended).isPresent()) {
       current = Optional.empty();
       over.run();
       activeGoals.enter(held, wish.standing());
@@ -113,9 +111,8 @@ final class HeldWork {
   }
 
   void stop() {
-    Optional<ActiveGoal> stopped = current;
+    Optional<ActiveGoal> stopped = current();
     current = Optional.empty();
-    setting = false;
     if (stopped.isPresent()) {
       stopped.get().cancel(wish.id());
       over.run();

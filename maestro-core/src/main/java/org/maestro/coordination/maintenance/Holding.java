@@ -65,19 +65,19 @@ final class Holding {
   /**
    * It is so.
    *
-   * @param unobserved by what is known only
    * @param confirmed not only by the word of who did it
    */
-  void begins(boolean unobserved, boolean confirmed) {
+  void begins(Evidence evidence, boolean confirmed) {
     if (!holding) {
       holding = true;
       patience.held(clock.now());
       lastReasons = "";
-      story.holds(condition, everHeld, unobserved, confirmed);
+      story.holds(condition, everHeld, evidence, confirmed);
       tell(everHeld ? HeldNews.Kind.HELD_AGAIN : HeldNews.Kind.HELD, confirmed, List.of());
       everHeld = true;
     }
-    life.becomeIfNew(GoalPhase.HOLDING, unobserved ? "nobody can observe it all the time" : "");
+    life.becomeIfNew(
+        GoalPhase.HOLDING, evidence == Evidence.KNOWN ? "nobody can observe it all the time" : "");
   }
 
   void ceases() {

@@ -57,7 +57,7 @@ public final class MaintenanceGoal implements ActiveGoal {
   private final Reoptimization saving;
   private final NextLook nextLook;
 
-  private boolean unobserved;
+  private Evidence evidence = Evidence.OBSERVED;
 
   public MaintenanceGoal(
       Wish wish,
@@ -106,7 +106,8 @@ public final class MaintenanceGoal implements ActiveGoal {
   private Ports working() {
     KnowledgeBase seen =
         new WatchedKnowledge(
-            ports.knowledge(), now -> unobserved ? now : watch.seen(now, ports.knowledge().home()));
+            ports.knowledge(),
+            now -> evidence == Evidence.KNOWN ? now : watch.seen(now, ports.knowledge().home()));
     return new Ports(
         seen,
         ports.planner(),
@@ -160,8 +161,8 @@ public final class MaintenanceGoal implements ActiveGoal {
   @Override
   public GoalStatus status() {
     GoalStatus own = life.status(activeGoals.leases().waitsOf(id()));
-    return work.current()
-        .filter(w -> !work.isSettingAnew() && !own.state().isFinal())
+    return work.bringingAbout()
+        .filter(pursuit -> !own.state().isFinal())
         .map(ActiveGoal::status)
         .map(now -> own.as(now.state(), now.detail()))
         .orElse(own);
@@ -189,7 +190,7 @@ public final class MaintenanceGoal implements ActiveGoal {
 
   @Override
   public void memberPresent(String member) {
-    unobserved = false;
+    evidence = Evidence.OBSERVED;
     holding.renewed();
     look();
   }
@@ -296,7 +297,7 @@ public final class MaintenanceGoal implements ActiveGoal {
     }
     if (condition.isSo(working.knowledge())) {
       if (work.isNone()) {
-        holding.begins(unobserved, isWitnessed());
+        holding.begins(evidence, isWitnessed());
         saveIfDue();
       }
     } else {
@@ -346,13 +347,13 @@ public final class MaintenanceGoal implements ActiveGoal {
     }
     if (outcome.reached() && condition.isSo(working.knowledge())) {
       saving.settled();
-      holding.begins(unobserved, outcome.confirmed() || isWitnessed());
-    } else if (!unobserved && !outcome.reached()) {
+      holding.begins(evidence, outcome.confirmed() || isWitnessed());
+    } else if (evidence == Evidence.OBSERVED && !outcome.reached()) {
       // Perhaps nobody can observe it all the time; then what is known has to do.
-      unobserved = true;
+      evidence = Evidence.KNOWN;
       bringAbout();
     } else {
-      unobserved = false;
+      evidence = Evidence.OBSERVED;
       holding.failed(
           outcome.reached()
               ? List.of("What was done for it has not made it so.")
