@@ -42,80 +42,26 @@ public record PlatformSettings(
     HeartbeatSettings heartbeats,
     Premises premises) {
 
-  /** Of a platform whose agents wait for each other as long as usual. */
-  public PlatformSettings(
-      String name,
-      int port,
-      boolean gui,
-      Optional<String> brokerUri,
-      String site,
-      Duration decisionTime,
-      Optional<Path> storyDirectory,
-      Optional<Path> dataDirectory) {
-    this(
-        name,
-        port,
-        gui,
-        brokerUri,
-        site,
-        decisionTime,
-        storyDirectory,
-        dataDirectory,
-        ProtocolTimeouts.standard(),
-        Optional.empty(),
-        HeartbeatSettings.standard(),
-        Premises.usual());
+  /** Of a platform whose goals end with it, at the site of its own name. */
+  public static Builder of(String name) {
+    return new Builder(name);
   }
 
-  /** Of a platform that is guarded. */
-  public PlatformSettings with(Optional<Guard> other) {
-    return new PlatformSettings(
-        name,
-        port,
-        gui,
-        brokerUri,
-        site,
-        decisionTime,
-        storyDirectory,
-        dataDirectory,
-        patience,
-        other,
-        heartbeats,
-        premises);
-  }
-
-  /** Of a platform whose containers are given up sooner or later than usual. */
-  public PlatformSettings with(HeartbeatSettings other) {
-    return new PlatformSettings(
-        name,
-        port,
-        gui,
-        brokerUri,
-        site,
-        decisionTime,
-        storyDirectory,
-        dataDirectory,
-        patience,
-        guard,
-        other,
-        premises);
-  }
-
-  /** Of a platform that can be reached elsewhere. */
-  public PlatformSettings at(Premises other) {
-    return new PlatformSettings(
-        name,
-        port,
-        gui,
-        brokerUri,
-        site,
-        decisionTime,
-        storyDirectory,
-        dataDirectory,
-        patience,
-        guard,
-        heartbeats,
-        other);
+  /** The same, but for what the builder is told. */
+  public Builder but() {
+    Builder builder = new Builder(name);
+    builder.port = port;
+    builder.gui = gui;
+    builder.brokerUri = brokerUri;
+    builder.site = site;
+    builder.decisionTime = decisionTime;
+    builder.storyDirectory = storyDirectory;
+    builder.dataDirectory = dataDirectory;
+    builder.patience = patience;
+    builder.guard = guard;
+    builder.heartbeats = heartbeats;
+    builder.premises = premises;
+    return builder;
   }
 
   /**
@@ -132,36 +78,109 @@ public record PlatformSettings(
               + " no --mtp; leave that away, or have the other platform's people join as guests"
               + " (./maestro secure --guest).");
     }
-    return new PlatformSettings(
-        name,
-        own,
-        gui,
-        brokerUri,
-        site,
-        decisionTime,
-        storyDirectory,
-        dataDirectory,
-        patience,
-        guard,
-        heartbeats,
-        premises.with(
-            premises
-                .letters()
-                .map(
-                    box ->
-                        new Premises.LetterBox(
-                            box.host(), Sockets.claim(box.host(), box.port(), "--mtp")))));
+    return but()
+        .port(own)
+        .premises(
+            premises.with(
+                premises
+                    .letters()
+                    .map(
+                        box ->
+                            new Premises.LetterBox(
+                                box.host(), Sockets.claim(box.host(), box.port(), "--mtp")))))
+        .build();
   }
 
-  /** Of a platform whose goals end with it. */
-  public PlatformSettings(
-      String name,
-      int port,
-      boolean gui,
-      Optional<String> brokerUri,
-      String site,
-      Duration decisionTime,
-      Optional<Path> storyDirectory) {
-    this(name, port, gui, brokerUri, site, decisionTime, storyDirectory, Optional.empty());
+  /** Settings in the making: as usual, until it is said otherwise. For one thread. */
+  public static final class Builder {
+
+    private final String name;
+    private int port;
+    private boolean gui;
+    private Optional<String> brokerUri = Optional.empty();
+    private String site;
+    private Duration decisionTime = Duration.ZERO;
+    private Optional<Path> storyDirectory = Optional.empty();
+    private Optional<Path> dataDirectory = Optional.empty();
+    private ProtocolTimeouts patience = ProtocolTimeouts.standard();
+    private Optional<Guard> guard = Optional.empty();
+    private HeartbeatSettings heartbeats = HeartbeatSettings.standard();
+    private Premises premises = Premises.usual();
+
+    private Builder(String name) {
+      this.name = name;
+      this.site = name;
+    }
+
+    public Builder port(int port) {
+      this.port = port;
+      return this;
+    }
+
+    public Builder gui(boolean gui) {
+      this.gui = gui;
+      return this;
+    }
+
+    public Builder brokerUri(Optional<String> brokerUri) {
+      this.brokerUri = brokerUri;
+      return this;
+    }
+
+    public Builder site(String site) {
+      this.site = site;
+      return this;
+    }
+
+    public Builder decisionTime(Duration decisionTime) {
+      this.decisionTime = decisionTime;
+      return this;
+    }
+
+    public Builder storyDirectory(Optional<Path> storyDirectory) {
+      this.storyDirectory = storyDirectory;
+      return this;
+    }
+
+    public Builder dataDirectory(Optional<Path> dataDirectory) {
+      this.dataDirectory = dataDirectory;
+      return this;
+    }
+
+    public Builder patience(ProtocolTimeouts patience) {
+      this.patience = patience;
+      return this;
+    }
+
+    public Builder guard(Optional<Guard> guard) {
+      this.guard = guard;
+      return this;
+    }
+
+    public Builder heartbeats(HeartbeatSettings heartbeats) {
+      this.heartbeats = heartbeats;
+      return this;
+    }
+
+    public Builder premises(Premises premises) {
+      this.premises = premises;
+      return this;
+    }
+
+    public PlatformSettings build() {
+      return new PlatformSettings(
+          name,
+          port,
+          gui,
+          brokerUri,
+          site,
+          decisionTime,
+          storyDirectory,
+          dataDirectory,
+          patience,
+          guard,
+          heartbeats,
+          premises);
+    }
   }
 }

@@ -174,17 +174,16 @@ public final class LocalSite implements AutoCloseable {
     parts.opened(link);
     MaestroPlatform started =
         MaestroPlatform.start(
-            new PlatformSettings(
-                    settings.name(),
-                    settings.jadePort(),
-                    settings.gui(),
-                    broker.map(URI::toString),
-                    settings.name(),
-                    decisionTime,
-                    settings.storyDirectory(),
-                    settings.dataDirectory())
-                .with(settings.security().map(files -> Guard.open(files, CONTROLLER)))
-                .at(settings.premises()),
+            PlatformSettings.of(settings.name())
+                .port(settings.jadePort())
+                .gui(settings.gui())
+                .brokerUri(broker.map(URI::toString))
+                .decisionTime(decisionTime)
+                .storyDirectory(settings.storyDirectory())
+                .dataDirectory(settings.dataDirectory())
+                .guard(settings.security().map(files -> Guard.open(files, CONTROLLER)))
+                .premises(settings.premises())
+                .build(),
             knowledge,
             new ObjectivePlanner(
                 new ReplanningPlanner(new OptimalPlanner()), settings.allocation()),

@@ -44,137 +44,132 @@ public record SiteSettings(
     Store store,
     Premises premises) {
 
-  /** Of a site that allocates steps so that they cost least. */
-  public SiteSettings(
-      String name,
-      Home home,
-      Optional<Scene> scene,
-      long seed,
-      Optional<URI> broker,
-      int jadePort,
-      boolean gui,
-      Optional<Path> storyDirectory,
-      Optional<Path> dataDirectory) {
-    this(
-        name,
-        home,
-        scene,
-        seed,
-        broker,
-        jadePort,
-        gui,
-        storyDirectory,
-        dataDirectory,
-        Objective.CHEAPEST,
-        PhysicalParameters.standard(),
-        Optional.empty(),
-        Store.IN_MEMORY,
-        Premises.usual());
+  /** Of a site without simulated devices, on a bus of its own, that remembers nothing. */
+  public static Builder of(String name, Home home) {
+    return new Builder(name, home);
   }
 
-  public SiteSettings withAllocation(Objective other) {
-    return new SiteSettings(
-        name,
-        home,
-        scene,
-        seed,
-        broker,
-        jadePort,
-        gui,
-        storyDirectory,
-        dataDirectory,
-        other,
-        physics,
-        security,
-        store,
-        premises);
+  /** The same, but for what the builder is told. */
+  public Builder but() {
+    Builder builder = new Builder(name, home);
+    builder.scene = scene;
+    builder.seed = seed;
+    builder.broker = broker;
+    builder.jadePort = jadePort;
+    builder.gui = gui;
+    builder.storyDirectory = storyDirectory;
+    builder.dataDirectory = dataDirectory;
+    builder.allocation = allocation;
+    builder.physics = physics;
+    builder.security = security;
+    builder.store = store;
+    builder.premises = premises;
+    return builder;
   }
 
-  public SiteSettings withSecurity(Optional<SiteSecurity> files) {
-    return new SiteSettings(
-        name,
-        home,
-        scene,
-        seed,
-        broker,
-        jadePort,
-        gui,
-        storyDirectory,
-        dataDirectory,
-        allocation,
-        physics,
-        files,
-        store,
-        premises);
-  }
+  /** Settings in the making: as usual, until it is said otherwise. For one thread. */
+  public static final class Builder {
 
-  /** The same with the dataset of the collective knowledge elsewhere. */
-  public SiteSettings withStore(Store other) {
-    return new SiteSettings(
-        name,
-        home,
-        scene,
-        seed,
-        broker,
-        jadePort,
-        gui,
-        storyDirectory,
-        dataDirectory,
-        allocation,
-        physics,
-        security,
-        other,
-        premises);
-  }
+    private final String name;
+    private final Home home;
+    private Optional<Scene> scene = Optional.empty();
+    private long seed = 1;
+    private Optional<URI> broker = Optional.empty();
+    private int jadePort;
+    private boolean gui;
+    private Optional<Path> storyDirectory = Optional.empty();
+    private Optional<Path> dataDirectory = Optional.empty();
+    private Objective allocation = Objective.CHEAPEST;
+    private PhysicalParameters physics = PhysicalParameters.standard();
+    private Optional<SiteSecurity> security = Optional.empty();
+    private Store store = Store.IN_MEMORY;
+    private Premises premises = Premises.usual();
 
-  /** The same, to be reached elsewhere. */
-  public SiteSettings at(Premises other) {
-    return new SiteSettings(
-        name,
-        home,
-        scene,
-        seed,
-        broker,
-        jadePort,
-        gui,
-        storyDirectory,
-        dataDirectory,
-        allocation,
-        physics,
-        security,
-        store,
-        other);
-  }
+    private Builder(String name, Home home) {
+      this.name = name;
+      this.home = home;
+    }
 
-  /** The same in a world of other physics. */
-  public SiteSettings with(PhysicalParameters other) {
-    return new SiteSettings(
-        name,
-        home,
-        scene,
-        seed,
-        broker,
-        jadePort,
-        gui,
-        storyDirectory,
-        dataDirectory,
-        allocation,
-        other,
-        security,
-        store,
-        premises);
-  }
+    public Builder scene(Scene scene) {
+      this.scene = Optional.of(scene);
+      return this;
+    }
 
-  /** Of a site that remembers nothing. */
-  public SiteSettings(
-      String name,
-      Home home,
-      Optional<Scene> scene,
-      long seed,
-      Optional<URI> broker,
-      int jadePort,
-      boolean gui,
-      Optional<Path> storyDirectory) {
-    this(name, home, scene, seed, broker, jadePort, gui, storyDirectory, Optional.empty());
+    public Builder seed(long seed) {
+      this.seed = seed;
+      return this;
+    }
+
+    public Builder broker(URI broker) {
+      return broker(Optional.of(broker));
+    }
+
+    public Builder broker(Optional<URI> broker) {
+      this.broker = broker;
+      return this;
+    }
+
+    public Builder jadePort(int jadePort) {
+      this.jadePort = jadePort;
+      return this;
+    }
+
+    public Builder gui(boolean gui) {
+      this.gui = gui;
+      return this;
+    }
+
+    public Builder storyDirectory(Path storyDirectory) {
+      this.storyDirectory = Optional.of(storyDirectory);
+      return this;
+    }
+
+    public Builder dataDirectory(Path dataDirectory) {
+      this.dataDirectory = Optional.of(dataDirectory);
+      return this;
+    }
+
+    public Builder allocation(Objective allocation) {
+      this.allocation = allocation;
+      return this;
+    }
+
+    public Builder physics(PhysicalParameters physics) {
+      this.physics = physics;
+      return this;
+    }
+
+    public Builder security(SiteSecurity security) {
+      this.security = Optional.of(security);
+      return this;
+    }
+
+    public Builder store(Store store) {
+      this.store = store;
+      return this;
+    }
+
+    public Builder premises(Premises premises) {
+      this.premises = premises;
+      return this;
+    }
+
+    public SiteSettings build() {
+      return new SiteSettings(
+          name,
+          home,
+          scene,
+          seed,
+          broker,
+          jadePort,
+          gui,
+          storyDirectory,
+          dataDirectory,
+          allocation,
+          physics,
+          security,
+          store,
+          premises);
+    }
   }
 }

@@ -5,7 +5,6 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
@@ -113,8 +112,7 @@ public final class AgentsBench {
   private static MaestroPlatform platform(
       KnowledgeBase knowledge, RatsLink link, PacedClock clock, Home home) {
     return MaestroPlatform.start(
-        new PlatformSettings(
-            NAME, 0, false, Optional.empty(), NAME, Duration.ZERO, Optional.empty()),
+        PlatformSettings.of(NAME).build(),
         knowledge,
         new OptimalPlanner(),
         link,

@@ -147,8 +147,7 @@ public final class ContainersBench {
 
   private MaestroPlatform platform(Home home, URI broker, RatsLink link, Clock clock) {
     return MaestroPlatform.start(
-        new PlatformSettings(
-            site, 0, false, Optional.of(broker.toString()), site, Duration.ZERO, Optional.empty()),
+        PlatformSettings.of(site).brokerUri(Optional.of(broker.toString())).build(),
         CollectiveKnowledge.open(home, clock, KnowledgeSettings.inMemory()),
         new OptimalPlanner(),
         link,

@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
@@ -80,15 +79,7 @@ public final class CoordinationBench {
 
   private static SiteSettings settings(LargeHome large) {
     Home home = large.home();
-    return new SiteSettings(
-        "bench-coordination",
-        home,
-        Optional.of(large.scene(home)),
-        1,
-        Optional.empty(),
-        0,
-        false,
-        Optional.empty());
+    return SiteSettings.of("bench-coordination", home).scene(large.scene(home)).build();
   }
 
   /** Ten agents, as many as a home has. */

@@ -199,16 +199,11 @@ final class CupThoughLoss {
     Home home = new HomeLoader().load(text("/homes/bob.ttl"), "bob.ttl");
     ByteArrayInputStream scene =
         new ByteArrayInputStream(text("/scenes/bob-dark.ttl").getBytes(StandardCharsets.UTF_8));
-    return new SiteSettings(
-            name,
-            home,
-            Optional.of(SceneLoader.load("bob-dark", scene, home)),
-            1,
-            Optional.of(relay.uri()),
-            0,
-            false,
-            Optional.empty())
-        .at(Premises.usual().on(address));
+    return SiteSettings.of(name, home)
+        .scene(SceneLoader.load("bob-dark", scene, home))
+        .broker(relay.uri())
+        .premises(Premises.usual().on(address))
+        .build();
   }
 
   private static String text(String path) {

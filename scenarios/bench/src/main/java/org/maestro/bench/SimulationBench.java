@@ -4,7 +4,6 @@ import java.lang.management.ManagementFactory;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
@@ -131,16 +130,7 @@ public final class SimulationBench {
   private double platformRun(long seed, double[] sums) {
     long begun = System.nanoTime();
     LocalSite site =
-        LocalSite.stepped(
-            new SiteSettings(
-                "bench-sim",
-                arena,
-                Optional.of(arenaScene),
-                seed,
-                Optional.empty(),
-                0,
-                false,
-                Optional.empty()));
+        LocalSite.stepped(SiteSettings.of("bench-sim", arena).scene(arenaScene).seed(seed).build());
     double seconds;
     long started;
     long ended;

@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.ToDoubleFunction;
 import org.maestro.assembly.LocalSite;
@@ -49,16 +48,11 @@ public final class SoakBench {
 
   private BenchReport run(Path directory) {
     SiteSettings settings =
-        new SiteSettings(
-            "bench-soak",
-            home,
-            Optional.of(scene),
-            1,
-            Optional.empty(),
-            0,
-            false,
-            Optional.of(directory.resolve("stories")),
-            Optional.of(directory));
+        SiteSettings.of("bench-soak", home)
+            .scene(scene)
+            .storyDirectory(directory.resolve("stories"))
+            .dataDirectory(directory)
+            .build();
     List<MemorySample> samples = new ArrayList<>();
     Map<SoakGoals.End, Integer> ends = new EnumMap<>(SoakGoals.End.class);
     try (LocalSite site = LocalSite.paced(settings, SPEED)) {

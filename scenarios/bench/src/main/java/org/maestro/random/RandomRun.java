@@ -5,7 +5,6 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.BiFunction;
 import org.maestro.assembly.AgentlessSite;
@@ -80,15 +79,10 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
         (home, scene) ->
             new ArenaWithAgents(
                 LocalSite.stepped(
-                    new SiteSettings(
-                        random.name(),
-                        home,
-                        Optional.of(scene),
-                        random.seed(),
-                        Optional.empty(),
-                        0,
-                        false,
-                        Optional.empty()))));
+                    SiteSettings.of(random.name(), home)
+                        .scene(scene)
+                        .seed(random.seed())
+                        .build())));
   }
 
   private static RandomRun run(

@@ -33,8 +33,11 @@ record SiteWanted(Class<?> testClass, MaestroTest wanted) {
             sceneResource,
             new ByteArrayInputStream(text(sceneResource).getBytes(StandardCharsets.UTF_8)),
             home);
-    return new SiteSettings(
-        uniqueName(), home, Optional.of(scene), wanted.seed(), broker, 0, false, Optional.empty());
+    return SiteSettings.of(uniqueName(), home)
+        .scene(scene)
+        .seed(wanted.seed())
+        .broker(broker)
+        .build();
   }
 
   private String text(String resource) {

@@ -110,16 +110,12 @@ final class DemoCommand implements Callable<Integer> {
     }
     RuntimeDirectory directory = RuntimeDirectory.ofUser();
     SiteSettings settings =
-        new SiteSettings(
-                NAME,
-                home,
-                Optional.of(truth),
-                seed,
-                Optional.empty(),
-                0,
-                false,
-                Optional.of(directory.beginStories(NAME)))
-            .withAllocation(allocation);
+        SiteSettings.of(NAME, home)
+            .scene(truth)
+            .seed(seed)
+            .storyDirectory(directory.beginStories(NAME))
+            .allocation(allocation)
+            .build();
     try (LocalSite site = LocalSite.paced(settings, speed)) {
       Optional<Duration> lowerBound = lowerBound(site, home, goal);
       TopView view = new TopView(home, site.world());

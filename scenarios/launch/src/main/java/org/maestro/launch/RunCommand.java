@@ -21,7 +21,6 @@ import org.maestro.platform.failover.LeaderLock;
 import org.maestro.platform.hosts.HostFile;
 import org.maestro.platform.hosts.HostStart;
 import org.maestro.platform.jade.Premises;
-import org.maestro.sim.scene.Scene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -154,32 +153,7 @@ final class RunCommand implements Callable<Integer> {
               + " runs already; stop it, or choose another --name and --port.");
     }
     Home loaded = simulation.home();
-    Optional<Scene> scene =
-        withoutSimulation
-            ? Optional.empty()
-            : Optional.of(
-                simulation.scene(
-                    loaded,
-                    "A home of your own needs --scene FILE for its simulated devices, or --no-sim"
-                        + " for real ones."));
-    Optional<URI> bus = broker.map(Endpoint::broker);
-    SiteSettings settings =
-        new SiteSettings(
-                name,
-                loaded,
-                scene,
-                simulation.seed(),
-                bus,
-                port,
-                gui,
-                Optional.of(
-                    data.map(kept -> directory.beginStories(kept.resolve("stories")))
-                        .orElseGet(() -> directory.beginStories(name))),
-                data)
-            .withAllocation(allocation)
-            .withSecurity(security.files())
-            .withStore(store.map(Store::parse).orElse(Store.IN_MEMORY))
-            .at(premises());
+    SiteSettings settings = settings(loaded, directory);
     Optional<LeaderLock> duty = data.map(this::takeDuty);
     LocalSite site = LocalSite.paced(settings, speed);
     directory.add(
@@ -193,6 +167,30 @@ final class RunCommand implements Callable<Integer> {
     UntilStopped.run(
         spec.commandLine().getOut(), announcement(loaded, site), () -> end(directory, site, duty));
     return ExitCode.DONE;
+  }
+
+  private SiteSettings settings(Home loaded, RuntimeDirectory directory) {
+    SiteSettings.Builder wanted = SiteSettings.of(name, loaded);
+    if (!withoutSimulation) {
+      wanted.scene(
+          simulation.scene(
+              loaded,
+              "A home of your own needs --scene FILE for its simulated devices, or --no-sim"
+                  + " for real ones."));
+    }
+    wanted
+        .seed(simulation.seed())
+        .broker(broker.map(Endpoint::broker))
+        .jadePort(port)
+        .gui(gui)
+        .storyDirectory(
+            data.map(kept -> directory.beginStories(kept.resolve("stories")))
+                .orElseGet(() -> directory.beginStories(name)))
+        .allocation(allocation);
+    data.ifPresent(wanted::dataDirectory);
+    security.files().ifPresent(wanted::security);
+    store.map(Store::parse).ifPresent(wanted::store);
+    return wanted.premises(premises()).build();
   }
 
   private LeaderLock takeDuty(Path kept) {

@@ -7,7 +7,6 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.assembly.SiteSettings;
@@ -28,10 +27,7 @@ class LastCanTest {
   @Test
   void theLastCanIsSoldAndNotOneMore() throws Exception {
     PythonProcess.assumePython();
-    SiteSettings settings =
-        new SiteSettings(
-            SITE, home(), Optional.empty(), 1, Optional.empty(), 0, false, Optional.empty());
-    try (Stage stage = Stage.paced(settings);
+    try (Stage stage = Stage.paced(SiteSettings.of(SITE, home()).build());
         PythonProcess before = machine(stage, "before");
         PythonProcess after = machine(stage, "after");
         PythonProcess never = machine(stage, "never")) {

@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.Optional;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -90,9 +89,7 @@ class OddDevicesTest {
 
   private static Stage stage() throws IOException, InterruptedException {
     PythonProcess.assumePython();
-    return Stage.paced(
-        new SiteSettings(
-            SITE, home(), Optional.empty(), 1, Optional.empty(), 0, false, Optional.empty()));
+    return Stage.paced(SiteSettings.of(SITE, home()).build());
   }
 
   private static Home home() throws IOException {

@@ -8,7 +8,6 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.junit.GoalOutcome;
@@ -25,10 +24,7 @@ class PythonDeviceInAPlanTest {
   @Test
   void aFeatureThatMaestroHasNeverSeenIsUsedInAPlan() throws IOException, InterruptedException {
     assumeTrue(hasPython(), "python3 with paho-mqtt is not installed; .ci/run installs them");
-    SiteSettings settings =
-        new SiteSettings(
-            SITE, home(), Optional.empty(), 1, Optional.empty(), 0, false, Optional.empty());
-    try (Stage stage = Stage.paced(settings)) {
+    try (Stage stage = Stage.paced(SiteSettings.of(SITE, home()).build())) {
       MaestroAssertions.assertThat(stage.goal("(served Tea Anna)")).isNotReached();
       Process kettle = start(stage.broker());
       try {

@@ -71,21 +71,15 @@ class SecuredPlatformTest {
         home.devices().keySet(),
         List.of("console", "tablet", "stranger"));
     SiteSettings settings =
-        new SiteSettings(
-                NAME,
-                home,
-                Optional.of(
-                    SceneLoader.load(
-                        "bob-dark.ttl",
-                        new ByteArrayInputStream(
-                            Files.readAllBytes(SHIPPED.resolve("scenes/bob-dark.ttl"))),
-                        home)),
-                1,
-                Optional.empty(),
-                0,
-                false,
-                Optional.empty())
-            .withSecurity(Optional.of(SiteSecurity.open(files)));
+        SiteSettings.of(NAME, home)
+            .scene(
+                SceneLoader.load(
+                    "bob-dark.ttl",
+                    new ByteArrayInputStream(
+                        Files.readAllBytes(SHIPPED.resolve("scenes/bob-dark.ttl"))),
+                    home))
+            .security(SiteSecurity.open(files))
+            .build();
     site = LocalSite.paced(settings, 10);
     site.platform().onStory(entry -> STORY.add(entry.text()));
     lights =

@@ -7,7 +7,6 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.parallel.Execution;
@@ -95,15 +94,7 @@ class InterleavingsTest {
 
   private static SiteSettings settings(String what, long seed) {
     Home home = new HomeLoader().load(text("/homes/bob.ttl"), "bob.ttl");
-    return new SiteSettings(
-        "order-" + what + "-" + seed,
-        home,
-        Optional.of(scene(home)),
-        1,
-        Optional.empty(),
-        0,
-        false,
-        Optional.empty());
+    return SiteSettings.of("order-" + what + "-" + seed, home).scene(scene(home)).build();
   }
 
   private static Scene scene(Home home) {

@@ -13,7 +13,6 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -324,15 +323,10 @@ class LostContainerTest {
                 text("/homes/bob.ttl")
                     .replace("home:rose a :MobileRobot ;", "home:rose a :MobileRobot ; " + needs),
                 "bob.ttl");
-    return new SiteSettings(
-        name,
-        home,
-        Optional.of(SceneLoader.load("bob-dark", resource("/scenes/bob-dark.ttl"), home)),
-        1,
-        Optional.of(broker.uri()),
-        0,
-        false,
-        Optional.empty());
+    return SiteSettings.of(name, home)
+        .scene(SceneLoader.load("bob-dark", resource("/scenes/bob-dark.ttl"), home))
+        .broker(broker.uri())
+        .build();
   }
 
   private JavaProcess take(LocalSite site) throws IOException {

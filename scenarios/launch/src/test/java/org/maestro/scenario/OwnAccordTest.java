@@ -66,12 +66,12 @@ class OwnAccordTest {
   /** Its goal is the same after a restart, and what it has learnt for it. */
   @Test
   void aGroupGoesOnWithItsGoalAfterARestart(@TempDir Path data) {
-    try (Stage stage = Stage.stepped(site("before", KEEPER, "", "", Optional.of(data)))) {
+    try (Stage stage = Stage.stepped(remembering("before", data))) {
       stage.await("the room is lit", () -> stage.world().lux("zone-b") >= 72);
       stage.run(Duration.ofSeconds(5));
     }
 
-    try (Stage stage = Stage.stepped(site("after", KEEPER, "", "", Optional.of(data)))) {
+    try (Stage stage = Stage.stepped(remembering("after", data))) {
       List<StoryEntry> story = listen(stage);
       stage.await("the room is lit again", () -> stage.world().lux("zone-b") >= 72);
       stage.run(Duration.ofSeconds(5));
@@ -197,28 +197,24 @@ class OwnAccordTest {
   }
 
   private static Stage stage(String name, String more, String instead, String by) {
-    return Stage.stepped(site(name, more, instead, by, Optional.empty()));
+    return Stage.stepped(site(name, more, instead, by));
   }
 
-  static SiteSettings site(
-      String name, String more, String instead, String by, Optional<Path> data) {
+  private static SiteSettings remembering(String name, Path data) {
+    return site(name, KEEPER, "", "").but().dataDirectory(data).build();
+  }
+
+  static SiteSettings site(String name, String more, String instead, String by) {
     Home home =
         new HomeLoader().load(text("/homes/bob.ttl").replace(instead, by) + more, "bob.ttl");
     String scene = text("/scenes/bob-dark.ttl");
-    return new SiteSettings(
-        name,
-        home,
-        Optional.of(
+    return SiteSettings.of(name, home)
+        .scene(
             SceneLoader.load(
                 "the scene",
                 new ByteArrayInputStream(scene.getBytes(StandardCharsets.UTF_8)),
-                home)),
-        1,
-        Optional.empty(),
-        0,
-        false,
-        Optional.empty(),
-        data);
+                home))
+        .build();
   }
 
   private static String text(String path) {

@@ -59,11 +59,7 @@ class PapersMessageTest {
             "arena-dark.ttl",
             PapersMessageTest.class.getResourceAsStream("/scenes/arena-dark.ttl"),
             home);
-    site =
-        LocalSite.paced(
-            new SiteSettings(
-                "MC", home, Optional.of(scene), 1, Optional.empty(), 0, false, Optional.empty()),
-            20);
+    site = LocalSite.paced(SiteSettings.of("MC", home).scene(scene).build(), 20);
     guest = PlainAgent.join(Optional.of("MC"), site.platform().port(), "GAC", "Guest");
   }
 

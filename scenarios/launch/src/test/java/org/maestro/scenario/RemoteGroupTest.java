@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
@@ -29,9 +28,7 @@ class RemoteGroupTest {
   @Test
   void aGroupKeepsItsRoomLitWithLampsOfAnotherProcess(@TempDir Path directory) throws Exception {
     try (LocalSite site =
-        LocalSite.paced(
-            OwnAccordTest.site("remote-group", OwnAccordTest.KEEPER, "", "", Optional.empty()),
-            SPEED)) {
+        LocalSite.paced(OwnAccordTest.site("remote-group", OwnAccordTest.KEEPER, "", ""), SPEED)) {
       until(() -> site.world().lux("zone-b") >= 72);
       try (JavaProcess refused = take(site, directory, "groups")) {
         JavaProcess.Ended ended = refused.await(Duration.ofSeconds(60));

@@ -8,7 +8,6 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -65,19 +64,13 @@ class RenamingTest {
       String name, String vocabulary, String homeText, String scene, String goal) {
     Home home = HomeLoader.withVocabulary(List.of(vocabulary)).load(homeText, "bob.ttl");
     SiteSettings site =
-        new SiteSettings(
-            name,
-            home,
-            Optional.of(
+        SiteSettings.of(name, home)
+            .scene(
                 SceneLoader.load(
                     "the scene",
                     new ByteArrayInputStream(scene.getBytes(StandardCharsets.UTF_8)),
-                    home)),
-            1,
-            Optional.empty(),
-            0,
-            false,
-            Optional.empty());
+                    home))
+            .build();
     try (Stage stage = Stage.stepped(site)) {
       return stage.goal(goal);
     }

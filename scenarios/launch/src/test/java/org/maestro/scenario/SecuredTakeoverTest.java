@@ -69,17 +69,11 @@ class SecuredTakeoverTest {
     Home home = home();
     secure(home);
     SiteSettings settings =
-        new SiteSettings(
-                NAME,
-                home,
-                Optional.of(
-                    SceneLoader.load("the scene", resource("three-rooms-robots-in-a.ttl"), home)),
-                1,
-                broker,
-                0,
-                false,
-                Optional.empty())
-            .withSecurity(Optional.of(SiteSecurity.open(files)));
+        SiteSettings.of(NAME, home)
+            .scene(SceneLoader.load("the scene", resource("three-rooms-robots-in-a.ttl"), home))
+            .broker(broker)
+            .security(SiteSecurity.open(files))
+            .build();
     try (Stage stage = Stage.paced(settings)) {
       stage.world().moveByHand("Bob", new Position(7.2, 2.2, 0));
       Pursuit pursuit = stage.begin("(nextTo Cup Bob)").awaitTelling(": rose drives to zone-c");

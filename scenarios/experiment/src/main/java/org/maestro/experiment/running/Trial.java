@@ -1,6 +1,5 @@
 package org.maestro.experiment.running;
 
-import java.util.Optional;
 import java.util.OptionalDouble;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
@@ -34,17 +33,12 @@ public record Trial(
 
   LocalSite open() {
     SiteSettings settings =
-        new SiteSettings(
-                nameOfItsOwn(),
-                home,
-                Optional.of(scene),
-                seed,
-                Optional.empty(),
-                0,
-                false,
-                Optional.empty())
-            .with(physics)
-            .withAllocation(allocation);
+        SiteSettings.of(nameOfItsOwn(), home)
+            .scene(scene)
+            .seed(seed)
+            .allocation(allocation)
+            .physics(physics)
+            .build();
     return pace.isPresent()
         ? LocalSite.paced(settings, pace.getAsDouble())
         : LocalSite.stepped(settings);
