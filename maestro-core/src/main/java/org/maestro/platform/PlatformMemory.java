@@ -10,7 +10,6 @@ import org.maestro.agents.goals.Past;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.knowledge.api.KnowledgeBase;
-import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.platform.jade.PlatformStartException;
 import org.maestro.platform.journal.JournalFile;
 import org.maestro.platform.journal.StoryFile;
@@ -34,7 +33,9 @@ final class PlatformMemory implements AutoCloseable {
         settings
             .dataDirectory()
             .map(
-                directory -> JournalFile.open(directory, clock, name -> isFluent(knowledge, name)));
+                directory ->
+                    JournalFile.open(
+                        directory, clock, name -> knowledge.home().vocabulary().isFluent(name)));
     Optional<StoryFile> stories =
         settings.storyDirectory().map(directory -> StoryFile.open(directory, clock));
     PlatformMemory memory = new PlatformMemory(journal, stories);
@@ -45,15 +46,6 @@ final class PlatformMemory implements AutoCloseable {
       memory.close();
       throw e;
     }
-  }
-
-  private static boolean isFluent(KnowledgeBase knowledge, String name) {
-    return knowledge
-        .home()
-        .vocabulary()
-        .predicate(name)
-        .filter(PredicateDeclaration::fluent)
-        .isPresent();
   }
 
   private Recovery recovery() {

@@ -3,7 +3,6 @@ package org.maestro.agents;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import jade.core.AID;
-import jade.core.behaviours.CyclicBehaviour;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -20,6 +19,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.platform.Hearing;
 
 /**
  * Messages that nobody should send: each gets one clear answer, none stays in the queue, and the
@@ -197,21 +197,12 @@ class AdmissionTest {
     @Override
     protected void setup() {
       super.setup();
-      addBehaviour(
-          new CyclicBehaviour(this) {
-            private static final long serialVersionUID = 1L;
+      addBehaviour(new Hearing(this, this::heard));
+    }
 
-            @Override
-            public void action() {
-              ACLMessage message = receive();
-              if (message == null) {
-                block();
-              } else {
-                heard.add(message);
-                answer.accept(message);
-              }
-            }
-          });
+    private void heard(ACLMessage message) {
+      heard.add(message);
+      answer.accept(message);
     }
 
     void say(ACLMessage message) {

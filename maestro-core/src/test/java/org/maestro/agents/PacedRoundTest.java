@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
 import jade.core.Agent;
-import jade.core.behaviours.CyclicBehaviour;
 import jade.lang.acl.ACLMessage;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -25,6 +24,7 @@ import org.maestro.agents.runtime.ProtocolTimeouts;
 import org.maestro.coordination.api.CallForPrices;
 import org.maestro.coordination.api.ContractNet;
 import org.maestro.platform.BareJade;
+import org.maestro.platform.Hearing;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.sl.SlParser;
 
@@ -77,20 +77,7 @@ class PacedRoundTest {
 
     @Override
     protected void setup() {
-      addBehaviour(
-          new CyclicBehaviour(this) {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public void action() {
-              ACLMessage message = receive();
-              if (message == null) {
-                block();
-              } else {
-                heard.add(message);
-              }
-            }
-          });
+      addBehaviour(new Hearing(this, heard::add));
     }
   }
 

@@ -5,6 +5,13 @@ import java.util.List;
 /** A condition: of a goal, a precondition, a derived predicate or a question. */
 public sealed interface Formula {
 
+  /**
+   * The formulas that it is made of, in order; none of an atom, a comparison, and what is unknown.
+   */
+  default List<Formula> parts() {
+    return List.of();
+  }
+
   /** A predicate applied to terms; a class name with one term is an atom too. */
   record Atom(String predicate, List<Term> arguments) implements Formula {
     public Atom {
@@ -20,27 +27,57 @@ public sealed interface Formula {
     public And {
       operands = List.copyOf(operands);
     }
+
+    @Override
+    public List<Formula> parts() {
+      return operands;
+    }
   }
 
   record Or(List<Formula> operands) implements Formula {
     public Or {
       operands = List.copyOf(operands);
     }
+
+    @Override
+    public List<Formula> parts() {
+      return operands;
+    }
   }
 
-  record Not(Formula operand) implements Formula {}
+  record Not(Formula operand) implements Formula {
+    @Override
+    public List<Formula> parts() {
+      return List.of(operand);
+    }
+  }
 
-  record Imply(Formula premise, Formula conclusion) implements Formula {}
+  record Imply(Formula premise, Formula conclusion) implements Formula {
+    @Override
+    public List<Formula> parts() {
+      return List.of(premise, conclusion);
+    }
+  }
 
   record Exists(List<TypedVariable> variables, Formula body) implements Formula {
     public Exists {
       variables = List.copyOf(variables);
+    }
+
+    @Override
+    public List<Formula> parts() {
+      return List.of(body);
     }
   }
 
   record Forall(List<TypedVariable> variables, Formula body) implements Formula {
     public Forall {
       variables = List.copyOf(variables);
+    }
+
+    @Override
+    public List<Formula> parts() {
+      return List.of(body);
     }
   }
 
@@ -54,7 +91,12 @@ public sealed interface Formula {
   record UnknownNumber(Expression.Fluent fluent) implements Formula {}
 
   /** To hold until cancelled; legal as a goal only. */
-  record Keep(Formula body) implements Formula {}
+  record Keep(Formula body) implements Formula {
+    @Override
+    public List<Formula> parts() {
+      return List.of(body);
+    }
+  }
 
   /** The comparisons. */
   enum Relation {

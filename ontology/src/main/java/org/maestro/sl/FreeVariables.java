@@ -54,15 +54,6 @@ public final class FreeVariables {
   private void visit(Formula formula) {
     if (formula instanceof Formula.Atom atom) {
       visit(atom.arguments());
-    } else if (formula instanceof Formula.And and) {
-      and.operands().forEach(this::visit);
-    } else if (formula instanceof Formula.Or or) {
-      or.operands().forEach(this::visit);
-    } else if (formula instanceof Formula.Not not) {
-      visit(not.operand());
-    } else if (formula instanceof Formula.Imply imply) {
-      visit(imply.premise());
-      visit(imply.conclusion());
     } else if (formula instanceof Formula.Exists exists) {
       under(exists.variables(), () -> visit(exists.body()));
     } else if (formula instanceof Formula.Forall forall) {
@@ -74,8 +65,8 @@ public final class FreeVariables {
       visit(unknown.atom().arguments());
     } else if (formula instanceof Formula.UnknownNumber unknown) {
       visit(unknown.fluent());
-    } else if (formula instanceof Formula.Keep keep) {
-      visit(keep.body());
+    } else {
+      formula.parts().forEach(this::visit);
     }
   }
 

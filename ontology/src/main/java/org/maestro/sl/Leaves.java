@@ -24,19 +24,6 @@ public final class Leaves {
   private void visit(Formula formula) {
     if (formula instanceof Formula.Atom atom) {
       atoms.accept(atom);
-    } else if (formula instanceof Formula.And and) {
-      and.operands().forEach(this::visit);
-    } else if (formula instanceof Formula.Or or) {
-      or.operands().forEach(this::visit);
-    } else if (formula instanceof Formula.Not not) {
-      visit(not.operand());
-    } else if (formula instanceof Formula.Imply imply) {
-      visit(imply.premise());
-      visit(imply.conclusion());
-    } else if (formula instanceof Formula.Exists exists) {
-      visit(exists.body());
-    } else if (formula instanceof Formula.Forall forall) {
-      visit(forall.body());
     } else if (formula instanceof Formula.Comparison comparison) {
       visit(comparison.left());
       visit(comparison.right());
@@ -44,9 +31,8 @@ public final class Leaves {
       atoms.accept(unknown.atom());
     } else if (formula instanceof Formula.UnknownNumber unknown) {
       fluents.accept(unknown.fluent());
-    } else if (formula instanceof Formula.Keep keep) {
-      visit(keep.body());
     }
+    formula.parts().forEach(this::visit);
   }
 
   private void visit(Expression expression) {

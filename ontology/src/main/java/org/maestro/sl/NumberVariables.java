@@ -35,24 +35,10 @@ public final class NumberVariables {
   }
 
   private void visit(Formula formula) {
-    if (formula instanceof Formula.And and) {
-      and.operands().forEach(this::visit);
-    } else if (formula instanceof Formula.Or or) {
-      or.operands().forEach(this::visit);
-    } else if (formula instanceof Formula.Not not) {
-      visit(not.operand());
-    } else if (formula instanceof Formula.Imply imply) {
-      visit(imply.premise());
-      visit(imply.conclusion());
-    } else if (formula instanceof Formula.Exists exists) {
-      visit(exists.body());
-    } else if (formula instanceof Formula.Forall forall) {
-      visit(forall.body());
-    } else if (formula instanceof Formula.Keep keep) {
-      visit(keep.body());
-    } else if (formula instanceof Formula.Comparison comparison) {
+    if (formula instanceof Formula.Comparison comparison) {
       visit(comparison);
     }
+    formula.parts().forEach(this::visit);
   }
 
   private void visit(Formula.Comparison comparison) {

@@ -21,7 +21,6 @@ import org.maestro.coordination.api.InvalidGoalException;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.home.AccessList;
-import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
@@ -133,15 +132,7 @@ public final class GoalRequests {
   }
 
   private Formula parse(String text) {
-    return SlParser.formula(
-        text,
-        name ->
-            knowledge
-                .home()
-                .vocabulary()
-                .predicate(name)
-                .filter(PredicateDeclaration::fluent)
-                .isPresent());
+    return SlParser.formula(text, knowledge.home().vocabulary()::isFluent);
   }
 
   /**

@@ -61,7 +61,7 @@ public final class CallArguments {
     if (current.isPresent()) {
       return current.map(List::of);
     }
-    if (home.vocabulary().predicate(property).filter(p -> p.fluent()).isPresent()) {
+    if (home.vocabulary().isFluent(property)) {
       var number = snapshot.number(new Expression.Fluent(property, List.of(name)));
       if (number.isPresent()) {
         return Optional.of(List.of(new Term.Number(number.getAsDouble())));

@@ -76,20 +76,9 @@ public final class CausalLinks {
 
   /** That something is not known is no fact that anybody could spoil by finding it out. */
   private static boolean mentionsUnknown(Formula formula) {
-    if (formula instanceof Formula.And and) {
-      return and.operands().stream().anyMatch(CausalLinks::mentionsUnknown);
-    } else if (formula instanceof Formula.Or or) {
-      return or.operands().stream().anyMatch(CausalLinks::mentionsUnknown);
-    } else if (formula instanceof Formula.Not not) {
-      return mentionsUnknown(not.operand());
-    } else if (formula instanceof Formula.Imply imply) {
-      return mentionsUnknown(imply.premise()) || mentionsUnknown(imply.conclusion());
-    } else if (formula instanceof Formula.Exists exists) {
-      return mentionsUnknown(exists.body());
-    } else if (formula instanceof Formula.Forall forall) {
-      return mentionsUnknown(forall.body());
-    }
-    return formula instanceof Formula.UnknownAtom || formula instanceof Formula.UnknownNumber;
+    return formula instanceof Formula.UnknownAtom
+        || formula instanceof Formula.UnknownNumber
+        || formula.parts().stream().anyMatch(CausalLinks::mentionsUnknown);
   }
 
   /** The first condition that is so now, and would not be after the changes. */

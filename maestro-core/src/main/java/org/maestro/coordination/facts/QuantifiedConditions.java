@@ -26,16 +26,9 @@ final class QuantifiedConditions {
   }
 
   private static boolean hasQuantifier(Formula formula) {
-    if (formula instanceof Formula.And and) {
-      return and.operands().stream().anyMatch(QuantifiedConditions::hasQuantifier);
-    } else if (formula instanceof Formula.Or or) {
-      return or.operands().stream().anyMatch(QuantifiedConditions::hasQuantifier);
-    } else if (formula instanceof Formula.Not not) {
-      return hasQuantifier(not.operand());
-    } else if (formula instanceof Formula.Imply imply) {
-      return hasQuantifier(imply.premise()) || hasQuantifier(imply.conclusion());
-    }
-    return formula instanceof Formula.Exists || formula instanceof Formula.Forall;
+    return formula instanceof Formula.Exists
+        || formula instanceof Formula.Forall
+        || formula.parts().stream().anyMatch(QuantifiedConditions::hasQuantifier);
   }
 
   /** Whether one of them is true now and was not, or the other way round, when last asked. */

@@ -24,6 +24,7 @@ import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
+import org.maestro.sl.OnlyKnown;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 

@@ -143,18 +143,6 @@ public final class Signature {
   private boolean mayChange(Formula formula) {
     if (formula instanceof Formula.Atom atom) {
       return isDynamic(atom.predicate());
-    } else if (formula instanceof Formula.And and) {
-      return and.operands().stream().anyMatch(this::isDynamic);
-    } else if (formula instanceof Formula.Or or) {
-      return or.operands().stream().anyMatch(this::isDynamic);
-    } else if (formula instanceof Formula.Not not) {
-      return isDynamic(not.operand());
-    } else if (formula instanceof Formula.Imply imply) {
-      return isDynamic(imply.premise()) || isDynamic(imply.conclusion());
-    } else if (formula instanceof Formula.Exists exists) {
-      return isDynamic(exists.body());
-    } else if (formula instanceof Formula.Forall forall) {
-      return isDynamic(forall.body());
     } else if (formula instanceof Formula.Comparison comparison) {
       return isDynamic(comparison.left()) || isDynamic(comparison.right());
     } else if (formula instanceof Formula.UnknownAtom unknown) {
@@ -162,7 +150,7 @@ public final class Signature {
     } else if (formula instanceof Formula.UnknownNumber unknown) {
       return isDynamic(unknown.fluent().name());
     }
-    return isDynamic(((Formula.Keep) formula).body());
+    return formula.parts().stream().anyMatch(this::isDynamic);
   }
 
   private boolean isDynamic(Expression expression) {

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
 import jade.core.Agent;
-import jade.core.behaviours.CyclicBehaviour;
 import jade.core.behaviours.SimpleBehaviour;
 import jade.lang.acl.ACLMessage;
 import java.nio.file.Path;
@@ -13,6 +12,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.platform.BareJade;
+import org.maestro.platform.Hearing;
 
 /** A conversation's behaviour among the other messages of its agent. */
 class BatchingBehaviourTest {
@@ -43,27 +43,13 @@ class BatchingBehaviourTest {
     }
   }
 
-  /** Counts what it hears. */
-  private final class Hearing extends CyclicBehaviour {
-    private static final long serialVersionUID = 1L;
-
-    @Override
-    public void action() {
-      if (myAgent.receive() == null) {
-        block();
-      } else {
-        heard.incrementAndGet();
-      }
-    }
-  }
-
   private final class Talking extends Agent {
     private static final long serialVersionUID = 1L;
 
     @Override
     protected void setup() {
       addBehaviour(new BatchingBehaviour(working, hasMail::get));
-      addBehaviour(new Hearing());
+      addBehaviour(new Hearing(this, message -> heard.incrementAndGet()));
     }
   }
 

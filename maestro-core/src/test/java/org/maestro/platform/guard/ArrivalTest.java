@@ -8,10 +8,8 @@ import jade.core.AID;
 import jade.core.Agent;
 import jade.lang.acl.ACLMessage;
 import jade.tools.DummyAgent.DummyAgent;
-import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
-import java.io.ObjectOutputStream;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -37,6 +35,7 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.Size;
 import org.maestro.agents.GenericAgent;
+import org.maestro.fixtures.Gadgets;
 
 /** Which agents may arrive from another container, and how long one that is none takes at most. */
 class ArrivalTest {
@@ -60,13 +59,13 @@ class ArrivalTest {
 
   @Example
   void aGenericAgentArrives() throws Exception {
-    assertThat(Arrival.of(bytes(new GenericAgent()))).isInstanceOf(GenericAgent.class);
+    assertThat(Arrival.of(Gadgets.bytes(new GenericAgent()))).isInstanceOf(GenericAgent.class);
   }
 
   @Example
   void anotherAgentOfThisProcessDoesNot() throws Exception {
     for (Agent other : List.of(new Agent(), new DummyAgent())) {
-      byte[] bytes = bytes(other);
+      byte[] bytes = Gadgets.bytes(other);
       assertThatThrownBy(() -> Arrival.of(bytes)).isInstanceOf(IOException.class);
     }
   }
@@ -74,26 +73,25 @@ class ArrivalTest {
   @Example
   void whatIsNoAgentDoesNot() throws Exception {
     for (Object other : List.of("text", new AID("rose@home", AID.ISGUID), new ACLMessage(1))) {
-      byte[] none = bytes(other);
+      byte[] none = Gadgets.bytes(other);
       assertThatThrownBy(() -> Arrival.of(none))
           .isInstanceOf(IOException.class)
           .hasMessageContaining("it is no generic agent");
     }
   }
 
-  /** Each level doubles the time that Java's own reading takes: 32 of them are some minutes. */
   @Example
   void aNestOfSetsTakesNoTime() throws Exception {
-    Object root = nest(32);
-    refusedInTime(bytes(root));
-    refusedInTime(bytes(new Object[] {"before", root}));
+    Object root = Gadgets.nest(32);
+    refusedInTime(Gadgets.bytes(root));
+    refusedInTime(Gadgets.bytes(new Object[] {"before", root}));
   }
 
   @Example
   void whatContainsItselfIsRefused() throws Exception {
     Vector<Object> endless = new Vector<>();
     endless.add(endless);
-    refusedInTime(bytes(endless));
+    refusedInTime(Gadgets.bytes(endless));
   }
 
   @Property(tries = 200)
@@ -103,7 +101,7 @@ class ArrivalTest {
     for (UnaryOperator<Object> shape : shapes) {
       gadget = shape.apply(gadget);
     }
-    refusedInTime(bytes(gadget));
+    refusedInTime(Gadgets.bytes(gadget));
   }
 
   @Provide
@@ -116,29 +114,11 @@ class ArrivalTest {
       @ForAll @Size(min = 1, max = 8) List<@IntRange(min = 0, max = 1_000_000) Integer> places,
       @ForAll byte other)
       throws Exception {
-    byte[] changed = bytes(new GenericAgent());
+    byte[] changed = Gadgets.bytes(new GenericAgent());
     for (int place : places) {
       changed[place % changed.length] = other;
     }
     inTime(changed);
-  }
-
-  private static Set<Object> nest(int depth) {
-    Set<Object> root = new HashSet<>();
-    Set<Object> one = root;
-    Set<Object> other = new HashSet<>();
-    for (int level = 0; level < depth; level++) {
-      Set<Object> first = new HashSet<>();
-      Set<Object> second = new HashSet<>();
-      first.add("differs");
-      one.add(first);
-      one.add(second);
-      other.add(first);
-      other.add(second);
-      one = first;
-      other = second;
-    }
-    return root;
   }
 
   private static void refusedInTime(byte[] bytes) {
@@ -156,13 +136,5 @@ class ArrivalTest {
             return false;
           }
         });
-  }
-
-  private static byte[] bytes(Object written) throws IOException {
-    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
-      out.writeObject(written);
-    }
-    return bytes.toByteArray();
   }
 }

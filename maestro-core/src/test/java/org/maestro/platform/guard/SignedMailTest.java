@@ -7,7 +7,6 @@ import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.read.ListAppender;
 import jade.core.AID;
 import jade.core.Agent;
-import jade.core.behaviours.CyclicBehaviour;
 import jade.core.behaviours.OneShotBehaviour;
 import jade.lang.acl.ACLMessage;
 import jade.wrapper.AgentContainer;
@@ -27,6 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.Caller;
 import org.maestro.platform.BareJade;
+import org.maestro.platform.Hearing;
 import org.maestro.rats.security.ContainerAccess;
 import org.maestro.rats.security.SecureSite;
 import org.maestro.rats.security.SiteSecurity;
@@ -201,20 +201,7 @@ class SignedMailTest {
 
     @Override
     protected void setup() {
-      addBehaviour(
-          new CyclicBehaviour(this) {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public void action() {
-              ACLMessage message = receive();
-              if (message == null) {
-                block();
-              } else {
-                heard.add(message);
-              }
-            }
-          });
+      addBehaviour(new Hearing(this, heard::add));
       ready.countDown();
     }
 

@@ -13,6 +13,7 @@ import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
+import org.maestro.sl.OnlyKnown;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
@@ -123,23 +124,5 @@ public final class HomeFacts implements Facts {
       bindings.put(predicate.parameters().get(i).name(), atom.arguments().get(i));
     }
     return new Evaluation(facts).truth(formula, bindings);
-  }
-
-  /** Takes what is unknown for false, as closed-world predicates do. */
-  private record OnlyKnown(Facts facts) implements Facts {
-    @Override
-    public Truth truth(Formula.Atom atom) {
-      return Truth.of(facts.truth(atom) == Truth.TRUE);
-    }
-
-    @Override
-    public OptionalDouble number(Expression.Fluent fluent) {
-      return facts.number(fluent);
-    }
-
-    @Override
-    public Collection<Term.Name> individuals(String className) {
-      return facts.individuals(className);
-    }
   }
 }

@@ -52,15 +52,6 @@ public final class NameCheck {
   public void check(Formula formula) {
     if (formula instanceof Formula.Atom atom) {
       atom(atom);
-    } else if (formula instanceof Formula.And and) {
-      and.operands().forEach(this::check);
-    } else if (formula instanceof Formula.Or or) {
-      or.operands().forEach(this::check);
-    } else if (formula instanceof Formula.Not not) {
-      check(not.operand());
-    } else if (formula instanceof Formula.Imply imply) {
-      check(imply.premise());
-      check(imply.conclusion());
     } else if (formula instanceof Formula.Exists exists) {
       under(exists.variables(), () -> check(exists.body()));
     } else if (formula instanceof Formula.Forall forall) {
@@ -74,8 +65,8 @@ public final class NameCheck {
       atom(unknown.atom());
     } else if (formula instanceof Formula.UnknownNumber unknown) {
       check(unknown.fluent());
-    } else if (formula instanceof Formula.Keep keep) {
-      check(keep.body());
+    } else {
+      formula.parts().forEach(this::check);
     }
   }
 

@@ -4,10 +4,6 @@ import static java.nio.charset.StandardCharsets.ISO_8859_1;
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import ch.qos.logback.classic.Level;
-import ch.qos.logback.classic.Logger;
-import ch.qos.logback.classic.spi.ILoggingEvent;
-import ch.qos.logback.core.read.ListAppender;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
@@ -35,11 +32,10 @@ import org.maestro.rats.protocol.RatsError;
 import org.maestro.rats.protocol.Result;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.protocol.WireFormat;
+import org.maestro.rats.security.LogLines;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.rats.transport.InProcessBus;
 import org.maestro.rats.transport.Publication;
-import org.maestro.rats.transport.Transport;
-import org.slf4j.LoggerFactory;
 
 /**
  * Every call gets an answer, also one that holds what nobody can write: half a character, a number
@@ -56,15 +52,12 @@ class HalfCharacterTest {
   private final InProcessBus bus = new InProcessBus(clock);
   private final Topics topics = new Topics("home");
   private final WireFormat wire = new WireFormat();
-  private final List<Result> results = new ArrayList<>();
   private final List<String> facts = new ArrayList<>();
-  private final ListAppender<ILoggingEvent> log = new ListAppender<>();
-  private final Logger ours = (Logger) LoggerFactory.getLogger("org.maestro.rats");
-  private final Level formerLevel = ours.getLevel();
+  @AutoClose private final LogLines log = LogLines.of("org.maestro.rats");
   private Object value = "whole";
   private RatsMember rose;
   private RatsLink link;
-  private Transport vandal;
+  private Vandal vandal;
 
   @BeforeEach
   void join() {
@@ -93,37 +86,12 @@ class HalfCharacterTest {
                     "deed", Set.of(), Set.of(), false, Optional.empty(), "standby", deed)));
     rose = RatsMember.start(profile, () -> facts, bus.client("rose"), "home", clock);
     link = BusLink.connect("cca", "home", bus.client("cca"), clock);
-    vandal = bus.client("vandal");
-    vandal.subscribe(
-        topics.results("vandal"),
-        Transport.RetainedMessages.IGNORE,
-        message -> results.add(wire.decodeResult(message.payload())));
-    vandal.open(
-        Optional.empty(),
-        new Transport.ConnectionListener() {
-          @Override
-          public void connected() {
-            // It is, some messages later.
-          }
-
-          @Override
-          public void lost(String reason) {
-            throw new AssertionError(reason);
-          }
-        });
-    clock.run(Duration.ofSeconds(1));
-    log.start();
-    ours.addAppender(log);
-    ours.setLevel(Level.WARN);
-    ours.setAdditive(false);
+    vandal = Vandal.join(bus, topics, clock);
   }
 
   @AfterEach
-  void stopListening() {
-    ours.detachAppender(log);
-    ours.setLevel(formerLevel);
-    ours.setAdditive(true);
-    assertThat(log.list).allMatch(event -> event.getThrowableProxy() == null);
+  void leavesNoTraceOfTheCode() {
+    assertThat(log.events()).allMatch(event -> event.getThrowableProxy() == null);
   }
 
   @ParameterizedTest
@@ -143,7 +111,7 @@ class HalfCharacterTest {
   void aCallWithHalfACharacterIsRefused(String replacement) {
     String[] parts = replacement.split("\\|");
     say(CALL.replace(parts[0], parts[1]).replace("SMILES", smiles()));
-    assertThat(results)
+    assertThat(vandal.results)
         .singleElement()
         .satisfies(
             result -> {
@@ -151,14 +119,14 @@ class HalfCharacterTest {
               assertThat(result.outcome()).isEqualTo(Outcome.REJECTED);
               assertThat(result.error().map(RatsError::code)).contains(ErrorCode.MALFORMED);
             });
-    assertThat(log.list).hasSize(1);
+    assertThat(log.lines()).hasSize(1);
   }
 
   /** In UTF-8 it could not be told which one is meant; the caller hears of it all the same. */
   @Test
   void alsoWhenItsIdHasIt() {
     say(CALL.replace("c1", "c\\ud800"));
-    assertThat(results).singleElement().extracting(Result::id).isEqualTo("c\uFFFD");
+    assertThat(vandal.results).singleElement().extracting(Result::id).isEqualTo("c\uFFFD");
   }
 
   static List<Object> unsendable() {
@@ -185,13 +153,11 @@ class HalfCharacterTest {
   void anAnswerThatNobodyCanReadEndsTheCall() {
     rose.die();
     clock.run(Duration.ofSeconds(1));
-    vandal.subscribe(
-        topics.calls(), Transport.RetainedMessages.IGNORE, call -> answer(call.payload()));
+    vandal.hear(topics.calls(), call -> answer(call.payload()));
     vandal.publish(
         Publication.retained(
             topics.status("rose"),
-            wire.encode(new MemberStatus("rose", MemberStatus.Phase.READY, "1"))),
-        failure -> assertThat(failure).isEmpty());
+            wire.encode(new MemberStatus("rose", MemberStatus.Phase.READY, "1"))));
     clock.run(Duration.ofSeconds(1));
     Outcomes outcomes = new Outcomes();
     link.call("rose", "deed", Map.of(), Duration.ofDays(1), Optional.empty(), outcomes);
@@ -208,9 +174,8 @@ class HalfCharacterTest {
       clock.schedule(Duration.ZERO, "rose", rose::stateChanged);
       clock.run(Duration.ofSeconds(1));
     }
-    assertThat(log.list)
+    assertThat(log.lines())
         .singleElement()
-        .extracting(ILoggingEvent::getFormattedMessage)
         .asString()
         .contains("rose cannot tell its state", "values", "half a character");
     assertThat(called().outcome()).isEqualTo(Outcome.SUCCEEDED);
@@ -230,8 +195,7 @@ class HalfCharacterTest {
             .formatted(wire.decodeCall(call).id());
     vandal.publish(
         Publication.reliable(
-            topics.result("cca", "rose"), answer.getBytes(UTF_8), Optional.empty()),
-        failure -> assertThat(failure).isEmpty());
+            topics.result("cca", "rose"), answer.getBytes(UTF_8), Optional.empty()));
   }
 
   /** So many that they are cut, in the middle of one. */
@@ -245,9 +209,6 @@ class HalfCharacterTest {
         payload.chars().anyMatch(c -> c > 255)
             ? payload.getBytes(UTF_8)
             : payload.getBytes(ISO_8859_1);
-    vandal.publish(
-        Publication.reliable(topics.call("vandal"), bytes, Optional.empty()),
-        failure -> assertThat(failure).isEmpty());
-    clock.run(Duration.ofMillis(100));
+    vandal.say(topics.call("vandal"), bytes);
   }
 }

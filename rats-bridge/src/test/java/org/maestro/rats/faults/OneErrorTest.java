@@ -3,15 +3,9 @@ package org.maestro.rats.faults;
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import ch.qos.logback.classic.Level;
-import ch.qos.logback.classic.Logger;
-import ch.qos.logback.classic.spi.ILoggingEvent;
-import ch.qos.logback.core.read.ListAppender;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
@@ -26,12 +20,10 @@ import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.RatsError;
 import org.maestro.rats.protocol.Result;
 import org.maestro.rats.protocol.Topics;
-import org.maestro.rats.protocol.WireFormat;
+import org.maestro.rats.security.LogLines;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.rats.transport.InProcessBus;
 import org.maestro.rats.transport.Publication;
-import org.maestro.rats.transport.Transport;
-import org.slf4j.LoggerFactory;
 
 /**
  * What a broken message costs: one line of log that names its sender, the field and the rule, and
@@ -46,12 +38,8 @@ class OneErrorTest {
   private final SteppedClock clock = new SteppedClock();
   private final InProcessBus bus = new InProcessBus(clock);
   private final Topics topics = new Topics("home");
-  private final WireFormat wire = new WireFormat();
-  private final List<Result> results = new ArrayList<>();
-  private final ListAppender<ILoggingEvent> log = new ListAppender<>();
-  private final Logger ours = (Logger) LoggerFactory.getLogger("org.maestro.rats");
-  private final Level formerLevel = ours.getLevel();
-  private Transport vandal;
+  @AutoClose private final LogLines log = LogLines.of("org.maestro.rats");
+  private Vandal vandal;
   private RatsLink link;
 
   @BeforeEach
@@ -68,36 +56,7 @@ class OneErrorTest {
           clock);
     }
     link = BusLink.connect("cca", "home", bus.client("cca"), clock);
-    vandal = bus.client("vandal");
-    vandal.subscribe(
-        topics.results("vandal"),
-        Transport.RetainedMessages.IGNORE,
-        message -> results.add(wire.decodeResult(message.payload())));
-    vandal.open(
-        Optional.empty(),
-        new Transport.ConnectionListener() {
-          @Override
-          public void connected() {
-            // It is, some messages later.
-          }
-
-          @Override
-          public void lost(String reason) {
-            throw new AssertionError(reason);
-          }
-        });
-    clock.run(Duration.ofSeconds(1));
-    log.start();
-    ours.addAppender(log);
-    ours.setLevel(Level.WARN);
-    ours.setAdditive(false);
-  }
-
-  @AfterEach
-  void stopListening() {
-    ours.detachAppender(log);
-    ours.setLevel(formerLevel);
-    ours.setAdditive(true);
+    vandal = Vandal.join(bus, topics, clock);
   }
 
   @ParameterizedTest
@@ -134,7 +93,7 @@ class OneErrorTest {
       say(topics.call("vandal"), broken);
     }
 
-    assertThat(lines())
+    assertThat(log.lines())
         .singleElement()
         .asString()
         .contains("vandal", "The message's " + field + " must be ", rule)
@@ -142,24 +101,24 @@ class OneErrorTest {
     boolean saysWhomToAnswer =
         !List.of("id", "r", "payload").contains(field) || wrong.contains("DEEP");
     if (saysWhomToAnswer) {
-      assertThat(results).hasSize(3).extracting(Result::from).containsOnly("tim");
-      assertThat(results)
+      assertThat(vandal.results).hasSize(3).extracting(Result::from).containsOnly("tim");
+      assertThat(vandal.results)
           .extracting(result -> result.error().map(RatsError::code).orElseThrow())
           .containsOnly(
               wrong.contains("2.0") ? ErrorCode.UNSUPPORTED_VERSION : ErrorCode.MALFORMED);
-      assertThat(results.get(0).error().orElseThrow().message()).contains(field, rule);
+      assertThat(vandal.results.get(0).error().orElseThrow().message()).contains(field, rule);
     } else {
-      assertThat(results).isEmpty();
+      assertThat(vandal.results).isEmpty();
     }
   }
 
   @Test
   void whatAllHearIsComplainedOfOnce() {
     String blank = CALL.replace("'r':'tim',", "").replace('\'', '"');
-    vandal.publish(Publication.retained(topics.call("vandal"), blank.getBytes(UTF_8)), sent -> {});
+    vandal.publish(Publication.retained(topics.call("vandal"), blank.getBytes(UTF_8)));
     say(topics.call("vandal"), blank.replace("\"vandal\"", "\"cca\""));
-    assertThat(lines()).hasSize(1);
-    assertThat(results).isEmpty();
+    assertThat(log.lines()).hasSize(1);
+    assertThat(vandal.results).isEmpty();
   }
 
   @ParameterizedTest
@@ -177,7 +136,7 @@ class OneErrorTest {
     say(
         topics.status(level),
         "{\"v\":\"1.0\",\"id\":\"%s\",\"status\":\"ready\",\"boot\":\"b\"}".formatted(id));
-    assertThat(lines())
+    assertThat(log.lines())
         .singleElement()
         .asString()
         .contains(topics.status(level), "The message's " + field + " must be ", rule);
@@ -190,7 +149,7 @@ class OneErrorTest {
         topics.status("ghost"),
         "{\"v\":\"1.0\",\"id\":\"ghost\",\"status\":\"ready\",\"boot\":\"b\"}");
     say(topics.description("ghost"), "x".repeat(300_000));
-    assertThat(lines())
+    assertThat(log.lines())
         .singleElement()
         .asString()
         .contains(topics.description("ghost"), "payload", "at most 262144 bytes");
@@ -201,13 +160,6 @@ class OneErrorTest {
   }
 
   private void say(String topic, String payload) {
-    vandal.publish(
-        Publication.reliable(topic, payload.getBytes(UTF_8), Optional.empty()),
-        failure -> assertThat(failure).isEmpty());
-    clock.run(Duration.ofMillis(100));
-  }
-
-  private List<String> lines() {
-    return log.list.stream().map(ILoggingEvent::getFormattedMessage).toList();
+    vandal.say(topic, payload.getBytes(UTF_8));
   }
 }

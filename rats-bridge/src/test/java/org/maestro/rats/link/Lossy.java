@@ -1,14 +1,12 @@
 package org.maestro.rats.link;
 
-import java.time.Duration;
-import java.util.Optional;
 import java.util.function.Predicate;
+import org.maestro.rats.transport.ForwardingTransport;
 import org.maestro.rats.transport.Message;
-import org.maestro.rats.transport.Publication;
 import org.maestro.rats.transport.Transport;
 
 /** A transport that loses some of what it should deliver. */
-final class Lossy implements Transport {
+final class Lossy extends ForwardingTransport {
 
   /**
    * What gets lost.
@@ -22,17 +20,16 @@ final class Lossy implements Transport {
     }
   }
 
-  private final Transport transport;
   private final Predicate<Message> isLost;
   private int lost;
 
   Lossy(Transport transport, Loss loss) {
-    this.transport = transport;
+    super(transport);
     this.isLost = message -> loss.concerns(message) && lost < loss.times();
   }
 
   Lossy(Transport transport, Predicate<Message> isLost) {
-    this.transport = transport;
+    super(transport);
     this.isLost = isLost;
   }
 
@@ -41,13 +38,8 @@ final class Lossy implements Transport {
   }
 
   @Override
-  public String clientId() {
-    return transport.clientId();
-  }
-
-  @Override
   public void subscribe(String filter, RetainedMessages retained, MessageHandler handler) {
-    transport.subscribe(
+    super.subscribe(
         filter,
         retained,
         message -> {
@@ -57,40 +49,5 @@ final class Lossy implements Transport {
             handler.arrived(message);
           }
         });
-  }
-
-  @Override
-  public void subscribeToOthers(String filter, MessageHandler handler) {
-    transport.subscribeToOthers(filter, handler);
-  }
-
-  @Override
-  public void askForRetained(String filter) {
-    transport.askForRetained(filter);
-  }
-
-  @Override
-  public void open(Optional<Will> will, ConnectionListener listener) {
-    transport.open(will, listener);
-  }
-
-  @Override
-  public void stayAway(Duration pause) {
-    transport.stayAway(pause);
-  }
-
-  @Override
-  public void publish(Publication publication, Completion completion) {
-    transport.publish(publication, completion);
-  }
-
-  @Override
-  public void close() {
-    transport.close();
-  }
-
-  @Override
-  public void die() {
-    transport.die();
   }
 }

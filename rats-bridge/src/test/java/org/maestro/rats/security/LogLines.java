@@ -5,19 +5,23 @@ import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.read.ListAppender;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.LoggerFactory;
 
-/** What a class warns of in the log meanwhile. */
-final class LogLines implements AutoCloseable {
+/** The warnings of a class or a package meanwhile; they are kept here and not written out. */
+public final class LogLines implements AutoCloseable {
 
   private final Logger logger;
+  private final @Nullable Level formerLevel;
   private final ListAppender<ILoggingEvent> appender = new ListAppender<>();
 
   private LogLines(String of) {
     logger = (Logger) LoggerFactory.getLogger(of);
+    formerLevel = logger.getLevel();
     appender.start();
-    logger.setLevel(Level.WARN);
     logger.addAppender(appender);
+    logger.setLevel(Level.WARN);
+    logger.setAdditive(false);
   }
 
   static LogLines of(Class<?> writer) {
@@ -25,19 +29,24 @@ final class LogLines implements AutoCloseable {
   }
 
   /**
-   * @param writer the name of a class that is not seen from here
+   * @param writer the name of a class that is not seen from here, or of a package
    */
-  static LogLines of(String writer) {
+  public static LogLines of(String writer) {
     return new LogLines(writer);
   }
 
-  List<String> lines() {
-    return List.copyOf(appender.list).stream().map(ILoggingEvent::getFormattedMessage).toList();
+  public List<String> lines() {
+    return events().stream().map(ILoggingEvent::getFormattedMessage).toList();
+  }
+
+  public List<ILoggingEvent> events() {
+    return List.copyOf(appender.list);
   }
 
   @Override
   public void close() {
     logger.detachAppender(appender);
-    logger.setLevel(null);
+    logger.setLevel(formerLevel);
+    logger.setAdditive(true);
   }
 }

@@ -12,9 +12,6 @@ import jade.proto.ContractNetResponder;
 import jade.util.leap.Properties;
 import jade.wrapper.AgentContainer;
 import jade.wrapper.StaleProxyException;
-import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -28,6 +25,7 @@ import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.assembly.SiteException;
 import org.maestro.ontology.home.Device;
+import org.maestro.platform.jade.Sockets;
 import org.maestro.rats.time.PacedClock;
 
 /**
@@ -169,7 +167,7 @@ public record ContractNetRounds(int agents, double ours, double plain) {
     Properties properties = new Properties();
     properties.setProperty(Profile.MAIN, "true");
     properties.setProperty(Profile.PLATFORM_ID, "bench-contract-net");
-    String port = freePort();
+    String port = String.valueOf(Sockets.claim(0));
     properties.setProperty(Profile.LOCAL_HOST, "127.0.0.1");
     properties.setProperty(Profile.MAIN_HOST, "127.0.0.1");
     properties.setProperty(Profile.LOCAL_PORT, port);
@@ -183,14 +181,6 @@ public record ContractNetRounds(int agents, double ours, double plain) {
       throw new SiteException("JADE could not start on port " + port + ".");
     }
     return container;
-  }
-
-  private static String freePort() {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      return String.valueOf(socket.getLocalPort());
-    } catch (IOException e) {
-      throw new SiteException("No free port on loopback.", e);
-    }
   }
 
   private static void end(AgentContainer container) {

@@ -3,8 +3,6 @@ package org.maestro.bench;
 import jade.lang.acl.ACLMessage;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -13,15 +11,13 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ThreadLocalRandom;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
 import org.maestro.bench.LossesBench.Figure;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.platform.jade.PlatformStartException;
+import org.maestro.platform.jade.Sockets;
 import org.maestro.rats.time.PacedClock;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /**
  * A letter is being stamped when the platform's process is lost; another stands by, and the goal
@@ -31,14 +27,9 @@ final class LetterThoughMainLost {
   /** The exit code of a goal that is reached as far as its doer says: nobody looks at stamps. */
   private static final int REACHED_UNSEEN = 4;
 
-  private static final Logger LOG = LoggerFactory.getLogger(LetterThoughMainLost.class);
   private static final Duration LIMIT = Duration.ofSeconds(90);
   private static final String LETTER = "letter-0-0";
   private static final String PRESS = "press-0";
-
-  private static final int LOWEST_PORT = 20_000;
-  private static final int HIGHEST_PORT = 32_000;
-  private static final int MOST_ATTEMPTS = 100;
 
   private final Loss loss;
 
@@ -52,7 +43,7 @@ final class LetterThoughMainLost {
   Map<Figure, Double> run() {
     Waiting.formerPlatformsHaveEnded();
     Path directory = temporary();
-    int port = freePort();
+    int port = Sockets.claim(0);
     List<String> goal = List.of("goal", "(stamped " + LETTER + ")", "--main", "127.0.0.1:" + port);
     try (PostOffice office = new PostOffice(List.of(1, 1));
         MaestroProcess main = platform(office, directory, port, List.of())) {
@@ -93,19 +84,7 @@ final class LetterThoughMainLost {
     try {
       Path home = Files.writeString(directory.resolve("post.ttl"), office.homeText());
       List<String> arguments =
-          new ArrayList<>(
-              List.of(
-                  "run",
-                  home.toString(),
-                  "--no-sim",
-                  "--broker",
-                  office.broker(),
-                  "--data",
-                  directory.resolve("data").toString(),
-                  "--port",
-                  String.valueOf(port),
-                  "--name",
-                  PostOffice.SITE));
+          new ArrayList<>(office.platform(home, directory.resolve("data"), port));
       arguments.addAll(more);
       return MaestroProcess.start(List.of(), arguments);
     } catch (IOException e) {
@@ -133,22 +112,6 @@ final class LetterThoughMainLost {
     } catch (PlatformStartException e) {
       return false;
     }
-  }
-
-  /**
-   * Below those of outgoing connections, one of which could have it when the second process needs
-   * it.
-   */
-  private static int freePort() {
-    for (int attempt = 0; attempt < MOST_ATTEMPTS; attempt++) {
-      int port = ThreadLocalRandom.current().nextInt(LOWEST_PORT, HIGHEST_PORT);
-      try (ServerSocket socket = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
-        return socket.getLocalPort();
-      } catch (IOException e) {
-        LOG.debug("The port {} is in use", port, e);
-      }
-    }
-    throw new IllegalStateException("There is no free port.");
   }
 
   private static Path temporary() {

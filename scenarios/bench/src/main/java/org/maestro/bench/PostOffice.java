@@ -1,5 +1,6 @@
 package org.maestro.bench;
 
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -58,6 +59,27 @@ public final class PostOffice implements AutoCloseable {
 
   public String broker() {
     return broker.uri().toString();
+  }
+
+  /**
+   * The words of a command line that starts a platform without simulated devices on its broker.
+   *
+   * @param home the file with its text
+   * @param data the directory of the platform's journal
+   */
+  public List<String> platform(Path home, Path data, int port) {
+    return List.of(
+        "run",
+        home.toString(),
+        "--no-sim",
+        "--broker",
+        broker(),
+        "--data",
+        data.toString(),
+        "--port",
+        String.valueOf(port),
+        "--name",
+        SITE);
   }
 
   public BusWitness witness() {

@@ -8,7 +8,6 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.maestro.assembly.LocalSite;
-import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.Disturbance;
 import org.maestro.rats.transport.InProcessBus;
@@ -70,16 +69,7 @@ final class ArenaWithAgents implements Arena {
 
   @Override
   public Formula parsed(String goal) {
-    return SlParser.formula(
-        goal,
-        name ->
-            site.platform()
-                .knowledge()
-                .home()
-                .vocabulary()
-                .predicate(name)
-                .filter(PredicateDeclaration::fluent)
-                .isPresent());
+    return SlParser.formula(goal, site.platform().knowledge().home().vocabulary()::isFluent);
   }
 
   @Override

@@ -77,13 +77,13 @@ final class BrokenCup implements Experiment {
               carriedOut.seconds()));
     }
     Map<String, Table> tables = new LinkedHashMap<>();
-    tables.put("runs", table(runs));
+    tables.put("runs", GoalRun.table(runs));
     tables.put("deeds", deeds(runs));
     tables.put("steps", steps(runs));
-    tables.put("story", story(runs));
+    tables.put("story", GoalRun.story(runs));
     List<Figure> figures = figures(runs);
-    Share reached = new Share((int) runs.stream().filter(CupRun::success).count(), runs.size());
-    Spread times = times(runs);
+    Share reached = GoalRun.reached(runs);
+    Spread times = GoalRun.times(runs);
     return new Findings(
         name(),
         List.of(
@@ -93,28 +93,6 @@ final class BrokenCup implements Experiment {
         tables,
         figures,
         page(request, runs, reached, times, figures));
-  }
-
-  private static Spread times(List<CupRun> runs) {
-    return Spread.of(runs.stream().filter(CupRun::success).mapToDouble(CupRun::seconds).toArray());
-  }
-
-  private static Table table(List<CupRun> runs) {
-    Table table =
-        new Table(
-            "run", "seed", "goal", "success", "duration_s", "lower_bound_s", "replans", "failure");
-    runs.forEach(
-        run ->
-            table.add(
-                run.number(),
-                run.seed(),
-                CupRun.GOAL,
-                run.success(),
-                run.seconds(),
-                Double.NaN,
-                run.ending().replans(),
-                run.failure()));
-    return table;
   }
 
   private static Table deeds(List<CupRun> runs) {
@@ -144,22 +122,6 @@ final class BrokenCup implements Experiment {
     return table;
   }
 
-  private static Table story(List<CupRun> runs) {
-    Table table = new Table("run", "t_s", "kind", "text");
-    for (CupRun run : runs) {
-      run.ending()
-          .story()
-          .forEach(
-              entry ->
-                  table.add(
-                      run.number(),
-                      entry.at().minus(run.ending().begun()).toMillis() / 1e3,
-                      entry.kind(),
-                      entry.text()));
-    }
-    return table;
-  }
-
   private static List<Figure> figures(List<CupRun> runs) {
     List<Figure> figures = new ArrayList<>();
     figures.add(
@@ -180,7 +142,7 @@ final class BrokenCup implements Experiment {
                                 !run.success(),
                                 OptionalDouble.empty()))
                     .toList(),
-                mean(times(runs)),
+                mean(GoalRun.times(runs)),
                 "")));
     List<Timeline.Deed> steps = Steps.of(runs.get(0).ending());
     if (!steps.isEmpty()) {

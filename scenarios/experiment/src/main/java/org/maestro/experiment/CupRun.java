@@ -32,8 +32,9 @@ record CupRun(
     List<Deed> deeds,
     boolean success,
     double seconds,
-    List<Figure> pictures) {
-  static final String GOAL = "(cleanedUp Cup)";
+    List<Figure> pictures)
+    implements GoalRun {
+  private static final String GOAL = "(cleanedUp Cup)";
   private static final String HOME = "broken-cup";
   private static final List<String> SHARDS = List.of("Shard1", "Shard2");
   private static final Duration PATIENCE = Duration.ofMinutes(10);
@@ -147,7 +148,13 @@ record CupRun(
     return scene;
   }
 
-  String failure() {
+  @Override
+  public String goal() {
+    return GOAL;
+  }
+
+  @Override
+  public String failure() {
     if (success) {
       return "";
     }

@@ -14,7 +14,6 @@ import org.maestro.experiment.drawing.Bars;
 import org.maestro.experiment.drawing.Figure;
 import org.maestro.experiment.drawing.Ink;
 import org.maestro.experiment.drawing.Stacks;
-import org.maestro.experiment.measuring.Share;
 import org.maestro.experiment.measuring.Spread;
 import org.maestro.experiment.measuring.Table;
 import org.maestro.experiment.page.Page;
@@ -103,13 +102,14 @@ final class JoinLeave implements Experiment {
   private static Findings findings(Request request, Map<JoinRun.Way, List<JoinRun>> runs) {
     Map<String, Table> tables = new LinkedHashMap<>();
     tables.put("runs", table(runs));
-    tables.put("story", story(by(JoinRun.Way.REPLANNING, runs)));
+    tables.put("story", GoalRun.story(by(JoinRun.Way.REPLANNING, runs)));
     List<Figure> figures = figures(runs);
     List<Findings.Result> results = new ArrayList<>();
     results.add(new Findings.Result("goals", by(JoinRun.Way.REPLANNING, runs).size(), ""));
     for (JoinRun.Way way : JoinRun.Way.values()) {
       results.add(
-          new Findings.Result(words(way) + ": reached", reached(by(way, runs)).hits(), "goals"));
+          new Findings.Result(
+              words(way) + ": reached", GoalRun.reached(by(way, runs)).hits(), "goals"));
     }
     results.add(
         new Findings.Result(
@@ -121,10 +121,6 @@ final class JoinLeave implements Experiment {
         new Findings.Result(
             "added time of reached goals, mean", Spread.of(added(runs)).mean(), "s"));
     return new Findings("join-leave", results, tables, figures, page(request, runs, figures));
-  }
-
-  private static Share reached(List<JoinRun> runs) {
-    return new Share((int) runs.stream().filter(JoinRun::success).count(), runs.size());
   }
 
   private static Spread replans(Map<JoinRun.Way, List<JoinRun>> runs) {
@@ -176,7 +172,7 @@ final class JoinLeave implements Experiment {
         table.add(
             run.number(),
             run.seed(),
-            JoinRun.GOAL,
+            run.goal(),
             run.success(),
             run.seconds(),
             undisturbed.get(i).seconds(),
@@ -186,22 +182,6 @@ final class JoinLeave implements Experiment {
             run.ending().claimed(),
             run.comings().text());
       }
-    }
-    return table;
-  }
-
-  private static Table story(List<JoinRun> runs) {
-    Table table = new Table("run", "t_s", "kind", "text");
-    for (JoinRun run : runs) {
-      run.ending()
-          .story()
-          .forEach(
-              entry ->
-                  table.add(
-                      run.number(),
-                      entry.at().minus(run.ending().begun()).toMillis() / 1e3,
-                      entry.kind(),
-                      entry.text()));
     }
     return table;
   }
@@ -218,7 +198,10 @@ final class JoinLeave implements Experiment {
                 "goals",
                 ENDINGS,
                 runs.entrySet().stream()
-                    .map(entry -> new Stacks.Stack(words(entry.getKey()), counts(entry.getValue())))
+                    .map(
+                        entry ->
+                            new Stacks.Stack(
+                                words(entry.getKey()), GoalRun.counts(entry.getValue())))
                     .toList())));
     List<Bars.Bar> bars =
         by(JoinRun.Way.REPLANNING, runs).stream()
@@ -260,12 +243,6 @@ final class JoinLeave implements Experiment {
     return Math.round(10 * seconds) / 10.0 + 0.0;
   }
 
-  private static List<Integer> counts(List<JoinRun> runs) {
-    int reached = reached(runs).hits();
-    int falselyClaimed = (int) runs.stream().filter(JoinRun::falseClaim).count();
-    return List.of(reached, runs.size() - reached - falselyClaimed, falselyClaimed);
-  }
-
   private static Page page(
       Request request, Map<JoinRun.Way, List<JoinRun>> runs, List<Figure> figures) {
     Page page =
@@ -284,18 +261,18 @@ final class JoinLeave implements Experiment {
                 new Page.Row(
                     "goals reached while agents come and go",
                     "\"more flexible and reliable\", without figures",
-                    reached(by(JoinRun.Way.REPLANNING, runs)).text(),
+                    GoalRun.reached(by(JoinRun.Way.REPLANNING, runs)).text(),
                     "judged from the simulated world"),
                 new Page.Row(
                     "the same with a fixed plan",
                     "not told",
-                    reached(by(JoinRun.Way.FIXED_PLAN, runs)).text(),
+                    GoalRun.reached(by(JoinRun.Way.FIXED_PLAN, runs)).text(),
                     "the platform's own first plan, everything being known, followed until a step"
                         + " fails or the rest is impossible"),
                 new Page.Row(
                     "undisturbed",
                     "not told",
-                    reached(by(JoinRun.Way.UNDISTURBED, runs)).text(),
+                    GoalRun.reached(by(JoinRun.Way.UNDISTURBED, runs)).text(),
                     "the same goals without events"),
                 new Page.Row(
                     "plans made again",

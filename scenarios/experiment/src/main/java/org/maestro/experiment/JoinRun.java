@@ -27,8 +27,9 @@ record JoinRun(
     Ending ending,
     boolean broken,
     boolean success,
-    double seconds) {
-  static final String GOAL = "(nextTo Cup Bob)";
+    double seconds)
+    implements GoalRun {
+  private static final String GOAL = "(nextTo Cup Bob)";
   private static final String HOME = "bob-two-robots";
   private static final String THING = "Cup";
   private static final String TARGET = "Bob";
@@ -106,11 +107,19 @@ record JoinRun(
             .at(new Position(4.2 + 1.3 * random.nextDouble(), 1.6 + random.nextDouble(), 0)));
   }
 
-  boolean falseClaim() {
-    return way != Way.FIXED_PLAN && ending.claimed() && !success;
+  @Override
+  public String goal() {
+    return GOAL;
   }
 
-  String failure() {
+  /** Whoever follows a fixed plan claims nothing. */
+  @Override
+  public boolean falseClaim() {
+    return way != Way.FIXED_PLAN && GoalRun.super.falseClaim();
+  }
+
+  @Override
+  public String failure() {
     if (success) {
       return "";
     }

@@ -53,7 +53,7 @@ final class MoveFigures {
                         !run.success(),
                         OptionalDouble.of(run.boundSeconds())))
             .toList();
-    double mean = MoveObject.times(runs).mean();
+    double mean = GoalRun.times(runs).mean();
     List<Bars.Level> levels =
         Double.isNaN(mean)
             ? List.of()

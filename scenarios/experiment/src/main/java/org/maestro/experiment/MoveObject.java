@@ -6,9 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
-import org.maestro.coordination.api.StoryEntry;
 import org.maestro.experiment.drawing.Figure;
-import org.maestro.experiment.measuring.Share;
 import org.maestro.experiment.measuring.Spread;
 import org.maestro.experiment.measuring.Table;
 import org.maestro.experiment.running.Progress;
@@ -102,12 +100,12 @@ final class MoveObject implements Experiment {
 
   private static Findings findings(Request request, List<MoveRun> runs, List<MoveRun> paced) {
     Map<String, Table> tables = new LinkedHashMap<>();
-    tables.put("runs", table(runs));
+    tables.put("runs", GoalRun.table(runs));
     tables.put("details", details(runs));
     tables.put("trail", trail(runs));
-    tables.put("story", story(runs));
+    tables.put("story", GoalRun.story(runs));
     if (!paced.isEmpty()) {
-      tables.put("paced", table(paced));
+      tables.put("paced", GoalRun.table(paced));
     }
     List<Figure> figures = MoveFigures.of(runs, paced);
     return new Findings(
@@ -121,30 +119,22 @@ final class MoveObject implements Experiment {
   private static List<Findings.Result> results(List<MoveRun> runs, List<MoveRun> paced) {
     List<Findings.Result> results = new ArrayList<>();
     results.add(new Findings.Result("runs", runs.size(), ""));
-    results.add(new Findings.Result("reached, in the simulated world", reached(runs).hits(), ""));
+    results.add(
+        new Findings.Result("reached, in the simulated world", GoalRun.reached(runs).hits(), ""));
+    results.add(new Findings.Result("claims that were not so", GoalRun.falseClaims(runs), ""));
     results.add(
         new Findings.Result(
-            "claims that were not so", runs.stream().filter(MoveRun::falseClaim).count(), ""));
+            "time of a run that was reached, mean", GoalRun.times(runs).mean(), "s"));
     results.add(
-        new Findings.Result("time of a run that was reached, mean", times(runs).mean(), "s"));
-    results.add(new Findings.Result("the same, standard deviation", times(runs).deviation(), "s"));
+        new Findings.Result("the same, standard deviation", GoalRun.times(runs).deviation(), "s"));
     results.add(
         new Findings.Result("time over its physical lower bound, mean", ratios(runs).mean(), ""));
     if (!paced.isEmpty()) {
-      results.add(new Findings.Result("paced: reached", reached(paced).hits(), ""));
-      results.add(new Findings.Result("paced: time of a run, mean", times(paced).mean(), "s"));
+      results.add(new Findings.Result("paced: reached", GoalRun.reached(paced).hits(), ""));
+      results.add(
+          new Findings.Result("paced: time of a run, mean", GoalRun.times(paced).mean(), "s"));
     }
     return results;
-  }
-
-  static Share reached(List<MoveRun> runs) {
-    return new Share((int) runs.stream().filter(MoveRun::success).count(), runs.size());
-  }
-
-  /** Of runs that were reached. */
-  static Spread times(List<MoveRun> runs) {
-    return Spread.of(
-        runs.stream().filter(MoveRun::success).mapToDouble(MoveRun::seconds).toArray());
   }
 
   static Spread ratios(List<MoveRun> runs) {
@@ -153,24 +143,6 @@ final class MoveObject implements Experiment {
 
   static List<MoveRun> of(MoveRun.Job job, List<MoveRun> runs) {
     return runs.stream().filter(run -> run.job().equals(job)).toList();
-  }
-
-  static Table table(List<MoveRun> runs) {
-    Table table =
-        new Table(
-            "run", "seed", "goal", "success", "duration_s", "lower_bound_s", "replans", "failure");
-    runs.forEach(
-        run ->
-            table.add(
-                run.number(),
-                run.seed(),
-                run.job().goal(),
-                run.success(),
-                run.seconds(),
-                run.boundSeconds(),
-                run.ending().replans(),
-                run.failure()));
-    return table;
   }
 
   static Table details(List<MoveRun> runs) {
@@ -201,20 +173,6 @@ final class MoveObject implements Experiment {
                 run.apartMetres(),
                 run.ratio(),
                 String.join(" ", run.moved())));
-    return table;
-  }
-
-  static Table story(List<MoveRun> runs) {
-    Table table = new Table("run", "t_s", "kind", "text");
-    for (MoveRun run : runs) {
-      for (StoryEntry entry : run.ending().story()) {
-        table.add(
-            run.number(),
-            entry.at().minus(run.ending().begun()).toMillis() / 1e3,
-            entry.kind(),
-            entry.text());
-      }
-    }
     return table;
   }
 

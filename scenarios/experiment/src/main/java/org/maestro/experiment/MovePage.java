@@ -32,25 +32,25 @@ final class MovePage {
         new Page.Row(
             "time of a run",
             "about 42 s in the mean, little deviation",
-            seconds(MoveObject.times(runs)),
+            seconds(GoalRun.times(runs)),
             "mean, standard deviation, least and greatest of the runs that were reached"));
     rows.add(
         new Page.Row(
             "first half, green to red",
             "no failure is told of",
-            MoveObject.reached(MoveObject.of(MoveObject.FIRST, runs)).text() + " reached",
+            GoalRun.reached(MoveObject.of(MoveObject.FIRST, runs)).text() + " reached",
             "judged from the simulated world"));
     rows.add(
         new Page.Row(
             "second half, red to green",
             "both failures: the robot heads for an occupied position",
-            MoveObject.reached(MoveObject.of(MoveObject.SECOND, runs)).text() + " reached",
+            GoalRun.reached(MoveObject.of(MoveObject.SECOND, runs)).text() + " reached",
             "judged from the simulated world"));
     rows.add(
         new Page.Row(
             "claims that are not so",
             "not told",
-            runs.stream().filter(MoveRun::falseClaim).count() + " of " + runs.size(),
+            GoalRun.falseClaims(runs) + " of " + runs.size(),
             "the platform says reached, and the world says no"));
     Spread ratios = MoveObject.ratios(runs);
     rows.add(
@@ -70,7 +70,7 @@ final class MovePage {
           new Page.Row(
               "the same on the paced clock, over the broker",
               "",
-              MoveObject.reached(paced).text() + " reached; " + seconds(MoveObject.times(paced)),
+              GoalRun.reached(paced).text() + " reached; " + seconds(GoalRun.times(paced)),
               "decisions and messages take the time that they really take, times the speed of the clock"));
     }
     return rows;

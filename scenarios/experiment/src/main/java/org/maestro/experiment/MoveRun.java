@@ -29,9 +29,6 @@ import org.maestro.sim.world.World;
 /**
  * A thing was to be brought next to another: what came of it.
  *
- * @param number from 1
- * @param success in the simulated world
- * @param boundSeconds nobody could do it in less
  * @param brightestLux the most light upon one of the things at the beginning
  * @param apartMetres between the two in the end
  * @param moved what was carried somewhere, in the simulated world
@@ -50,7 +47,8 @@ record MoveRun(
     double apartMetres,
     Trail trail,
     List<String> moved,
-    List<Figure> pictures) {
+    List<Figure> pictures)
+    implements GoalRun {
   private static final Duration PATIENCE = Duration.ofMinutes(10);
 
   /** The agent that sees to the light has done so when the goal comes. */
@@ -190,13 +188,13 @@ record MoveRun(
     return seconds / boundSeconds;
   }
 
-  /** The platform said that it was done, and it was not. */
-  boolean falseClaim() {
-    return ending.claimed() && !success;
+  @Override
+  public String goal() {
+    return job.goal();
   }
 
-  /** Why it is not so; empty when it is. */
-  String failure() {
+  @Override
+  public String failure() {
     if (success) {
       return "";
     }

@@ -47,9 +47,7 @@ final class OverExposure implements Experiment {
   /** All runs under one condition. */
   private record Series(Condition condition, List<MoveRun> runs) {
     List<Integer> counts() {
-      int reached = (int) runs.stream().filter(MoveRun::success).count();
-      int falselyClaimed = (int) runs.stream().filter(MoveRun::falseClaim).count();
-      return List.of(reached, runs.size() - reached - falselyClaimed, falselyClaimed);
+      return GoalRun.counts(runs);
     }
 
     long tookTheWrongThing() {
@@ -119,7 +117,7 @@ final class OverExposure implements Experiment {
     Map<String, Table> tables = new LinkedHashMap<>();
     tables.put("runs", table(all));
     all.forEach(
-        series -> tables.put("story-" + series.condition().key(), MoveObject.story(series.runs())));
+        series -> tables.put("story-" + series.condition().key(), GoalRun.story(series.runs())));
     List<Figure> figures = new ArrayList<>();
     figures.add(
         Figure.of(
@@ -189,7 +187,7 @@ final class OverExposure implements Experiment {
         table.add(
             run.number(),
             run.seed(),
-            run.job().goal(),
+            run.goal(),
             run.success(),
             run.seconds(),
             run.boundSeconds(),
@@ -223,7 +221,7 @@ final class OverExposure implements Experiment {
                                 : "not built",
                             "%s reached; %d claim what is not so; in %d a wrong thing was carried"
                                 .formatted(
-                                    MoveObject.reached(series.runs()).text(),
+                                    GoalRun.reached(series.runs()).text(),
                                     series.counts().get(2),
                                     series.tookTheWrongThing()),
                             remark(series.condition())))
@@ -243,7 +241,7 @@ final class OverExposure implements Experiment {
                                     List.of(
                                         series.condition().label(),
                                         String.valueOf(run.number()),
-                                        run.job().goal(),
+                                        run.goal(),
                                         run.failure())))
                 .toList());
     page.heading("What was assumed")

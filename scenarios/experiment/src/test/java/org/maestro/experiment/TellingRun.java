@@ -227,9 +227,9 @@ record TellingRun(
                 OptionalDouble.empty(),
                 kind == Kind.DRAWN));
     return List.of(
-        MoveObject.table(runs).rows(),
+        GoalRun.table(runs).rows(),
         MoveObject.details(runs).rows(),
-        MoveObject.story(runs).rows(),
+        GoalRun.story(runs).rows(),
         runs.get(0).pictures().stream().map(picture -> Arrays.hashCode(picture.png())).toList());
   }
 }

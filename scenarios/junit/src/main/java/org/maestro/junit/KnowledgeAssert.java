@@ -6,7 +6,6 @@ import org.maestro.knowledge.Question;
 import org.maestro.knowledge.api.Belief;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Snapshot;
-import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Truth;
@@ -50,14 +49,6 @@ public final class KnowledgeAssert extends AbstractAssert<KnowledgeAssert, Knowl
   }
 
   private Formula parsed(String formula) {
-    return SlParser.formula(
-        formula,
-        name ->
-            actual
-                .home()
-                .vocabulary()
-                .predicate(name)
-                .filter(PredicateDeclaration::fluent)
-                .isPresent());
+    return SlParser.formula(formula, actual.home().vocabulary()::isFluent);
   }
 }

@@ -7,7 +7,6 @@ import java.util.function.BooleanSupplier;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.knowledge.api.KnowledgeBase;
-import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.platform.MaestroPlatform;
 import org.maestro.rats.member.MemberProfile;
 import org.maestro.rats.member.RatsMember;
@@ -138,14 +137,6 @@ public final class Stage implements AutoCloseable {
   }
 
   private Formula parsed(String goal) {
-    return SlParser.formula(
-        goal,
-        name ->
-            knowledge()
-                .home()
-                .vocabulary()
-                .predicate(name)
-                .filter(PredicateDeclaration::fluent)
-                .isPresent());
+    return SlParser.formula(goal, knowledge().home().vocabulary()::isFluent);
   }
 }

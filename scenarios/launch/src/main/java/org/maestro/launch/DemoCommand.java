@@ -18,12 +18,12 @@ import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.ontology.home.Home;
 import org.maestro.picture.TopView;
-import org.maestro.planning.api.Objective;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SimulationException;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -43,6 +43,8 @@ final class DemoCommand implements Callable<Integer> {
       Map.of("bob", "(nextTo Cup Bob)", "arena", "(nextTo GreenObject RedObject1)");
 
   @Spec private CommandSpec spec;
+
+  @Mixin private Allocation allocation;
 
   @Parameters(
       arity = "0..1",
@@ -64,16 +66,6 @@ final class DemoCommand implements Callable<Integer> {
       defaultValue = "1",
       description = "Of all chance in the world; default ${DEFAULT-VALUE}.")
   private long seed;
-
-  @Option(
-      names = "--allocation",
-      paramLabel = "WAY",
-      defaultValue = "cheapest",
-      converter = Allocation.class,
-      description =
-          "Who gets which steps: cheapest, or earliest for the plan that is over first; default"
-              + " ${DEFAULT-VALUE}.")
-  private Objective allocation;
 
   @Option(names = "--json", description = "Print one JSON document instead of the story.")
   private boolean json;
@@ -114,7 +106,7 @@ final class DemoCommand implements Callable<Integer> {
             .scene(truth)
             .seed(seed)
             .storyDirectory(directory.beginStories(NAME))
-            .allocation(allocation)
+            .allocation(allocation.objective())
             .build();
     try (LocalSite site = LocalSite.paced(settings, speed)) {
       Optional<Duration> lowerBound = lowerBound(site, home, goal);

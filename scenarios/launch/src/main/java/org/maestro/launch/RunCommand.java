@@ -16,7 +16,6 @@ import org.maestro.assembly.SiteSettings;
 import org.maestro.deployment.Provision;
 import org.maestro.knowledge.api.Store;
 import org.maestro.ontology.home.Home;
-import org.maestro.planning.api.Objective;
 import org.maestro.platform.failover.LeaderLock;
 import org.maestro.platform.hosts.HostFile;
 import org.maestro.platform.hosts.HostStart;
@@ -50,6 +49,8 @@ final class RunCommand implements Callable<Integer> {
   @Mixin private SimulationOptions simulation;
 
   @Mixin private SecurityOptions security;
+
+  @Mixin private Allocation allocation;
 
   @Option(names = "--no-sim", description = "No simulated devices: they come over the broker.")
   private boolean withoutSimulation;
@@ -130,16 +131,6 @@ final class RunCommand implements Callable<Integer> {
       description = "Of the platform; default ${DEFAULT-VALUE}.")
   private String name;
 
-  @Option(
-      names = "--allocation",
-      paramLabel = "WAY",
-      defaultValue = "cheapest",
-      converter = Allocation.class,
-      description =
-          "Who gets which steps: cheapest, or earliest for the plan that is over first; default"
-              + " ${DEFAULT-VALUE}.")
-  private Objective allocation;
-
   @Override
   public Integer call() throws InterruptedException {
     double speed = simulation.speed();
@@ -186,7 +177,7 @@ final class RunCommand implements Callable<Integer> {
         .storyDirectory(
             data.map(kept -> directory.beginStories(kept.resolve("stories")))
                 .orElseGet(() -> directory.beginStories(name)))
-        .allocation(allocation);
+        .allocation(allocation.objective());
     data.ifPresent(wanted::dataDirectory);
     security.files().ifPresent(wanted::security);
     store.map(Store::parse).ifPresent(wanted::store);

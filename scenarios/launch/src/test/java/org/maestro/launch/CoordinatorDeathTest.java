@@ -121,18 +121,7 @@ class CoordinatorDeathTest {
     Path runtime = Files.createDirectories(directory.resolve("runtime"));
     return JavaProcess.start(
         "org.maestro.launch.Maestro",
-        List.of(
-            "run",
-            home.toString(),
-            "--no-sim",
-            "--broker",
-            office.broker(),
-            "--data",
-            directory.resolve("data").toString(),
-            "--port",
-            "0",
-            "--name",
-            PostOffice.SITE),
+        office.platform(home, directory.resolve("data"), 0),
         Map.of("XDG_RUNTIME_DIR", runtime.toString()));
   }
 

@@ -5,9 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import jade.lang.acl.ACLMessage;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.net.BindException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -15,7 +12,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ThreadLocalRandom;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -35,6 +31,7 @@ import org.maestro.agents.content.Words;
 import org.maestro.bench.PostOffice;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.platform.jade.PlatformStartException;
+import org.maestro.platform.jade.Sockets;
 import org.maestro.rats.time.PacedClock;
 
 /**
@@ -68,7 +65,7 @@ class MainDeathTest {
   @Test
   @Tag("full")
   void theAgentsOfAnotherProcessAreInTheYellowPagesBeforeAndAfter() throws Exception {
-    int port = freePort();
+    int port = Sockets.claim(0);
     try (PostOffice office = new PostOffice(List.of(1, 1))) {
       Path home = Files.writeString(directory.resolve("post.ttl"), office.homeText());
       try (JavaProcess main = run(office, home, port);
@@ -99,7 +96,7 @@ class MainDeathTest {
   @EnumSource
   @Tag("full")
   void theGoalIsReachedThoughTheAgentAtWorkIsInAnotherProcess(Lost lost) throws Exception {
-    int port = freePort();
+    int port = Sockets.claim(0);
     try (PostOffice office = new PostOffice(List.of(1, 1))) {
       Path home = Files.writeString(directory.resolve("post.ttl"), office.homeText());
       try (JavaProcess main = run(office, home, port);
@@ -195,7 +192,7 @@ class MainDeathTest {
   }
 
   private double lost(Consumer<JavaProcess> loss) throws Exception {
-    int port = freePort();
+    int port = Sockets.claim(0);
     try (PostOffice office = new PostOffice(List.of(1, 1))) {
       Path home = Files.writeString(directory.resolve("post.ttl"), office.homeText());
       try (JavaProcess main = run(office, home, port);
@@ -258,19 +255,7 @@ class MainDeathTest {
   private JavaProcess run(PostOffice office, Path home, int port, String... more)
       throws IOException {
     List<String> arguments =
-        new ArrayList<>(
-            List.of(
-                "run",
-                home.toString(),
-                "--no-sim",
-                "--broker",
-                office.broker(),
-                "--data",
-                directory.resolve("data").toString(),
-                "--port",
-                String.valueOf(port),
-                "--name",
-                PostOffice.SITE));
+        new ArrayList<>(office.platform(home, directory.resolve("data"), port));
     arguments.addAll(List.of(more));
     return maestro(arguments.toArray(String[]::new));
   }
@@ -281,21 +266,6 @@ class MainDeathTest {
         "org.maestro.launch.Maestro",
         List.of(arguments),
         Map.of("XDG_RUNTIME_DIR", runtime.toString()));
-  }
-
-  /**
-   * Below those of outgoing connections, one of which could have it when the second process needs
-   * it.
-   */
-  private static int freePort() {
-    while (true) {
-      int port = ThreadLocalRandom.current().nextInt(20_000, 32_000);
-      try (ServerSocket socket = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
-        return socket.getLocalPort();
-      } catch (IOException e) {
-        assertThat(e).isInstanceOf(BindException.class);
-      }
-    }
   }
 
   @AfterEach

@@ -7,7 +7,6 @@ import java.io.DataOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.ObjectOutputStream;
 import java.net.InetAddress;
 import java.net.Socket;
 import java.net.SocketException;
@@ -15,11 +14,10 @@ import java.net.SocketTimeoutException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
-import java.util.Set;
 import javax.tools.ToolProvider;
+import org.maestro.fixtures.Gadgets;
 
 /** Who has neither certificate nor token, and tries whatever there is at a port of another. */
 final class Stranger {
@@ -143,25 +141,10 @@ final class Stranger {
   /** Objects that have been made in processes of open sites, or have kept a core for minutes. */
   static List<Object> gadgets() throws IOException {
     return List.of(
-        new File("/"), URI.create("http://127.0.0.1/").toURL(), nest(32), new Object[] {nest(32)});
-  }
-
-  private static Set<Object> nest(int depth) {
-    Set<Object> root = new HashSet<>();
-    Set<Object> one = root;
-    Set<Object> other = new HashSet<>();
-    for (int level = 0; level < depth; level++) {
-      Set<Object> first = new HashSet<>();
-      Set<Object> second = new HashSet<>();
-      first.add("differs");
-      one.add(first);
-      one.add(second);
-      other.add(first);
-      other.add(second);
-      one = first;
-      other = second;
-    }
-    return root;
+        new File("/"),
+        URI.create("http://127.0.0.1/").toURL(),
+        Gadgets.nest(32),
+        new Object[] {Gadgets.nest(32)});
   }
 
   /**
@@ -185,10 +168,7 @@ final class Stranger {
   }
 
   private static byte[] packet(Object gadget) throws IOException {
-    ByteArrayOutputStream object = new ByteArrayOutputStream();
-    try (ObjectOutputStream out = new ObjectOutputStream(object)) {
-      out.writeObject(gadget);
-    }
+    byte[] object = Gadgets.bytes(gadget);
     ByteArrayOutputStream command = new ByteArrayOutputStream();
     try (DataOutputStream out = new DataOutputStream(command)) {
       out.writeInt(1);
@@ -196,8 +176,8 @@ final class Stranger {
       out.writeInt(1);
       out.writeBoolean(true);
       out.writeByte(SERIALIZABLE);
-      out.writeInt(object.size());
-      object.writeTo(out);
+      out.writeInt(object.length);
+      out.write(object);
     }
     ByteArrayOutputStream packet = new ByteArrayOutputStream();
     packet.write(COMMAND);

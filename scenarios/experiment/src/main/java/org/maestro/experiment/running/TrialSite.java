@@ -10,7 +10,6 @@ import org.maestro.agents.content.GoalReport;
 import org.maestro.assembly.LocalSite;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.StoryEntry;
-import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.rats.member.MemberProfile;
 import org.maestro.rats.time.Clock;
 import org.maestro.sim.SimulatedHome;
@@ -121,16 +120,7 @@ public final class TrialSite implements AutoCloseable {
   }
 
   private Formula parsed(String goal) {
-    return SlParser.formula(
-        goal,
-        name ->
-            site.platform()
-                .knowledge()
-                .home()
-                .vocabulary()
-                .predicate(name)
-                .filter(PredicateDeclaration::fluent)
-                .isPresent());
+    return SlParser.formula(goal, site.platform().knowledge().home().vocabulary()::isFluent);
   }
 
   @Override

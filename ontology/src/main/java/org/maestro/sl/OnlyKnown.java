@@ -1,18 +1,13 @@
-package org.maestro.knowledge.belief;
+package org.maestro.sl;
 
 import java.util.Collection;
 import java.util.OptionalDouble;
-import org.maestro.sl.Expression;
-import org.maestro.sl.Facts;
-import org.maestro.sl.Formula;
-import org.maestro.sl.Term;
-import org.maestro.sl.Truth;
 
 /**
- * The world closed over what is known: what a derived predicate that is not observable is derived
- * from.
+ * The world closed over what is known: what is unknown does not hold. A derived predicate that is
+ * not observable is derived from it.
  */
-record OnlyKnown(Facts facts) implements Facts {
+public record OnlyKnown(Facts facts) implements Facts {
 
   @Override
   public Truth truth(Formula.Atom atom) {
