@@ -6,12 +6,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.CostAnswer;
-import org.maestro.rats.protocol.CostExchange;
 import org.maestro.rats.protocol.MalformedMessageException;
 import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Offer;
@@ -34,7 +32,6 @@ import org.slf4j.LoggerFactory;
 public final class BusLink implements RatsLink {
 
   private static final Logger LOG = LoggerFactory.getLogger(BusLink.class);
-  private static final Duration COST_TIMEOUT = Duration.ofSeconds(5);
 
   /** Wall time, so that nobody is too slow for a fast clock. */
   private static final Duration ASK_ALL_TIMEOUT = Duration.ofSeconds(30);
@@ -43,7 +40,7 @@ public final class BusLink implements RatsLink {
   private static final Duration RETURN_LIMIT = Duration.ofSeconds(5);
 
   private final String controller;
-  private final String boot;
+  private final CallIds ids;
   private final Topics topics;
   private final Transport transport;
   private final Clock clock;
@@ -57,7 +54,6 @@ public final class BusLink implements RatsLink {
   private final MissingWords missing;
   private final LifeQuestions lifeQuestions;
   private final Subscriptions subscriptions;
-  private final AtomicLong callCount = new AtomicLong();
   private final AtomicBoolean closed = new AtomicBoolean();
   private Optional<Clock.Timer> doubtEnds = Optional.empty();
   private boolean wasConnected;
@@ -65,13 +61,13 @@ public final class BusLink implements RatsLink {
   private BusLink(
       String controller, Topics topics, Transport transport, Clock clock, boolean ofAll) {
     this.controller = controller;
-    this.boot = Long.toString(clock.instant().toEpochMilli(), 36);
+    this.ids = new CallIds(controller, "", clock);
     this.topics = topics;
     this.transport = transport;
     this.clock = clock;
-    this.status = new ControllerStatus(controller, boot, topics, transport);
+    this.status = new ControllerStatus(controller, ids.life(), topics, transport);
     this.calls = new OpenCalls(controller, topics, transport, clock, complaints);
-    this.lifeQuestions = new LifeQuestions(controller, calls, this::nextId, clock);
+    this.lifeQuestions = new LifeQuestions(controller, calls, ids::next, clock);
     this.roster = new Roster(topics, complaints, new RosterWatcher());
     Hearing.Handlers handlers =
         new Hearing.Handlers(
@@ -155,14 +151,14 @@ public final class BusLink implements RatsLink {
   @Override
   public CallHandle end(Order order, CallListener listener) {
     Call call = worded(order);
-    perform(() -> calls.end(call, roster.readyBoot(order.member()), nextId(), listener));
+    perform(() -> calls.end(call, roster.readyBoot(order.member()), ids.next(), listener));
     return handle(call);
   }
 
   private Call worded(Order order) {
     Call call =
         new Call(
-            order.id().orElseGet(this::nextId),
+            order.id().orElseGet(ids::next),
             Optional.of(order.member()),
             order.boot(),
             order.feature(),
@@ -177,12 +173,12 @@ public final class BusLink implements RatsLink {
   }
 
   private CallHandle handle(Call call) {
-    return new Handle(call.id(), () -> perform(() -> calls.cancel(call.id(), nextId())));
+    return new Handle(call.id(), () -> perform(() -> calls.cancel(call.id(), ids.next())));
   }
 
   @Override
   public void cancel(String member, String boot, String callId) {
-    String cancelId = nextId();
+    String cancelId = ids.next();
     perform(() -> calls.sendCancel(member, Optional.of(boot), callId, cancelId));
   }
 
@@ -192,14 +188,14 @@ public final class BusLink implements RatsLink {
       String feature,
       List<Map<String, Object>> parameterSets,
       Consumer<List<CostAnswer>> answer) {
-    CostExchange exchange = new CostExchange(feature, parameterSets);
+    CostQuestion question = new CostQuestion(feature, parameterSets, answer);
     call(
         member,
         ReservedFeature.COST.word(),
-        exchange.parameters(),
-        COST_TIMEOUT,
+        question.parameters(),
+        CostQuestion.TIMEOUT,
         Optional.empty(),
-        result -> answer.accept(exchange.answers(result)));
+        question);
   }
 
   @Override
@@ -282,7 +278,7 @@ public final class BusLink implements RatsLink {
     if (!closed.get()) {
       calls.sendUnwatched(
           new Call(
-              nextId(),
+              ids.next(),
               member,
               Optional.empty(),
               reserved.word(),
@@ -349,10 +345,6 @@ public final class BusLink implements RatsLink {
 
   private void perform(Runnable action) {
     clock.perform(controller, action);
-  }
-
-  private String nextId() {
-    return controller + "-" + boot + "-" + callCount.incrementAndGet();
   }
 
   private final class Questions implements MissingWords.Questions {

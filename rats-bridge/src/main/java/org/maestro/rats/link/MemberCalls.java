@@ -8,12 +8,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.CostAnswer;
-import org.maestro.rats.protocol.CostExchange;
 import org.maestro.rats.protocol.ReservedFeature;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.protocol.WireFormat;
@@ -34,13 +32,11 @@ import org.maestro.rats.transport.Transport.RetainedMessages;
  */
 public final class MemberCalls {
 
-  private static final Duration COST_TIMEOUT = Duration.ofSeconds(5);
-
   /** Wall time in which a broker sends what is retained; who is not known then is not there. */
   private static final Duration STATUS_LIMIT = Duration.ofSeconds(1);
 
   private final String member;
-  private final String life;
+  private final CallIds ids;
   private final Topics topics;
   private final Transport transport;
   private final Clock clock;
@@ -51,7 +47,6 @@ public final class MemberCalls {
   private final LifeQuestions lifeQuestions;
   private final Set<String> followed = new HashSet<>();
   private final Map<String, List<Runnable>> awaiting = new HashMap<>();
-  private final AtomicLong count = new AtomicLong();
 
   /**
    * @param member the caller's id, under which it is a member too
@@ -59,14 +54,14 @@ public final class MemberCalls {
    */
   public MemberCalls(String member, String site, Transport transport, Clock clock) {
     this.member = member;
-    this.life = Long.toString(clock.instant().toEpochMilli(), 36);
+    this.ids = new CallIds(member, "asks-", clock);
     this.topics = new Topics(site);
     this.transport = transport;
     this.clock = clock;
     Complaints complaints = new Complaints();
     this.roster = new Roster(topics, complaints, new Presence());
     this.calls = new OpenCalls(member, topics, transport, clock, complaints);
-    this.lifeQuestions = new LifeQuestions(member, calls, this::nextId, clock);
+    this.lifeQuestions = new LifeQuestions(member, calls, ids::next, clock);
     this.subscriptions = new Subscriptions(member, topics, transport, clock, complaints);
   }
 
@@ -89,7 +84,7 @@ public final class MemberCalls {
     }
     Call call =
         new Call(
-            nextId(),
+            ids.next(),
             Optional.of(called),
             Optional.empty(),
             feature,
@@ -99,7 +94,8 @@ public final class MemberCalls {
             Optional.empty());
     wire.require(call);
     whenKnown(called, () -> calls.begin(call, roster.readyBoot(called), listener));
-    return new Handle(call.id(), () -> whenKnown(called, () -> calls.cancel(call.id(), nextId())));
+    return new Handle(
+        call.id(), () -> whenKnown(called, () -> calls.cancel(call.id(), ids.next())));
   }
 
   /** What the parameter sets of another's feature would cost; the answers are in their order. */
@@ -108,13 +104,9 @@ public final class MemberCalls {
       String feature,
       List<Map<String, Object>> parameterSets,
       Consumer<List<CostAnswer>> answer) {
-    CostExchange exchange = new CostExchange(feature, parameterSets);
+    CostQuestion question = new CostQuestion(feature, parameterSets, answer);
     call(
-        called,
-        ReservedFeature.COST.word(),
-        exchange.parameters(),
-        COST_TIMEOUT,
-        result -> answer.accept(exchange.answers(result)));
+        called, ReservedFeature.COST.word(), question.parameters(), CostQuestion.TIMEOUT, question);
   }
 
   private void whenKnown(String called, Runnable action) {
@@ -136,10 +128,6 @@ public final class MemberCalls {
 
   private void goOn(String called) {
     Optional.ofNullable(awaiting.remove(called)).ifPresent(all -> all.forEach(Runnable::run));
-  }
-
-  private String nextId() {
-    return member + "-" + life + "-asks-" + count.incrementAndGet();
   }
 
   private final class Presence implements Roster.Watcher {
