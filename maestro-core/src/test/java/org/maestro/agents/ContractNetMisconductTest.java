@@ -290,6 +290,33 @@ class ContractNetMisconductTest {
     society.forget("usher");
   }
 
+  /** What it was asked ends with it, and nobody says so but who knows that it has ended. */
+  @Test
+  void anAgentThatEndsBeforeItAnswersIsNotWaitedFor() {
+    society.add(
+        "usher",
+        Actor.Part.onCall(
+            (actor, cfp) ->
+                actor
+                    .clock()
+                    .schedule(
+                        Duration.ofSeconds(1),
+                        "test",
+                        () -> {
+                          society.kill("usher");
+                          society.cca.agentEnded("usher");
+                        })));
+    Actor butler = society.add("butler", Actor.Part.at(3));
+
+    Society.Outcome outcome = society.pursue(GOAL);
+
+    assertThat(outcome.reached()).as(society.told()).isTrue();
+    assertThat(butler.heard()).endsWith("request");
+    assertThat(society.told()).contains("usher has no agent any more");
+    assertThat(outcome.took()).isLessThan(PATIENCE.bid());
+    assertThat(society.leftover()).isEmpty();
+  }
+
   private static void proposeAndLeave(Actor actor, ACLMessage cfp, Runnable leave) {
     actor.propose(cfp, "1");
     actor.clock().schedule(Duration.ofMillis(2), "test", leave);

@@ -199,6 +199,7 @@ public final class Deliberation {
       clock.schedule(
           agent.patience(MOVE), agent.getLocalName(), () -> agent.tell(() -> hasNotCome(member)));
     }
+    agent.conversations().partnerEnded(agentName, agent.getAMS());
     return members;
   }
 
@@ -234,6 +235,7 @@ public final class Deliberation {
       coordinator.memberLost(member, reason);
       dispatcher.agentEnded(member);
     }
+    agent.conversations().partnerEnded(agentName, agent.getAMS());
     return members;
   }
 

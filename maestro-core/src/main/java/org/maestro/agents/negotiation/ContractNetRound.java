@@ -122,10 +122,28 @@ final class ContractNetRound extends ContractNetInitiator {
         memberByKey.put(message.getReplyWith(), receivers.get(i));
       }
     }
-    agent.conversations().adopt(Objects.requireNonNull(conversation));
+    agent.conversations().adopt(Objects.requireNonNull(conversation), this::partnerEnded);
     if (sessions.size() > 0) {
       endWaitAfter(awarding ? patience().contract() : patience().bid());
     }
+  }
+
+  /**
+   * What was sent to an agent that ends before it answers ends with it, and the platform says no
+   * word of that.
+   */
+  private void partnerEnded(String localName) {
+    memberByKey.forEach(
+        (key, member) -> {
+          AID asked = Objects.requireNonNull(agents.get(member));
+          if (sessions.containsKey(key) && asked.getLocalName().equals(localName)) {
+            ACLMessage failure = new ACLMessage(ACLMessage.FAILURE);
+            failure.setSender(agent.getAMS());
+            failure.setConversationId(conversation);
+            failure.setInReplyTo(key);
+            agent.postMessage(failure);
+          }
+        });
   }
 
   private ProtocolTimeouts patience() {
@@ -209,6 +227,9 @@ final class ContractNetRound extends ContractNetInitiator {
 
   /** A reply that nothing was waiting for. */
   private void stray(ACLMessage reply) {
+    if (Replies.isFromPlatform(reply)) {
+      return;
+    }
     String what = ProposalReader.performative(reply);
     Optional<String> member =
         agents.entrySet().stream()

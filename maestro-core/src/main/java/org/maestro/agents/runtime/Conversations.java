@@ -7,10 +7,9 @@ import jade.lang.acl.MessageTemplate;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
@@ -46,7 +45,7 @@ public final class Conversations {
 
   private final transient Map<String, Open> open = new HashMap<>();
   private final transient Map<String, Ended> ended = BoundedMap.ofNewest(REMEMBERED);
-  private final transient Set<String> adopted = new HashSet<>();
+  private final transient Map<String, Consumer<String>> adopted = new HashMap<>();
   private final transient Agent agent;
   private final transient OwnThread thread;
   private final transient AgentTime time;
@@ -118,11 +117,21 @@ public final class Conversations {
         thread.work(() -> conversation.listener.accept(failure));
       }
     }
+    List.copyOf(adopted.values()).forEach(leader -> leader.accept(localName));
   }
 
   /** A conversation that a behaviour of its own leads: its messages are left to that. */
   public void adopt(String id) {
-    adopted.add(id);
+    adopt(id, partner -> {});
+  }
+
+  /**
+   * The same.
+   *
+   * @param partnerEnded is told the local name of each partner of this agent that is no more
+   */
+  public void adopt(String id, Consumer<String> partnerEnded) {
+    adopted.put(id, partnerEnded);
   }
 
   public void leave(String id) {
@@ -156,7 +165,7 @@ public final class Conversations {
   /** Whether the message belongs to a conversation that somebody here leads. */
   boolean isOpen(ACLMessage message) {
     String id = message.getConversationId();
-    return id != null && (adopted.contains(id) || isOpenWith(id, message));
+    return id != null && (adopted.containsKey(id) || isOpenWith(id, message));
   }
 
   private boolean isOpenWith(String id, ACLMessage message) {
