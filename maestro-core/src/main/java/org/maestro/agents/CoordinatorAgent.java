@@ -19,6 +19,7 @@ import org.maestro.agents.goals.AgentJournal;
 import org.maestro.agents.goals.Deliberation;
 import org.maestro.agents.goals.Past;
 import org.maestro.agents.goals.ReasoningServices;
+import org.maestro.agents.lives.AgentLifeListener;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.Coordinator;
@@ -37,7 +38,7 @@ import org.slf4j.LoggerFactory;
  * request, and is the coordinator's voice and ear. It answers {@code initCNP}, {@code cancel},
  * {@code explain}, {@code subscribe} and {@code query-ref} about goals.
  */
-public final class CoordinatorAgent extends MaestroAgent {
+public final class CoordinatorAgent extends MaestroAgent implements AgentLifeListener {
   private static final long serialVersionUID = 1L;
   private static final Logger LOG = LoggerFactory.getLogger(CoordinatorAgent.class);
 
@@ -105,28 +106,17 @@ public final class CoordinatorAgent extends MaestroAgent {
     return List.copyOf(present);
   }
 
-  /**
-   * The agent ended here and is to begin elsewhere, where it announces itself. Any thread may call.
-   */
+  @Override
   public void agentMoves(String name) {
     tell(() -> present.removeAll(deliberation.agentMoves(name)));
   }
 
-  /**
-   * The member has no agent, and gets none for now.
-   *
-   * @param reason a clause. Any thread may call.
-   */
+  @Override
   public void agentStaysAway(String member, String reason) {
     tell(() -> deliberation.agentStaysAway(member, reason));
   }
 
-  /**
-   * The agent gives no sign of life; nothing is asked of it until it is trusted again, or ended.
-   * Any thread may call.
-   *
-   * @param reason what is said of it, a clause
-   */
+  @Override
   public void agentDoubted(String name, String reason) {
     tell(
         () ->
@@ -135,12 +125,12 @@ public final class CoordinatorAgent extends MaestroAgent {
                 .forEach(member -> deliberation.agentDoubted(member, reason)));
   }
 
-  /** The agent gives signs of life again. Any thread may call. */
+  @Override
   public void agentTrusted(String name) {
     tell(() -> deliberation.membersOf(name).forEach(deliberation::agentTrusted));
   }
 
-  /** The agent is no more, killed or with its container. Any thread may call. */
+  @Override
   public void agentEnded(String name) {
     tell(() -> agentGone(name, "its agent has ended"));
   }

@@ -6,9 +6,12 @@ import java.time.Duration;
 import java.util.List;
 import java.util.function.Consumer;
 import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.GoalReport;
+import org.maestro.agents.content.HeldReport;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.knowledge.KnowledgeCache;
+import org.maestro.agents.lives.AgentLifeListener;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
@@ -20,7 +23,7 @@ import org.maestro.sl.Formula;
  * The desk at which people (and programs for them) state goals and ask questions (Three-layered
  * architecture, 3; M25). Its methods may be called by any thread; the answers come on the agent's.
  */
-public final class DeskAgent extends MaestroAgent {
+public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
   private static final long serialVersionUID = 1L;
   private static final Duration NO_END = Duration.ofDays(365);
   private static final int QUESTIONS_KEPT = 256;
@@ -44,8 +47,9 @@ public final class DeskAgent extends MaestroAgent {
     return Conversations.isFinal(reply);
   }
 
-  /** The agent is no more: who waits for it is told so. Any thread may call. */
-  public void agentEnded(String agent) {
+  /** Who waits for its answer is told so. */
+  @Override
+  public void agentDied(String agent) {
     tell(() -> conversations().partnerEnded(agent, getAMS()));
   }
 
@@ -60,6 +64,41 @@ public final class DeskAgent extends MaestroAgent {
         NO_END,
         replies,
         Words.content("initCNP", Words.named("goal", Words.formula(goal))));
+  }
+
+  /**
+   * States a goal. The report comes once, at the end, on this agent's thread; of a held goal, which
+   * ends when it is cancelled, its story tells how it fares.
+   *
+   * @param accepted is told the goal's id as soon as the CCA has it; not called when it refuses
+   */
+  public void pursue(Formula goal, Consumer<String> accepted, Consumer<GoalReport> ended) {
+    requestGoal(
+        goal,
+        reply -> {
+          if (reply.getPerformative() == ACLMessage.AGREE) {
+            accepted.accept(GoalReport.acceptedId(reply.getContent()));
+          } else if (isEnd(reply)) {
+            ended.accept(GoalReport.read(reply.getContent()));
+          }
+        });
+  }
+
+  /**
+   * States a goal that is to be held.
+   *
+   * @param told each time that it begins or ceases to be so, and when it was found that it cannot
+   *     be
+   */
+  public void hold(Formula goal, Consumer<HeldReport> told) {
+    requestGoal(
+        goal,
+        reply -> {
+          int performative = reply.getPerformative();
+          if (performative == ACLMessage.CONFIRM || performative == ACLMessage.DISCONFIRM) {
+            told.accept(HeldReport.read(performative == ACLMessage.CONFIRM, reply.getContent()));
+          }
+        });
   }
 
   /** Asks an agent of this platform; exactly one final reply follows. */

@@ -15,6 +15,7 @@ import org.maestro.agents.goals.OwnGoalRequests;
 import org.maestro.agents.goals.OwnGoals;
 import org.maestro.agents.goals.Past;
 import org.maestro.agents.goals.ReasoningServices;
+import org.maestro.agents.lives.AgentLifeListener;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.Story;
@@ -34,7 +35,7 @@ import org.maestro.sl.Truth;
  * description of the group; it knows of no kind of device. It hears of its members from their
  * agents, watches the collective knowledge, and works also when there is no central agent.
  */
-public final class GroupAgent extends MaestroAgent {
+public final class GroupAgent extends MaestroAgent implements AgentLifeListener {
   private static final long serialVersionUID = 1L;
 
   /** Members come and go; so often their agents are asked, and the condition is looked at. */
@@ -90,22 +91,20 @@ public final class GroupAgent extends MaestroAgent {
     super.takeDown();
   }
 
-  /**
-   * The agent is there, perhaps in the place of another, of which it does not know who listened.
-   * Any thread may call.
-   */
+  /** One in the place of another does not know who listened to that one. */
+  @Override
   public void agentBegins(String name) {
     if (called.contains(name)) {
       tell(() -> call(name));
     }
   }
 
-  /** The agent ended, and is to begin elsewhere. Any thread may call. */
+  @Override
   public void agentMoves(String name) {
     tell(() -> goals.agentMoves(name));
   }
 
-  /** The agent is no more, killed or with its container. Any thread may call. */
+  @Override
   public void agentEnded(String name) {
     tell(() -> present.keySet().removeAll(goals.agentGone(name, "its agent has ended")));
   }

@@ -3,14 +3,16 @@ package org.maestro.platform;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.goals.Past;
+import org.maestro.agents.lives.AgentLifeListener;
 import org.maestro.platform.journal.Chronicle;
 import org.maestro.rats.time.Clock;
 
 /**
  * The central agent, which can be ended and started again; its goals go on. Any thread may call.
  */
-final class CentralAgent {
+final class CentralAgent implements AgentLifeListener {
   private final Function<Past, CoordinatorAgent> making;
   private final Chronicle chronicle;
   private volatile CoordinatorAgent coordinator;
@@ -30,9 +32,36 @@ final class CentralAgent {
     return coordinator;
   }
 
-  /** It has ended. */
-  void ended() {
-    isThere = false;
+  @Override
+  public void agentDied(String agent) {
+    if (agent.equals(AgentNames.COORDINATOR)) {
+      isThere = false;
+    }
+  }
+
+  @Override
+  public void agentDoubted(String agent, String reason) {
+    coordinator.agentDoubted(agent, reason);
+  }
+
+  @Override
+  public void agentTrusted(String agent) {
+    coordinator.agentTrusted(agent);
+  }
+
+  @Override
+  public void agentMoves(String agent) {
+    coordinator.agentMoves(agent);
+  }
+
+  @Override
+  public void agentEnded(String agent) {
+    coordinator.agentEnded(agent);
+  }
+
+  @Override
+  public void agentStaysAway(String member, String reason) {
+    coordinator.agentStaysAway(member, reason);
   }
 
   /**

@@ -1,65 +1,59 @@
 package org.maestro.platform;
 
 import java.util.Optional;
-import java.util.function.BooleanSupplier;
-import org.maestro.agents.DeskAgent;
 import org.maestro.agents.content.AgentNames;
-import org.maestro.agents.pulse.Pulse;
+import org.maestro.agents.lives.AgentLifeListener;
+import org.maestro.agents.lives.AgentLives;
 import org.maestro.deployment.AgentStart;
 import org.maestro.platform.failover.AgentFailover;
 import org.maestro.platform.failover.HostSupervisor;
+import org.maestro.platform.failover.SignsOfLife;
 import org.maestro.platform.failover.TakeoverLinks;
-import org.maestro.platform.jade.PlatformEvents;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The losses of a platform: agents that have ended or hang, and containers that are gone, begin
- * elsewhere, or are not counted on any more. Any thread may call.
+ * The places of agents whose lives change: what is lost or hangs begins elsewhere, what ended is
+ * not counted on any more, and where one has come to is noted down. Any thread may call.
  */
-final class Departures implements PlatformEvents.Listener {
+final class Departures implements AgentLifeListener {
   private static final Logger LOG = LoggerFactory.getLogger(Departures.class);
 
   private final Deployer deployer;
   private final AgentFailover rescue;
   private final HostSupervisor starter;
-  private final DeskAgent desk;
-  private final Principals principals;
-  private final BooleanSupplier closing;
+  private final SignsOfLife signs;
+  private final AgentLives lives;
 
   /**
-   * @param principals who count on agents
-   * @param closing whether the platform itself ends, and nothing is to begin any more
+   * @param lives is told what an agent's death means
    */
   Departures(
       Deployer deployer,
       AgentFailover rescue,
       HostSupervisor starter,
-      DeskAgent desk,
-      Principals principals,
-      BooleanSupplier closing) {
+      SignsOfLife signs,
+      AgentLives lives) {
     this.deployer = deployer;
     this.rescue = rescue;
     this.starter = starter;
-    this.desk = desk;
-    this.principals = principals;
-    this.closing = closing;
+    this.signs = signs;
+    this.lives = lives;
   }
 
   @Override
-  public void born(String agent) {
+  public void agentBegins(String agent) {
     deployer.handing().begun(agent);
-    principals.agentBegins(agent);
   }
 
   @Override
-  public void moved(String agent, String container) {
+  public void agentArrives(String agent, String container) {
     deployer.moved(agent, container);
   }
 
   @Override
   public void containerGone(String container) {
-    if (!closing.getAsBoolean() && deployer.isElsewhere(container)) {
+    if (deployer.isElsewhere(container)) {
       deployer.deployment().containerGone(container);
       starter.gone(container);
     }
@@ -70,19 +64,11 @@ final class Departures implements PlatformEvents.Listener {
    * ended here is not counted on any more.
    */
   @Override
-  public void died(String agent) {
-    if (closing.getAsBoolean()) {
-      return;
-    }
-    desk.agentEnded(agent);
+  public void agentDied(String agent) {
     if (deployer.handing().isAsker(agent)) {
       beside(() -> deployer.givenUp(agent).forEach(this::givenBack));
     }
-    if (agent.equals(AgentNames.COORDINATOR)) {
-      principals.centralEnded();
-      return;
-    }
-    if (deployer.wasHandedOver(agent)) {
+    if (agent.equals(AgentNames.COORDINATOR) || deployer.wasHandedOver(agent)) {
       return;
     }
     if (agent.startsWith(AgentNames.ofHost(""))) {
@@ -91,10 +77,10 @@ final class Departures implements PlatformEvents.Listener {
     }
     Optional<AgentStart> lost = deployer.ended(agent);
     if (lost.isPresent()) {
-      principals.agentMoves(agent);
+      lives.tell(listener -> listener.agentMoves(agent));
       rescue.lost(agent, TakeoverLinks.controller(lost.get().container()));
     } else {
-      principals.agentEnded(agent);
+      lives.tell(listener -> listener.agentEnded(agent));
     }
   }
 
@@ -109,17 +95,17 @@ final class Departures implements PlatformEvents.Listener {
     starter.start();
   }
 
-  /** An agent hangs in a container that lives: another takes its place. */
-  void replaceHung(Pulse pulse, String agent) {
-    if (closing.getAsBoolean() || deployer.deployment().find(agent).isEmpty()) {
+  @Override
+  public void agentHangs(String agent) {
+    if (deployer.deployment().find(agent).isEmpty()) {
       return;
     }
     LOG.warn("The agent of {} hangs; another takes its place", agent);
     beside(
         () -> {
-          principals.agentMoves(agent);
+          lives.tell(listener -> listener.agentMoves(agent));
           try {
-            deployer.replace(agent, container -> pulse.end(container, agent));
+            deployer.replace(agent, container -> signs.end(container, agent));
           } catch (RuntimeException e) {
             LOG.warn("The agent of {} gets no other: {}", agent, e.getMessage());
           }

@@ -1,5 +1,6 @@
 package org.maestro.platform;
 
+import java.util.Collection;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -7,7 +8,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.lives.AgentLives;
 import org.maestro.agents.supervision.SupervisorOrders;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.Provision;
@@ -24,22 +25,25 @@ final class FailoverWays implements AgentFailover.Ways {
   private final Supplier<Home> home;
   private final Deployer deployer;
   private final Supplier<SupervisorOrders> orders;
-  private final Supplier<CoordinatorAgent> coordinator;
+  private final Supplier<Collection<String>> present;
+  private final AgentLives lives;
 
   /**
    * @param home as it is known at the time
    * @param orders of the supervisor, which is made after those whom it supervises
-   * @param coordinator the central agent, which may be another one each time
+   * @param present members that can be used at the time
    */
   FailoverWays(
       Supplier<Home> home,
       Deployer deployer,
       Supplier<SupervisorOrders> orders,
-      Supplier<CoordinatorAgent> coordinator) {
+      Supplier<Collection<String>> present,
+      AgentLives lives) {
     this.home = home;
     this.deployer = deployer;
     this.orders = orders;
-    this.coordinator = coordinator;
+    this.present = present;
+    this.lives = lives;
   }
 
   @Override
@@ -69,20 +73,17 @@ final class FailoverWays implements AgentFailover.Ways {
 
   @Override
   public void nobody(String member, String why) {
-    List<Device> present =
-        coordinator.get().presentMembers().stream()
-            .map(home.get().devices()::get)
-            .filter(Objects::nonNull)
-            .toList();
+    List<Device> there =
+        present.get().stream().map(home.get().devices()::get).filter(Objects::nonNull).toList();
     String reason =
         Optional.ofNullable(home.get().devices().get(member))
-            .map(device -> why + "; " + Remaining.inWords(device, present))
+            .map(device -> why + "; " + Remaining.inWords(device, there))
             .orElse(why);
     LOG.warn(
         "There is a problem with {}: {}. It is there again as soon as such a host joins.",
         member,
         reason);
-    coordinator.get().agentStaysAway(member, reason);
+    lives.tell(listener -> listener.agentStaysAway(member, reason));
     orders.get().tellLost(member, reason, home.get().groups().keySet());
   }
 }

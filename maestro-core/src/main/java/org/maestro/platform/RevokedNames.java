@@ -1,8 +1,8 @@
 package org.maestro.platform;
 
 import java.time.Duration;
-import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
+import org.maestro.agents.lives.AgentLives;
 import org.maestro.rats.time.Clock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -19,26 +19,18 @@ final class RevokedNames {
 
   private final Deployer deployer;
   private final Predicate<String> mayBeUsed;
-  private final Principals principals;
   private final Clock clock;
-  private final BooleanSupplier closing;
+  private final AgentLives lives;
 
   /**
    * @param mayBeUsed whether anybody may call under a controller's name now
-   * @param principals who count on agents
-   * @param closing whether the platform itself ends
+   * @param lives is told who begins again
    */
-  RevokedNames(
-      Deployer deployer,
-      Predicate<String> mayBeUsed,
-      Principals principals,
-      Clock clock,
-      BooleanSupplier closing) {
+  RevokedNames(Deployer deployer, Predicate<String> mayBeUsed, Clock clock, AgentLives lives) {
     this.deployer = deployer;
     this.mayBeUsed = mayBeUsed;
-    this.principals = principals;
     this.clock = clock;
-    this.closing = closing;
+    this.lives = lives;
   }
 
   void watch() {
@@ -47,7 +39,7 @@ final class RevokedNames {
   }
 
   private void begin() {
-    if (closing.getAsBoolean()) {
+    if (lives.areOver()) {
       return;
     }
     Thread looking = new Thread(this::look, "revoked-names");
@@ -66,12 +58,12 @@ final class RevokedNames {
 
   private void look(String agent, String controller) {
     try {
-      if (!closing.getAsBoolean() && !mayBeUsed.test(controller)) {
+      if (!lives.areOver() && !mayBeUsed.test(controller)) {
         LOG.warn(
             "{} is no longer one of the site: the agent of {} begins again under another name",
             controller,
             agent);
-        principals.agentMoves(agent);
+        lives.tell(listener -> listener.agentMoves(agent));
         deployer.giveBack(agent);
       }
     } catch (RuntimeException e) {

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.maestro.agents.content.Addition;
 import org.maestro.agents.pulse.Pulse;
@@ -29,43 +30,27 @@ final class Supervision implements Containers {
   private final PlatformTables tables;
   private final DeviceFile devices;
   private final Supplier<String> words;
-  private final Centre centre;
-
-  /** The central agent, which may be another one each time. */
-  interface Centre {
-    /** Waits a while: whether the agents of the home have their places. */
-    boolean isPlaced();
-
-    void agentMoves(String agent);
-
-    boolean revive();
-
-    void watchOver(Pulse pulse);
-
-    void offered(String host, List<String> provides);
-
-    void settled(String agent);
-
-    /** Waits: nobody else calls under the container's name when this returns. */
-    void returns(String container);
-  }
+  private final MemberAgents agents;
+  private final BooleanSupplier reviving;
 
   /**
    * @param words of the home, which containers that join have to know
+   * @param reviving begins the central agent again; false when it is there
    */
   Supervision(
       PlatformSettings settings,
-      Deployer deployer,
+      MemberAgents agents,
       PlatformTables tables,
       BiFunction<String, String, Device> describedBy,
       Supplier<String> words,
-      Centre centre) {
+      BooleanSupplier reviving) {
     this.settings = settings;
-    this.deployer = deployer;
+    this.agents = agents;
+    this.deployer = agents.deployer();
     this.tables = tables;
     this.devices = new DeviceFile(describedBy);
     this.words = words;
-    this.centre = centre;
+    this.reviving = reviving;
   }
 
   @Override
@@ -78,18 +63,11 @@ final class Supervision implements Containers {
                     new DeploymentException(
                         "The bus of this platform lives within its process, where no other gets at"
                             + " it."));
-    if (!centre.isPlaced()) {
+    if (!agents.awaitHome()) {
       throw new DeploymentException(
           "The platform has not begun all of its own agents yet; join again in a moment.");
     }
-    deployer.admit(
-        container,
-        asker,
-        agent -> {
-          centre.settled(agent);
-          centre.agentMoves(agent);
-        });
-    centre.returns(container.name());
+    agents.admit(container, asker);
     return handover(broker);
   }
 
@@ -178,19 +156,19 @@ final class Supervision implements Containers {
 
   @Override
   public boolean reviveCoordinator() {
-    return centre.revive();
+    return reviving.getAsBoolean();
   }
 
   @Override
   public Optional<Handover> offered(String host, List<String> provides) {
     Optional<Handover> bus = settings.brokerUri().map(this::handover);
-    bus.ifPresent(there -> centre.offered(host, provides));
+    bus.ifPresent(there -> agents.offered(host, provides));
     return bus;
   }
 
   @Override
   public void watchOver(Pulse pulse) {
-    centre.watchOver(pulse);
+    agents.watchOver(pulse);
   }
 
   @Override

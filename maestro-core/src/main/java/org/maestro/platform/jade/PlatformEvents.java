@@ -9,37 +9,27 @@ import jade.core.event.PlatformEvent;
 import java.time.Instant;
 import java.util.function.Supplier;
 import org.maestro.agents.device.Host;
+import org.maestro.agents.lives.AgentLives;
 import org.maestro.deployment.Directory;
 
-/** Keeps the directory as the platform's own manager of agents has it, and tells who ended. */
-public final class PlatformEvents implements AgentManager.Listener {
+/**
+ * Keeps the directory as the platform's own manager of agents has it, and tells of the agents'
+ * lives. Called by a thread of JADE that must not be held up.
+ */
+final class PlatformEvents implements AgentManager.Listener {
   private final Directory directory;
   private final Supplier<Instant> now;
-  private final Listener listener;
+  private final AgentLives lives;
 
-  /** A listener to the events of a platform. Told on a thread of JADE that must not be held up. */
-  public interface Listener {
-    /** An agent is there that was not, also one in the place of another. */
-    void born(String agent);
-
-    /** An agent ended, killed or with its container. */
-    void died(String agent);
-
-    void moved(String agent, String container);
-
-    void containerGone(String container);
-  }
-
-  private PlatformEvents(Directory directory, Supplier<Instant> now, Listener listener) {
+  private PlatformEvents(Directory directory, Supplier<Instant> now, AgentLives lives) {
     this.directory = directory;
     this.now = now;
-    this.listener = listener;
+    this.lives = lives;
   }
 
   /** Begins with what is there already. */
-  public static void watch(
-      Host main, Directory directory, Supplier<Instant> now, Listener listener) {
-    PlatformEvents events = new PlatformEvents(directory, now, listener);
+  static void watch(Host main, Directory directory, Supplier<Instant> now, AgentLives lives) {
+    PlatformEvents events = new PlatformEvents(directory, now, lives);
     main.watch(events);
     AgentManager manager = main.manager().orElseThrow();
     for (ContainerID container : manager.containerIDs()) {
@@ -71,21 +61,23 @@ public final class PlatformEvents implements AgentManager.Listener {
 
   @Override
   public void removedContainer(PlatformEvent event) {
-    directory.left(event.getContainer().getName());
-    listener.containerGone(event.getContainer().getName());
+    String container = event.getContainer().getName();
+    directory.left(container);
+    lives.tell(listener -> listener.containerGone(container));
   }
 
   @Override
   public void bornAgent(PlatformEvent event) {
     String agent = event.getAgent().getLocalName();
     directory.born(agent, event.getContainer().getName(), now.get());
-    listener.born(agent);
+    lives.tell(listener -> listener.agentBegins(agent));
   }
 
   @Override
   public void deadAgent(PlatformEvent event) {
-    directory.dead(event.getAgent().getLocalName());
-    listener.died(event.getAgent().getLocalName());
+    String agent = event.getAgent().getLocalName();
+    directory.dead(agent);
+    lives.tell(listener -> listener.agentDied(agent));
   }
 
   @Override
@@ -93,7 +85,7 @@ public final class PlatformEvents implements AgentManager.Listener {
     String agent = event.getAgent().getLocalName();
     String container = event.getNewContainer().getName();
     directory.moved(agent, container, now.get());
-    listener.moved(agent, container);
+    lives.tell(listener -> listener.agentArrives(agent, container));
   }
 
   @Override

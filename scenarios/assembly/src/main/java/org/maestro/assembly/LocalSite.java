@@ -21,6 +21,7 @@ import org.maestro.planning.ObjectivePlanner;
 import org.maestro.planning.OptimalPlanner;
 import org.maestro.planning.ReplanningPlanner;
 import org.maestro.platform.MaestroPlatform;
+import org.maestro.platform.PlatformServices;
 import org.maestro.platform.PlatformSettings;
 import org.maestro.platform.failover.OtherNames;
 import org.maestro.platform.guard.Guard;
@@ -184,13 +185,14 @@ public final class LocalSite implements AutoCloseable {
                 .guard(settings.security().map(files -> Guard.open(files, CONTROLLER)))
                 .premises(settings.premises())
                 .build(),
-            knowledge,
-            new ObjectivePlanner(
-                new ReplanningPlanner(new OptimalPlanner()), settings.allocation()),
-            link,
-            new ContainersNames(),
-            clock,
-            DescriptionReader.of(settings.home())::read);
+            new PlatformServices(
+                knowledge,
+                new ObjectivePlanner(
+                    new ReplanningPlanner(new OptimalPlanner()), settings.allocation()),
+                link,
+                new ContainersNames(),
+                clock,
+                DescriptionReader.of(settings.home())::read));
     platform = Optional.of(started);
     parts.opened(started);
     awaitMembers(opening);

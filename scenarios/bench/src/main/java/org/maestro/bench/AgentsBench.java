@@ -19,6 +19,7 @@ import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.OptimalPlanner;
 import org.maestro.platform.MaestroPlatform;
+import org.maestro.platform.PlatformServices;
 import org.maestro.platform.PlatformSettings;
 import org.maestro.platform.failover.OtherNames;
 import org.maestro.platform.threads.AgentThreads;
@@ -113,12 +114,13 @@ public final class AgentsBench {
       KnowledgeBase knowledge, RatsLink link, PacedClock clock, Home home) {
     return MaestroPlatform.start(
         PlatformSettings.of(NAME).build(),
-        knowledge,
-        new OptimalPlanner(),
-        link,
-        OtherNames.unrestricted(controller -> link),
-        clock,
-        DescriptionReader.of(home)::read);
+        new PlatformServices(
+            knowledge,
+            new OptimalPlanner(),
+            link,
+            OtherNames.unrestricted(controller -> link),
+            clock,
+            DescriptionReader.of(home)::read));
   }
 
   private static long there(MaestroPlatform platform) {

@@ -31,6 +31,7 @@ import org.maestro.ontology.home.HomeLoader;
 import org.maestro.planning.OptimalPlanner;
 import org.maestro.platform.AgentRow;
 import org.maestro.platform.MaestroPlatform;
+import org.maestro.platform.PlatformServices;
 import org.maestro.platform.PlatformSettings;
 import org.maestro.platform.failover.OtherNames;
 import org.maestro.rats.broker.EmbeddedBroker;
@@ -148,12 +149,13 @@ public final class ContainersBench {
   private MaestroPlatform platform(Home home, URI broker, RatsLink link, Clock clock) {
     return MaestroPlatform.start(
         PlatformSettings.of(site).brokerUri(Optional.of(broker.toString())).build(),
-        CollectiveKnowledge.open(home, clock, KnowledgeSettings.inMemory()),
-        new OptimalPlanner(),
-        link,
-        OtherNames.unrestricted(controller -> link(broker, controller, clock)),
-        clock,
-        DescriptionReader.of(home)::read);
+        new PlatformServices(
+            CollectiveKnowledge.open(home, clock, KnowledgeSettings.inMemory()),
+            new OptimalPlanner(),
+            link,
+            OtherNames.unrestricted(controller -> link(broker, controller, clock)),
+            clock,
+            DescriptionReader.of(home)::read));
   }
 
   private void startAll(int port, List<HostProcess> hosts) {
@@ -209,17 +211,20 @@ public final class ContainersBench {
       Dial dial = dials.get(goal % dials.size());
       int level = 1 - goal / dials.size() % 2;
       long stated = System.nanoTime();
-      platform.pursue(
-          SlParser.formula(dial.isAt(level), platform.knowledge().home().vocabulary()::isFluent),
-          id -> {},
-          report -> {
-            durations.add(seconds(stated));
-            reports.add(report);
-            if (reports.size() % TOLD_EACH == 0) {
-              progress.accept("%d goals ended.".formatted(reports.size()));
-            }
-            free.release();
-          });
+      platform
+          .desk()
+          .pursue(
+              SlParser.formula(
+                  dial.isAt(level), platform.knowledge().home().vocabulary()::isFluent),
+              id -> {},
+              report -> {
+                durations.add(seconds(stated));
+                reports.add(report);
+                if (reports.size() % TOLD_EACH == 0) {
+                  progress.accept("%d goals ended.".formatted(reports.size()));
+                }
+                free.release();
+              });
     }
     acquire(free, UNDER_WAY);
     double all = seconds(begin);

@@ -172,6 +172,7 @@ public final class CoordinationBench {
     for (int i = 0; i < goals; i++) {
       pause(begin + i * 1_000_000_000L / goals);
       site.platform()
+          .desk()
           .pursue(
               SlParser.formula(goal(i), site.platform().knowledge().home().vocabulary()::isFluent),
               id -> accepted.put(id, true),
@@ -246,6 +247,7 @@ public final class CoordinationBench {
   private static GoalReport ask(LocalSite site, String goal) {
     CompletableFuture<GoalReport> ended = new CompletableFuture<>();
     site.platform()
+        .desk()
         .pursue(
             SlParser.formula(goal, site.platform().knowledge().home().vocabulary()::isFluent),
             id -> {},

@@ -123,7 +123,7 @@ final class CupThoughLoss {
                 atWork.complete(null);
               }
             });
-    site.platform().pursue(SlParser.formula(GOAL), id -> {}, ended::complete);
+    site.platform().desk().pursue(SlParser.formula(GOAL), id -> {}, ended::complete);
     Waiting.until(() -> atWork.isDone() || ended.isDone(), "the robot is at work");
   }
 

@@ -137,7 +137,7 @@ public final class SimulationBench {
     try (site) {
       started = System.nanoTime();
       CompletableFuture<GoalReport> report = new CompletableFuture<>();
-      site.platform().pursue(SlParser.formula(goal), id -> {}, report::complete);
+      site.platform().desk().pursue(SlParser.formula(goal), id -> {}, report::complete);
       if (!site.runUntil(report::isDone, LONGEST_RUN) || !report.join().reached()) {
         throw new IllegalStateException(
             "The goal %s was not reached with seed %d.".formatted(goal, seed));

@@ -75,6 +75,7 @@ final class ArenaWithAgents implements Arena {
   @Override
   public void pursue(String goal, Consumer<Claim> ended, Consumer<String> refused) {
     site.platform()
+        .desk()
         .pursue(
             parsed(goal),
             id -> {},
@@ -93,6 +94,7 @@ final class ArenaWithAgents implements Arena {
   @Override
   public void hold(String goal, Consumer<Claim> told) {
     site.platform()
+        .desk()
         .hold(
             parsed(goal),
             report ->

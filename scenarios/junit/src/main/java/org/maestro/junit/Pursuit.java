@@ -30,7 +30,7 @@ public final class Pursuit {
   static Pursuit begin(LocalSite site, String text, Formula goal, Duration patience) {
     Pursuit pursuit = new Pursuit(site, text, patience);
     site.platform().onStory(pursuit.stories::add);
-    site.platform().pursue(goal, pursuit.id::set, pursuit.report::set);
+    site.platform().desk().pursue(goal, pursuit.id::set, pursuit.report::set);
     return pursuit;
   }
 

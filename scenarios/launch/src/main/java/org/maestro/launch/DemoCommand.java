@@ -133,7 +133,7 @@ final class DemoCommand implements Callable<Integer> {
       site.platform().onStory(printer::print);
     }
     CompletableFuture<GoalReport> ended = new CompletableFuture<>();
-    site.platform().pursue(SlParser.formula(goal), id -> {}, ended::complete);
+    site.platform().desk().pursue(SlParser.formula(goal), id -> {}, ended::complete);
     if (!site.runUntil(ended::isDone, PATIENCE)) {
       throw CommandException.outside(
           "The goal did not end within "

@@ -294,7 +294,7 @@ class LostContainerTest {
                 pursued.atWork().complete(null);
               }
             });
-    site.platform().pursue(SlParser.formula(goal), id -> {}, pursued.ended()::complete);
+    site.platform().desk().pursue(SlParser.formula(goal), id -> {}, pursued.ended()::complete);
     return pursued;
   }
 

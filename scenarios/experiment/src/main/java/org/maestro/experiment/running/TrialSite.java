@@ -40,7 +40,7 @@ public final class TrialSite implements AutoCloseable {
     private Underway(String goal) {
       this.goal = goal;
       site.platform().onStory(this::tell);
-      site.platform().pursue(parsed(goal), id::set, report::set);
+      site.platform().desk().pursue(parsed(goal), id::set, report::set);
     }
 
     private synchronized void tell(StoryEntry entry) {

@@ -1,12 +1,11 @@
-package org.maestro.platform;
+package org.maestro.platform.failover;
 
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.maestro.agents.CoordinatorAgent;
+import org.maestro.agents.lives.AgentLives;
 import org.maestro.agents.pulse.Condition;
 import org.maestro.agents.pulse.Pulse;
 import org.maestro.agents.pulse.Watcher;
@@ -24,24 +23,19 @@ final class FailureHandler implements Watcher {
 
   private final Pulse pulse;
   private final Wires wires;
-  private final Deployer deployer;
-  private final Supplier<CoordinatorAgent> coordinator;
-  private final Consumer<String> hung;
+  private final Supplier<Map<String, String>> containerByAgent;
+  private final AgentLives lives;
 
   /**
-   * @param hung is told of agents that do nothing any more; it must not wait
+   * @param wires to containers of other processes
+   * @param containerByAgent as they are at the time
    */
   FailureHandler(
-      Pulse pulse,
-      Wires wires,
-      Deployer deployer,
-      Supplier<CoordinatorAgent> coordinator,
-      Consumer<String> hung) {
-    this.hung = hung;
+      Pulse pulse, Wires wires, Supplier<Map<String, String>> containerByAgent, AgentLives lives) {
     this.pulse = pulse;
     this.wires = wires;
-    this.deployer = deployer;
-    this.coordinator = coordinator;
+    this.containerByAgent = containerByAgent;
+    this.lives = lives;
   }
 
   @Override
@@ -49,13 +43,13 @@ final class FailureHandler implements Watcher {
     switch (now) {
       case ALIVE -> {
         LOG.info("The container {} gives signs of life again", name);
-        agentsIn(name).forEach(coordinator.get()::agentTrusted);
+        agentsIn(name).forEach(this::trusted);
       }
       case SUSPECTED -> {
         String reason =
             "the container %s has given no sign of life for %s".formatted(name, seconds(silence));
         LOG.warn("Nothing is asked of the agents there until it does: {}", reason);
-        agentsIn(name).forEach(agent -> coordinator.get().agentDoubted(agent, reason));
+        agentsIn(name).forEach(agent -> doubted(agent, reason));
       }
       case LOST -> {
         LOG.warn(
@@ -70,19 +64,27 @@ final class FailureHandler implements Watcher {
   @Override
   public void agent(String agent, Condition now, Duration silence) {
     switch (now) {
-      case ALIVE -> coordinator.get().agentTrusted(agent);
-      case LOST -> hung.accept(agent);
+      case ALIVE -> trusted(agent);
+      case LOST -> lives.tell(listener -> listener.agentHangs(agent));
       case SUSPECTED -> {
         String reason =
             "the agent of %s has done nothing for %s".formatted(agent, seconds(silence));
         LOG.warn("Nothing is asked of it until it does: {}", reason);
-        coordinator.get().agentDoubted(agent, reason);
+        doubted(agent, reason);
       }
     }
   }
 
+  private void trusted(String agent) {
+    lives.tell(listener -> listener.agentTrusted(agent));
+  }
+
+  private void doubted(String agent, String reason) {
+    lives.tell(listener -> listener.agentDoubted(agent, reason));
+  }
+
   private List<String> agentsIn(String container) {
-    return deployer.containers().entrySet().stream()
+    return containerByAgent.get().entrySet().stream()
         .filter(place -> place.getValue().equals(container))
         .map(Map.Entry::getKey)
         .toList();
