@@ -18,7 +18,7 @@ public record BenchReport(String bench, String machine, List<Row> rows, List<Str
     summary = List.copyOf(summary);
   }
 
-  BenchReport(String bench, String machine, List<Row> rows) {
+  public BenchReport(String bench, String machine, List<Row> rows) {
     this(bench, machine, rows, List.of());
   }
 
@@ -29,7 +29,7 @@ public record BenchReport(String bench, String machine, List<Row> rows, List<Str
    */
   public record Row(String name, double value, String unit, OptionalDouble baseline) {
 
-    static Row of(String name, double value, String unit) {
+    public static Row of(String name, double value, String unit) {
       return new Row(name, value, unit, OptionalDouble.empty());
     }
 
@@ -40,7 +40,7 @@ public record BenchReport(String bench, String machine, List<Row> rows, List<Str
     }
   }
 
-  static String thisMachine() {
+  public static String thisMachine() {
     return "%d cores, %s, Java %s"
         .formatted(
             Runtime.getRuntime().availableProcessors(),

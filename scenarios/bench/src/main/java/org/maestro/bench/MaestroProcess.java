@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
  * A command of MAESTRO in a process of its own, which can be killed, frozen and thawed. Closing it
  * leaves nothing behind. For one thread.
  */
-final class MaestroProcess implements AutoCloseable {
+public final class MaestroProcess implements AutoCloseable {
   private static final String PROGRAM = "org.maestro.launch.Maestro";
 
   private final Process process;
@@ -29,7 +29,7 @@ final class MaestroProcess implements AutoCloseable {
    * @param before what brings it elsewhere, such as {@code ip netns exec NAME}, and becomes the
    *     process itself
    */
-  static MaestroProcess start(List<String> before, List<String> arguments) {
+  public static MaestroProcess start(List<String> before, List<String> arguments) {
     List<String> command = new ArrayList<>(before);
     command.addAll(
         List.of(
@@ -71,7 +71,7 @@ final class MaestroProcess implements AutoCloseable {
    *
    * @throws IllegalStateException when it ended before, or does not say it in time
    */
-  void awaitSaying(String text) {
+  public void awaitSaying(String text) {
     Waiting.until(() -> output().contains(text) || !process.isAlive(), text);
     if (!output().contains(text)) {
       throw new IllegalStateException("A process ended: " + output() + read("errors"));
@@ -79,7 +79,7 @@ final class MaestroProcess implements AutoCloseable {
   }
 
   /** Waits for its end; returns its exit code. */
-  int awaitEnd(Duration limit) {
+  public int awaitEnd(Duration limit) {
     try {
       if (process.waitFor(limit.toMillis(), TimeUnit.MILLISECONDS)) {
         return process.exitValue();
@@ -90,22 +90,22 @@ final class MaestroProcess implements AutoCloseable {
     throw new IllegalStateException("A process did not end: " + output() + read("errors"));
   }
 
-  boolean isAlive() {
+  public boolean isAlive() {
     return process.isAlive();
   }
 
   /** As a power cut would. */
-  void kill() {
+  public void kill() {
     process.destroyForcibly().onExit().join();
   }
 
   /** It holds what it has, and does nothing. */
-  void freeze() {
+  public void freeze() {
     signal("STOP");
   }
 
   /** It goes on as if no time had passed. */
-  void thaw() {
+  public void thaw() {
     signal("CONT");
   }
 

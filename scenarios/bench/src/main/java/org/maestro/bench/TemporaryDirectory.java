@@ -8,8 +8,8 @@ import java.util.stream.Stream;
 import org.maestro.assembly.SiteException;
 
 /** A directory of a benchmark, which goes with all that is in it when it is closed. */
-record TemporaryDirectory(Path path) implements AutoCloseable {
-  static TemporaryDirectory make() {
+public record TemporaryDirectory(Path path) implements AutoCloseable {
+  public static TemporaryDirectory make() {
     try {
       return new TemporaryDirectory(Files.createTempDirectory("maestro-bench"));
     } catch (IOException e) {

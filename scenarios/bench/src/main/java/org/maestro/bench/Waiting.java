@@ -5,7 +5,7 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 
 /** Waits for what is to be measured. */
-final class Waiting {
+public final class Waiting {
   private static final Duration LIMIT = Duration.ofSeconds(90);
   private static final Duration BETWEEN_LOOKS = Duration.ofMillis(10);
 
@@ -14,7 +14,7 @@ final class Waiting {
   /**
    * @throws IllegalStateException when it does not come to be so
    */
-  static void until(BooleanSupplier condition, String what) {
+  public static void until(BooleanSupplier condition, String what) {
     long end = System.nanoTime() + LIMIT.toNanos();
     while (!condition.getAsBoolean()) {
       if (System.nanoTime() > end) {
@@ -26,7 +26,7 @@ final class Waiting {
   }
 
   /** What JADE has for a whole process goes with its last platform, also while another begins. */
-  static void formerPlatformsHaveEnded() {
+  public static void formerPlatformsHaveEnded() {
     until(
         () ->
             Thread.getAllStackTraces().keySet().stream()
@@ -34,7 +34,7 @@ final class Waiting {
         "the platform before has ended");
   }
 
-  static double secondsSince(long nanos) {
+  public static double secondsSince(long nanos) {
     return (System.nanoTime() - nanos) / 1e9;
   }
 }

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
-import org.maestro.bench.PostOffice;
+import org.maestro.bench.losses.PostOffice;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.rats.time.PacedClock;
 

@@ -28,7 +28,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
-import org.maestro.bench.PostOffice;
+import org.maestro.bench.losses.PostOffice;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.platform.jade.PlatformStartException;
 import org.maestro.platform.jade.Sockets;

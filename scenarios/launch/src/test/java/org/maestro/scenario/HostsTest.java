@@ -11,8 +11,8 @@ import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.maestro.bench.BenchReport;
-import org.maestro.bench.Loss;
-import org.maestro.bench.LossesBench;
+import org.maestro.bench.losses.Loss;
+import org.maestro.bench.losses.LossesBench;
 
 /**
  * Bob's cup with agents on hosts that have addresses of their own: a host is killed, freezes, is
