@@ -28,6 +28,7 @@ import org.maestro.bench.containers.GrowthBench;
 import org.maestro.bench.containers.OpeningsBench;
 import org.maestro.bench.losses.Loss;
 import org.maestro.bench.losses.LossesBench;
+import org.maestro.bench.planning.BuildingBench;
 import org.maestro.bench.planning.CancelBench;
 import org.maestro.bench.planning.PlannerBench;
 import org.maestro.ontology.home.Home;
@@ -41,7 +42,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "bench",
     description =
-        "Run a benchmark: agents, bus, cancel, chaos, containers, coordination, growth, losses, "
+        "Run a benchmark: agents, building, bus, cancel, chaos, containers, coordination, growth, losses, "
             + "openings, planner, sim or soak.")
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
@@ -53,6 +54,7 @@ final class BenchCommand implements Callable<Integer> {
       int runs,
       List<Loss> losses,
       List<Integer> sizes,
+      List<Integer> devices,
       int goals,
       Function<Consumer<String>, ChaosBench> chaos) {}
 
@@ -104,6 +106,14 @@ final class BenchCommand implements Callable<Integer> {
   private List<Integer> containers = GrowthBench.CONTAINERS;
 
   @Option(
+      names = "--devices",
+      paramLabel = "N",
+      split = ",",
+      description =
+          "About how many devices each building has; 40,100,200,400,1000,4000 unless it is said.")
+  private List<Integer> devices = BuildingBench.DEVICES;
+
+  @Option(
       names = "--goals",
       paramLabel = "N",
       description = "How many goals soak pursues, from 250; ${DEFAULT-VALUE} unless it is said.")
@@ -144,6 +154,13 @@ final class BenchCommand implements Callable<Integer> {
     return containers;
   }
 
+  private List<Integer> devices() {
+    if (devices.stream().anyMatch(count -> count < 1)) {
+      throw CommandException.badInput("--devices takes numbers from 1.");
+    }
+    return devices;
+  }
+
   private List<Loss> losses() {
     if (runs < 1) {
       throw CommandException.badInput(
@@ -171,6 +188,8 @@ final class BenchCommand implements Callable<Integer> {
     Map<String, BiFunction<Wanted, Consumer<String>, BenchReport>> benches = new TreeMap<>();
     benches.put("agents", (wanted, progress) -> new AgentsBench(AGENTS, progress).run());
     benches.put("chaos", (wanted, progress) -> wanted.chaos().apply(progress).run());
+    benches.put(
+        "building", (wanted, progress) -> new BuildingBench(wanted.devices(), progress).run());
     benches.put("bus", (wanted, progress) -> new BusBench(progress).run());
     benches.put("cancel", (wanted, progress) -> new CancelBench(wanted.runs(), progress).run());
     benches.put(
@@ -229,7 +248,7 @@ final class BenchCommand implements Callable<Integer> {
     PrintWriter err = spec.commandLine().getErr();
     BenchReport report =
         bench.apply(
-            new Wanted(out, runs, losses(), sizes(), goals(), this::chaos),
+            new Wanted(out, runs, losses(), sizes(), devices(), goals(), this::chaos),
             line -> {
               err.println(line);
               err.flush();
