@@ -30,7 +30,7 @@ record FactNames(
 
   @Override
   public String operator(GroundOperator operator) {
-    if (operator.schema() == task.schemas().size()) {
+    if (task.isGoal(operator.schema())) {
       return "";
     }
     Schema schema = task.schemas().get(operator.schema());

@@ -80,8 +80,8 @@ final class Instances {
     this.costOf = new double[relations.length][4];
     this.costs = new LeastCosts(task);
     this.schemas = new ArrayList<>(task.schemas());
-    this.schema = task.goal();
-    schemas.add(schema);
+    schemas.addAll(task.goals());
+    this.schema = schemas.get(0);
     begin();
   }
 
@@ -100,7 +100,7 @@ final class Instances {
     }
   }
 
-  /** All that was found; those of the goal have the number after the last schema's. */
+  /** All that was found; those of goals have the numbers after the last schema's. */
   List<Instance> found() {
     return instances;
   }
@@ -313,11 +313,11 @@ final class Instances {
         return;
       }
     }
-    if (!differencesHold() || schemaNumber < task.schemas().size() && !isRelevant()) {
+    if (!differencesHold() || !task.isGoal(schemaNumber) && !isRelevant()) {
       return;
     }
     instances.add(new Instance(schemaNumber, binding.clone()));
-    goalReached |= schemaNumber == task.schemas().size();
+    goalReached |= task.isGoal(schemaNumber);
     double reached = now + costs.of(schemaNumber, binding);
     for (Atom atom : schema.additions()) {
       reach(atom.symbol(), atom.ground(binding), reached);

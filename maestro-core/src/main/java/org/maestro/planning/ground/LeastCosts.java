@@ -30,12 +30,12 @@ final class LeastCosts {
   }
 
   /**
-   * The cost, or less where it is not known; 0 for the goal.
+   * The cost, or less where it is not known; 0 for goals.
    *
    * @param schema the number of the schema
    */
   double of(int schema, int[] binding) {
-    if (schema == parts.size()) {
+    if (schema >= parts.size()) {
       return 0;
     }
     if (task.metric().isEmpty()) {

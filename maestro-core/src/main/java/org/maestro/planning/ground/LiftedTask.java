@@ -12,8 +12,8 @@ import java.util.Map;
  * @param functions names, by number
  * @param initial what holds at first; all else does not
  * @param values of functions at first; a function without a value makes what needs it impossible
- * @param goal a schema without effects: what has to hold at the end for some binding of its
- *     parameters
+ * @param goals schemas without effects: what has to hold at the end, one of them for some binding
+ *     of its parameters; at least one
  * @param metric what is to be least: a factor for each function without parameters; empty when each
  *     step costs 1
  */
@@ -24,7 +24,7 @@ public record LiftedTask(
     List<Schema> schemas,
     List<Atom> initial,
     Map<Atom, BigDecimal> values,
-    Schema goal,
+    List<Schema> goals,
     Map<Integer, BigDecimal> metric) {
   public LiftedTask {
     objects = List.copyOf(objects);
@@ -33,6 +33,17 @@ public record LiftedTask(
     schemas = List.copyOf(schemas);
     initial = List.copyOf(initial);
     values = Map.copyOf(values);
+    goals = List.copyOf(goals);
     metric = Map.copyOf(metric);
+  }
+
+  /** Whether it is a goal's number: they follow those of the schemas. */
+  boolean isGoal(int schema) {
+    return schema >= schemas.size();
+  }
+
+  /** The schema or goal of that number. */
+  Schema schema(int number) {
+    return isGoal(number) ? goals.get(number - schemas.size()) : schemas.get(number);
   }
 }

@@ -84,7 +84,7 @@ final class Numbering {
    *     plan
    */
   GroundTask number(List<Instances.Instance> instances, boolean isWhole) {
-    boolean plainGoal = task.goal().domains().isEmpty();
+    boolean plainGoal = task.goals().size() == 1 && task.goals().get(0).domains().isEmpty();
     List<Draft> drafts = new ArrayList<>();
     List<int[]> boundsOf = new ArrayList<>();
     for (Instances.Instance instance : instances) {
@@ -102,7 +102,7 @@ final class Numbering {
       if (boundsOf.get(i) == null) {
         continue;
       }
-      boolean ofGoal = instance.schema() == task.schemas().size();
+      boolean ofGoal = task.isGoal(instance.schema());
       reachable |= ofGoal;
       if (ofGoal && plainGoal) {
         goal = needed(schema(instance), instance.binding());
@@ -115,9 +115,7 @@ final class Numbering {
   }
 
   private Schema schema(Instances.Instance instance) {
-    return instance.schema() == task.schemas().size()
-        ? task.goal()
-        : task.schemas().get(instance.schema());
+    return task.schema(instance.schema());
   }
 
   /** The number of a ground atom that may hold and may matter, or -1. */
@@ -345,7 +343,7 @@ final class Numbering {
         }
       }
     }
-    if (draft.instance().schema() == task.schemas().size()) {
+    if (task.isGoal(draft.instance().schema())) {
       added.add(goalFact);
     }
     SortedMap<Integer, BigDecimal> changes = new TreeMap<>(draft.changes());

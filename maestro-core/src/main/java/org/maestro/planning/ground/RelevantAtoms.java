@@ -66,7 +66,7 @@ final class RelevantAtoms {
         initiallyEntered.add(atom);
       }
     }
-    need(task.goal(), unbound(task.goal()));
+    task.goals().forEach(goal -> need(goal, unbound(goal)));
     initiallyEntered.forEach(atom -> open.add(() -> release(atom)));
     while (!open.isEmpty()) {
       open.remove().run();

@@ -1,10 +1,14 @@
 package org.maestro.planning.pddl;
 
 import java.util.List;
+import java.util.stream.Collectors;
 
 /** A word or a list in parentheses, and where it stands. */
 sealed interface Expression {
   Position position();
+
+  /** Its words in the order in which they stand. */
+  String text();
 
   /** Line and column are counted from 1. */
   record Position(String source, int line, int column) {
@@ -26,6 +30,11 @@ sealed interface Expression {
   }
 
   record Group(Position position, List<Expression> items) implements Expression {
+    @Override
+    public String text() {
+      return items.stream().map(Expression::text).collect(Collectors.joining(" ", "(", ")"));
+    }
+
     /** The first word, by which lists are told apart; empty when there is none. */
     String head() {
       return !items.isEmpty() && items.get(0) instanceof Word word ? word.text() : "";

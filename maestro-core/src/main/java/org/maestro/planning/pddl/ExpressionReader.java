@@ -71,15 +71,16 @@ final class ExpressionReader {
 
   private Word word() {
     Position position = here();
-    int from = at;
+    int from = at++;
     while (at < text.length() && !isBorder(text.charAt(at))) {
       at++;
     }
     return new Word(position, text.substring(from, at).toLowerCase(Locale.ROOT));
   }
 
+  /** A variable begins a word of its own, also without a blank before it. */
   private static boolean isBorder(char c) {
-    return c == '(' || c == ')' || c == ';' || Character.isWhitespace(c);
+    return c == '(' || c == ')' || c == ';' || c == '?' || Character.isWhitespace(c);
   }
 
   private void skip() {

@@ -13,6 +13,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.ZipException;
@@ -23,20 +24,28 @@ import org.maestro.planning.pddl.Expression.Group;
 import org.maestro.planning.pddl.Expression.Word;
 
 /**
- * Reads a domain and a problem: STRIPS with types, negative and existential conditions, equality,
- * action costs, and functions that are only increased and decreased by constant amounts.
+ * Reads a domain and a problem: ADL, which is STRIPS with types, conditions of any kind, equality
+ * and conditional effects; action costs; and functions that are only increased and decreased by
+ * constant amounts.
  */
 public final class PddlReader {
   private static final Set<String> REQUIREMENTS =
       Set.of(
           ":strips",
+          ":adl",
           ":typing",
           ":negative-preconditions",
           ":equality",
           ":action-costs",
           ":existential-preconditions",
+          ":universal-preconditions",
+          ":quantified-preconditions",
+          ":disjunctive-preconditions",
+          ":conditional-effects",
           ":fluents",
           ":numeric-fluents");
+
+  private static final int MOST_GOALS = 4_096;
 
   private final Symbols symbols = new Symbols();
   private final List<Group> actions = new ArrayList<>();
@@ -163,10 +172,12 @@ public final class PddlReader {
       }
     }
     refuseActionsOfOneName();
-    List<Schema> schemas = actions.stream().map(this::schema).toList();
+    InitialFacts facts = new InitialFacts(symbols, facts(sections), effects());
+    List<Schema> schemas =
+        actions.stream().flatMap(action -> schemas(action, facts).stream()).toList();
     List<Atom> initial = new ArrayList<>();
     Map<Atom, BigDecimal> values = new LinkedHashMap<>();
-    Schema goal = null;
+    List<Schema> goals = List.of();
     for (Group section : sections) {
       if (section.head().equals(":init")) {
         section.rest().forEach(item -> addInitial(item, initial, values));
@@ -174,12 +185,10 @@ public final class PddlReader {
         if (section.items().size() != 2) {
           throw section.position().error("Expected one condition in (:goal ...).");
         }
-        SchemaReader reader = new SchemaReader(symbols, "goal", section.position());
-        reader.condition(section.items().get(1));
-        goal = reader.done();
+        goals = goals(section, facts);
       }
     }
-    if (goal == null) {
+    if (goals.isEmpty()) {
       throw text.position().error("The problem has no (:goal ...).");
     }
     return new LiftedTask(
@@ -189,7 +198,7 @@ public final class PddlReader {
         schemas,
         initial,
         values,
-        goal,
+        goals,
         metric);
   }
 
@@ -223,15 +232,24 @@ public final class PddlReader {
     }
   }
 
-  private Schema schema(Group section) {
+  private static List<Expression> facts(List<Group> sections) {
+    return sections.stream()
+        .filter(section -> section.head().equals(":init"))
+        .flatMap(section -> section.rest().stream())
+        .toList();
+  }
+
+  private List<Expression> effects() {
+    return actions.stream()
+        .flatMap(action -> Optional.ofNullable(parts(action).get(":effect")).stream())
+        .toList();
+  }
+
+  /** What stands behind each of an action's keywords. */
+  private static Map<String, Expression> parts(Group section) {
     if (section.items().size() < 2) {
       throw section.position().error("Expected an action's name.");
     }
-    SchemaReader reader =
-        new SchemaReader(
-            symbols,
-            section.items().get(1).word("an action's name").text(),
-            section.items().get(1).position());
     Map<String, Expression> parts = new LinkedHashMap<>();
     for (int i = 2; i < section.items().size(); i += 2) {
       Word key = section.items().get(i).word("a part such as :effect");
@@ -243,16 +261,51 @@ public final class PddlReader {
       }
       parts.put(key.text(), section.items().get(i + 1));
     }
-    if (parts.get(":parameters") != null) {
-      reader.parameters(parts.get(":parameters").group("a list of parameters"));
+    return parts;
+  }
+
+  private List<Schema> schemas(Group section, InitialFacts facts) {
+    Map<String, Expression> parts = parts(section);
+    Word name = section.items().get(1).word("an action's name");
+    Group nothing = new Group(name.position(), List.of());
+    Optional<Group> parameters =
+        Optional.ofNullable(parts.get(":parameters"))
+            .map(list -> list.group("a list of parameters"));
+    Expression condition = parts.getOrDefault(":precondition", nothing);
+    Expression effect = parts.getOrDefault(":effect", nothing);
+    SchemaReader check = new SchemaReader(symbols, name.text(), name.position());
+    parameters.ifPresent(check::parameters);
+    check.checkCondition(condition);
+    check.checkEffect(effect);
+    return new PlainActions(
+            symbols, facts, name.text(), name.position(), parameters, condition, effect)
+        .all();
+  }
+
+  /** One for each way in which it can be reached. */
+  private List<Schema> goals(Group section, InitialFacts facts) {
+    Expression goal = section.items().get(1);
+    new SchemaReader(symbols, "goal", section.position()).checkCondition(goal);
+    Alternatives alternatives = new Alternatives(symbols, facts, MOST_GOALS);
+    List<Alternatives.Alternative> ways = alternatives.of(goal, true, Map.of());
+    if (alternatives.isExceeded()) {
+      throw section
+          .position()
+          .error("The goal can be reached in more than %d ways.".formatted(MOST_GOALS));
     }
-    if (parts.get(":precondition") != null) {
-      reader.condition(parts.get(":precondition"));
+    List<Schema> goals = new ArrayList<>();
+    for (Alternatives.Alternative way : ways) {
+      SchemaReader reader = new SchemaReader(symbols, "goal", section.position());
+      reader.addParameters(way.variables());
+      way.literals().values().forEach(reader::condition);
+      goals.add(reader.done());
     }
-    if (parts.get(":effect") != null) {
-      reader.effect(parts.get(":effect"));
+    if (goals.isEmpty()) {
+      SchemaReader never = new SchemaReader(symbols, "goal", section.position());
+      never.refuse();
+      goals.add(never.done());
     }
-    return reader.done();
+    return goals;
   }
 
   private void addInitial(Expression item, List<Atom> initial, Map<Atom, BigDecimal> values) {

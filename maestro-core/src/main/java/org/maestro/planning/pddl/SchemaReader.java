@@ -6,6 +6,8 @@ import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.function.Consumer;
 import org.maestro.planning.ground.Amount;
 import org.maestro.planning.ground.Atom;
 import org.maestro.planning.ground.Comparison;
@@ -40,6 +42,11 @@ final class SchemaReader {
     this.position = position;
   }
 
+  /** Whatever was read, it never holds. */
+  void refuse() {
+    differences.add(new Schema.Sameness(0, 0, false));
+  }
+
   Schema done() {
     return new Schema(
         name,
@@ -62,7 +69,15 @@ final class SchemaReader {
     }
   }
 
-  private void addParameters(List<Expression> items) {
+  /** The parameter stands for this object only. */
+  void bind(String parameter, Word object) {
+    BitSet one = new BitSet();
+    one.set(symbols.object(object));
+    domains.set(Objects.requireNonNull(scope.get(parameter)), one);
+  }
+
+  /** Further variables, which a plan does not show. */
+  void addParameters(List<Expression> items) {
     for (Symbols.Typed typed : symbols.readTyped(items, true)) {
       typed.types().forEach(type -> symbols.checkType(typed.name().position(), type));
       scope.put(typed.name().text(), domains.size());
@@ -70,18 +85,24 @@ final class SchemaReader {
     }
   }
 
-  void condition(Expression expression) {
+  /**
+   * Checks that a condition of any kind is understood; what is read meanwhile is of no use.
+   *
+   * @throws PddlException when it is not
+   */
+  void checkCondition(Expression expression) {
     Group group = expression.group("a condition");
     switch (group.head()) {
-      case "and" -> group.rest().forEach(this::condition);
-      case "not" -> negated(only(group));
-      case "exists" -> exists(group);
-      case "=" -> relation(group, Relation.EQUAL);
-      case "<" -> relation(group, Relation.LESS);
-      case "<=" -> relation(group, Relation.AT_MOST);
-      case ">" -> relation(group, Relation.MORE);
-      case ">=" -> relation(group, Relation.AT_LEAST);
-      case "or", "imply", "forall", "when", "preference" ->
+      case "and", "or" -> group.rest().forEach(this::checkCondition);
+      case "not" -> checkCondition(only(group));
+      case "imply" -> {
+        if (group.items().size() != 3) {
+          throw group.position().error("Expected (imply condition condition).");
+        }
+        group.rest().forEach(this::checkCondition);
+      }
+      case "forall", "exists" -> checkQuantified(group, "condition", this::checkCondition);
+      case "when", "preference" ->
           throw group
               .position()
               .error("(%s ...) in a condition is not supported.".formatted(group.head()));
@@ -90,30 +111,74 @@ final class SchemaReader {
           throw group.position().error("Expected a condition, found a list of lists.");
         }
       }
+      default -> condition(group);
+    }
+  }
+
+  private void checkQuantified(Group group, String kind, Consumer<Expression> check) {
+    if (group.items().size() != 3) {
+      throw group
+          .position()
+          .error("Expected (%s (?variable - type ...) %s).".formatted(group.head(), kind));
+    }
+    Map<String, Integer> outside = Map.copyOf(scope);
+    addParameters(group.items().get(1).group("a list of variables").items());
+    check.accept(group.items().get(2));
+    scope.clear();
+    scope.putAll(outside);
+  }
+
+  /**
+   * Checks that an effect of any kind is understood; what is read meanwhile is of no use.
+   *
+   * @throws PddlException when it is not
+   */
+  void checkEffect(Expression expression) {
+    Group group = expression.group("an effect");
+    switch (group.head()) {
+      case "and" -> group.rest().forEach(this::checkEffect);
+      case "forall" -> checkQuantified(group, "effect", this::checkEffect);
+      case "when" -> {
+        if (group.items().size() != 3) {
+          throw group.position().error("Expected (when condition effect).");
+        }
+        checkCondition(group.items().get(1));
+        refuseWhen(group.items().get(2));
+        checkEffect(group.items().get(2));
+      }
+      default -> effect(group);
+    }
+  }
+
+  private static void refuseWhen(Expression expression) {
+    if (expression instanceof Group group) {
+      if (group.head().equals("when")) {
+        throw group.position().error("(when ...) within (when ...) is not supported.");
+      }
+      group.items().forEach(SchemaReader::refuseWhen);
+    }
+  }
+
+  /** Reads a plain condition. */
+  void condition(Expression expression) {
+    Group group = expression.group("a condition");
+    switch (group.head()) {
+      case "not" -> negated(only(group).group("a condition"));
+      case "=" -> relation(group, Relation.EQUAL);
+      case "<" -> relation(group, Relation.LESS);
+      case "<=" -> relation(group, Relation.AT_MOST);
+      case ">" -> relation(group, Relation.MORE);
+      case ">=" -> relation(group, Relation.AT_LEAST);
       default -> conditions.add(new Literal(atom(group, symbols.predicates, "predicate"), true));
     }
   }
 
-  private void negated(Expression inner) {
-    Group group = inner.group("a condition");
-    switch (group.head()) {
-      case "not" -> condition(only(group));
-      case "=" -> sameness(group, false);
-      case "and", "or", "imply", "forall", "exists", "<", "<=", ">", ">=" ->
-          throw group.position().error("(not (%s ...)) is not supported.".formatted(group.head()));
-      default -> conditions.add(new Literal(atom(group, symbols.predicates, "predicate"), false));
+  private void negated(Group group) {
+    if (group.head().equals("=")) {
+      sameness(group, false);
+    } else {
+      conditions.add(new Literal(atom(group, symbols.predicates, "predicate"), false));
     }
-  }
-
-  private void exists(Group group) {
-    if (group.items().size() != 3) {
-      throw group.position().error("Expected (exists (?variable - type ...) condition).");
-    }
-    Map<String, Integer> outside = Map.copyOf(scope);
-    addParameters(group.items().get(1).group("a list of variables").items());
-    condition(group.items().get(2));
-    scope.clear();
-    scope.putAll(outside);
   }
 
   private void relation(Group group, Relation relation) {
@@ -121,8 +186,8 @@ final class SchemaReader {
       throw group.position().error("Expected two things to compare.");
     }
     if (relation == Relation.EQUAL
-        && isTerm(group.items().get(1))
-        && isTerm(group.items().get(2))) {
+        && symbols.isTerm(group.items().get(1))
+        && symbols.isTerm(group.items().get(2))) {
       sameness(group, true);
       return;
     }
@@ -130,31 +195,25 @@ final class SchemaReader {
         new Comparison(relation, amount(group.items().get(1)), amount(group.items().get(2))));
   }
 
-  private boolean isTerm(Expression expression) {
-    return expression instanceof Word word
-        && (word.isVariable()
-            || !isNumber(word.text()) && !symbols.functions.containsKey(word.text()));
-  }
-
   private void sameness(Group group, boolean same) {
     if (group.items().size() != 3
-        || !isTerm(group.items().get(1))
-        || !isTerm(group.items().get(2))) {
+        || !symbols.isTerm(group.items().get(1))
+        || !symbols.isTerm(group.items().get(2))) {
       throw group.position().error("Expected (= term term).");
     }
     differences.add(
         new Schema.Sameness(term(group.items().get(1)), term(group.items().get(2)), same));
   }
 
+  /** Reads a plain effect. */
   void effect(Expression expression) {
     Group group = expression.group("an effect");
     switch (group.head()) {
-      case "and" -> group.rest().forEach(this::effect);
       case "not" ->
           deletions.add(atom(only(group).group("an atom"), symbols.predicates, "predicate"));
       case "increase" -> increase(group, false);
       case "decrease" -> increase(group, true);
-      case "assign", "scale-up", "scale-down", "when", "forall" ->
+      case "assign", "scale-up", "scale-down" ->
           throw group
               .position()
               .error("(%s ...) in an effect is not supported.".formatted(group.head()));

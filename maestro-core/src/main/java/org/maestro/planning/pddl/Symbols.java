@@ -21,6 +21,7 @@ final class Symbols {
 
   private final Map<String, List<String>> parents = new LinkedHashMap<>();
   private final Map<String, Integer> objects = new LinkedHashMap<>();
+  private final List<String> names = new ArrayList<>();
   private final Map<String, BitSet> members = new LinkedHashMap<>();
   final Map<String, Signature> predicates = new LinkedHashMap<>();
   final Map<String, Signature> functions = new LinkedHashMap<>();
@@ -46,7 +47,10 @@ final class Symbols {
     for (Typed typed : readTyped(items, false)) {
       String name = typed.name().text();
       Integer known = objects.putIfAbsent(name, objects.size());
-      int number = known == null ? objects.size() - 1 : known;
+      int number = known == null ? names.size() : known;
+      if (known == null) {
+        names.add(name);
+      }
       for (String type : typed.types()) {
         addMember(typed.name().position(), type, number, 0);
       }
@@ -118,7 +122,18 @@ final class Symbols {
   }
 
   List<String> objectNames() {
-    return List.copyOf(objects.keySet());
+    return List.copyOf(names);
+  }
+
+  String objectName(int object) {
+    return names.get(object);
+  }
+
+  /** Whether it is an object or a variable, and no number or function. */
+  boolean isTerm(Expression expression) {
+    return expression instanceof Word word
+        && (word.isVariable()
+            || !SchemaReader.isNumber(word.text()) && !functions.containsKey(word.text()));
   }
 
   boolean isOfType(int object, List<String> types) {
@@ -144,7 +159,8 @@ final class Symbols {
     List<Word> waiting = new ArrayList<>();
     for (int i = 0; i < items.size(); i++) {
       Word word = items.get(i).word(variables ? "a variable" : "a name");
-      if (!word.text().equals("-")) {
+      boolean dash = word.text().startsWith("-");
+      if (!dash) {
         if (variables != word.isVariable()) {
           throw word.position()
               .error(
@@ -154,10 +170,11 @@ final class Symbols {
         waiting.add(word);
         continue;
       }
-      if (++i == items.size()) {
+      if (word.text().length() == 1 && ++i == items.size()) {
         throw word.position().error("Expected a type after '-', found nothing.");
       }
-      List<String> types = types(items.get(i));
+      List<String> types =
+          word.text().length() == 1 ? types(items.get(i)) : List.of(word.text().substring(1));
       waiting.forEach(name -> result.add(new Typed(name, types)));
       waiting.clear();
     }

@@ -180,9 +180,13 @@ final class PlanExecutor {
     List<?> action = actions.get(step.substring(1, step.length() - 1).split(" ")[0]);
     Map<String, String> binding = binding(step);
     assertThat(holds((List<?>) part(action, ":precondition"), binding)).as(step).isTrue();
-    List<List<?>> added = new ArrayList<>();
-    apply((List<?>) part(action, ":effect"), binding, added);
-    state.addAll(added);
+    Changes changes = new Changes(new ArrayList<>(), new ArrayList<>(), new HashMap<>());
+    apply((List<?>) part(action, ":effect"), binding, changes);
+    changes.deleted().forEach(state::remove);
+    state.addAll(changes.added());
+    changes
+        .amounts()
+        .forEach((function, amount) -> values.merge(function, amount, BigDecimal::add));
   }
 
   private Map<String, String> binding(String step) {
@@ -199,23 +203,51 @@ final class PlanExecutor {
     return action.get(action.indexOf(name) + 1);
   }
 
-  private void apply(List<?> effect, Map<String, String> binding, List<List<?>> added) {
+  /** All effects of a step look at the state before it. */
+  private record Changes(
+      List<List<?>> added, List<List<?>> deleted, Map<List<?>, BigDecimal> amounts) {}
+
+  private void apply(List<?> effect, Map<String, String> binding, Changes changes) {
     switch ((String) effect.get(0)) {
       case "and" ->
-          effect.subList(1, effect.size()).forEach(e -> apply((List<?>) e, binding, added));
-      case "not" -> state.remove(bound((List<?>) effect.get(1), binding));
+          effect.subList(1, effect.size()).forEach(e -> apply((List<?>) e, binding, changes));
+      case "when" -> {
+        if (holds((List<?>) effect.get(1), binding)) {
+          apply((List<?>) effect.get(2), binding, changes);
+        }
+      }
+      case "forall" ->
+          choices((List<?>) effect.get(1), binding)
+              .forEach(choice -> apply((List<?>) effect.get(2), choice, changes));
+      case "not" -> changes.deleted().add(bound((List<?>) effect.get(1), binding));
       case "decrease" ->
-          values.merge(
-              bound((List<?>) effect.get(1), binding),
-              number(effect.get(2), binding).negate(),
-              BigDecimal::add);
+          changes
+              .amounts()
+              .merge(
+                  bound((List<?>) effect.get(1), binding),
+                  number(effect.get(2), binding).negate(),
+                  BigDecimal::add);
       case "increase" ->
-          values.merge(
-              bound((List<?>) effect.get(1), binding),
-              number(effect.get(2), binding),
-              BigDecimal::add);
-      default -> added.add(bound(effect, binding));
+          changes
+              .amounts()
+              .merge(
+                  bound((List<?>) effect.get(1), binding),
+                  number(effect.get(2), binding),
+                  BigDecimal::add);
+      default -> changes.added().add(bound(effect, binding));
     }
+  }
+
+  /** Every choice of an object for the one variable. */
+  private List<Map<String, String>> choices(List<?> variables, Map<String, String> binding) {
+    Map.Entry<String, String> variable = typed(variables).entrySet().iterator().next();
+    List<Map<String, String>> choices = new ArrayList<>();
+    for (String object : objects(variable.getValue())) {
+      Map<String, String> more = new HashMap<>(binding);
+      more.put(variable.getKey(), object);
+      choices.add(more);
+    }
+    return choices;
   }
 
   private BigDecimal number(Object amount, Map<String, String> binding) {
@@ -237,17 +269,17 @@ final class PlanExecutor {
           number(condition.get(1), binding).compareTo(number(condition.get(2), binding)) < 0;
       case "<=" ->
           number(condition.get(1), binding).compareTo(number(condition.get(2), binding)) <= 0;
-      case "exists" -> {
-        Map.Entry<String, String> variable =
-            typed((List<?>) condition.get(1)).entrySet().iterator().next();
-        yield objects(variable.getValue()).stream()
-            .anyMatch(
-                object -> {
-                  Map<String, String> more = new HashMap<>(binding);
-                  more.put(variable.getKey(), object);
-                  return holds((List<?>) condition.get(2), more);
-                });
-      }
+      case "or" ->
+          condition.subList(1, condition.size()).stream()
+              .anyMatch(c -> holds((List<?>) c, binding));
+      case "imply" ->
+          !holds((List<?>) condition.get(1), binding) || holds((List<?>) condition.get(2), binding);
+      case "exists" ->
+          choices((List<?>) condition.get(1), binding).stream()
+              .anyMatch(choice -> holds((List<?>) condition.get(2), choice));
+      case "forall" ->
+          choices((List<?>) condition.get(1), binding).stream()
+              .allMatch(choice -> holds((List<?>) condition.get(2), choice));
       default -> state.contains(bound(condition, binding));
     };
   }

@@ -112,12 +112,26 @@ class RandomPddlTest {
     conditionsToo.add("(exists (?x - place) (and (not (clean ?x)) (not (= ?x home))))");
     conditionsToo.add("(exists (?x - robot) (free ?x))");
     conditionsToo.add("(not (done))");
+    conditionsToo.add("(or (done) (clean home))");
+    conditionsToo.add("(imply (clean home) (not (done)))");
+    conditionsToo.add("(forall (?x - box) (not (at ?x home)))");
+    conditionsToo.add("(forall (?x - place) (imply (way home ?x) (clean ?x)))");
+    conditionsToo.add("(not (exists (?x - place) (and (clean ?x) (way ?x home))))");
+    conditionsToo.add("(not (and (done) (or (clean home) (way home home))))");
     List<String> effectsToo = new ArrayList<>(List.of("(done)", "(not (done))", "(clean home)"));
+    effectsToo.add("(when (clean home) (done))");
+    effectsToo.add("(when (not (done)) (increase (total-cost) 3))");
+    effectsToo.add("(when (exists (?x - robot) (free ?x)) (and (clean home) (not (done))))");
+    effectsToo.add("(forall (?x - place) (when (way home ?x) (not (clean ?x))))");
+    effectsToo.add("(forall (?x - box) (when (at ?x home) (not (at ?x home))))");
+    effectsToo.add("(forall (?x - place) (clean ?x))");
     if (parameters.contains("?p")) {
       conditionsToo.add("(clean ?p)");
       conditionsToo.add("(not (clean ?p))");
       conditionsToo.add("(not (= ?p home))");
       conditionsToo.add("(= ?p home)");
+      conditionsToo.add("(or (clean ?p) (not (clean home)))");
+      effectsToo.add("(forall (?x - box) (when (and (at ?x ?p) (not (done))) (not (clean ?p))))");
       effectsToo.add("(not (clean ?p))");
       effectsToo.add("(way ?p home)");
       effectsToo.add("(not (way home ?p))");
@@ -168,7 +182,12 @@ class RandomPddlTest {
             "(done)",
             "(exists (?x - box) (and (at ?x p1) (not (at ?x p2))))",
             "(>= (charge r1) 2)",
-            "(not (free r1))");
+            "(not (free r1))",
+            "(or (done) (clean p1))",
+            "(imply (done) (clean home))",
+            "(forall (?x - place) (imply (way home ?x) (clean ?x)))",
+            "(forall (?x - place) (or (clean ?x) (at b1 ?x)))",
+            "(not (or (clean home) (done)))");
     StringBuilder goal = new StringBuilder();
     for (int i = 1 + random.nextInt(2); i > 0; i--) {
       goal.append(' ').append(wishes.get(random.nextInt(wishes.size())));
