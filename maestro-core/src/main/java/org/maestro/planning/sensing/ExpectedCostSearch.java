@@ -90,8 +90,8 @@ public final class ExpectedCostSearch {
 
   /**
    * Finds the best beginning of one search, while the others begin as chosen. Places are weighed by
-   * estimated costs at first; a plan is made for the best of them, and they are weighed again,
-   * until the best one has a plan.
+   * estimated costs at first; a plan is made for the likeliest of them and for the best, and they
+   * are weighed again, until the best one has a plan.
    *
    * @param chosen where it begins as yet
    */
@@ -112,26 +112,20 @@ public final class ExpectedCostSearch {
         open.add(i);
       }
     }
+    int likeliest = likeliest(present, chance, open);
+    if (likeliest != present) {
+      plan(sought, likeliest, open, candidates, splits);
+    }
     Rests rests = new Rests(new State[look.length], new double[look.length]);
     double[] expected = expectedCosts(costs, present, chance, look, splits, rests);
-    int first = least(expected, present, candidates.keySet(), open);
+    int first = least(expected, chance, present, candidates.keySet(), open);
     while (!candidates.containsKey(first)) {
-      int next = first;
-      open.remove(next);
-      candidate(sought, sought.values().get(next))
-          .ifPresent(
-              found ->
-                  split(found, sought, sought.values().get(next))
-                      .ifPresent(
-                          split -> {
-                            candidates.put(next, found);
-                            splits.put(next, split);
-                          }));
+      plan(sought, first, open, candidates, splits);
       if (candidates.size() > MOST_PLANS) {
         open.clear();
       }
       expected = expectedCosts(costs, present, chance, look, splits, rests);
-      first = least(expected, present, candidates.keySet(), open);
+      first = least(expected, chance, present, candidates.keySet(), open);
     }
     Optional<Candidate> without = avoidable ? candidate(sought, Variable.NONE) : Optional.empty();
     if (without.isPresent() && without.get().plan().cost() < expected[first] - SAME) {
@@ -140,6 +134,35 @@ public final class ExpectedCostSearch {
     }
     choose(candidates.get(first));
     searches.add(described(sought, first, chanceOf, expected, look, splits));
+  }
+
+  /** Makes the plan that begins with this place, if there is one. */
+  private void plan(
+      Sought sought,
+      int place,
+      Set<Integer> open,
+      Map<Integer, Candidate> candidates,
+      Map<Integer, Split> splits) {
+    open.remove(place);
+    int value = sought.values().get(place);
+    candidate(sought, value)
+        .ifPresent(
+            found ->
+                split(found, sought, value)
+                    .ifPresent(
+                        split -> {
+                          candidates.put(place, found);
+                          splits.put(place, split);
+                        }));
+  }
+
+  /** Estimates are not to decide against the place where most would look first. */
+  private static int likeliest(int present, double[] chance, Set<Integer> open) {
+    int likeliest = present;
+    for (int place : open) {
+      likeliest = chance[place] > chance[likeliest] + SAME ? place : likeliest;
+    }
+    return likeliest;
   }
 
   /** The chances of what can be looked at, as if there were nothing else. */
@@ -154,13 +177,15 @@ public final class ExpectedCostSearch {
     return Objects.requireNonNull(chanceOf.get(inView));
   }
 
-  /** Among equals the present choice, then what has a plan. */
+  /** Among equals the likeliest; among those the present choice, then what has a plan. */
   private static int least(
-      double[] expected, int present, Set<Integer> planned, Set<Integer> open) {
+      double[] expected, double[] chance, int present, Set<Integer> planned, Set<Integer> open) {
     int least = present;
     for (Set<Integer> places : List.of(planned, open)) {
       for (int i : places) {
-        least = expected[i] < expected[least] - SAME ? i : least;
+        double more = expected[i] - expected[least];
+        boolean isLikelier = chance[i] > chance[least] + SAME;
+        least = more < -SAME || more <= SAME && isLikelier ? i : least;
       }
     }
     return least;

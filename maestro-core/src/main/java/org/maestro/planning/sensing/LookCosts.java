@@ -9,6 +9,7 @@ import java.util.Set;
 import org.maestro.planning.api.StepKey;
 import org.maestro.planning.optimal.PropositionQueue;
 import org.maestro.planning.optimal.RelaxedProblem;
+import org.maestro.planning.problem.Change;
 import org.maestro.planning.problem.Condition;
 import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.NumberVariable;
@@ -132,7 +133,9 @@ final class LookCosts {
     return sum(new int[] {relaxed.goal()}, costs);
   }
 
-  /** What the look changed, and where the one who looks is, upon the state before. */
+  /**
+   * What the look changed and brings about, and where the one who looks is, upon the state before.
+   */
   private State joined(State before, State look, int value) {
     State first = problem.initial();
     int[] codes = before.copyOfCodes();
@@ -147,6 +150,13 @@ final class LookCosts {
           if (condition instanceof Condition.Literal literal
               && literal.question() == Condition.Question.IS) {
             codes[literal.variable().index()] = literal.value();
+          }
+        }
+        for (Change change : operator.changes()) {
+          if (change instanceof Change.Put put
+              && put.condition() == Condition.Constant.TRUE
+              && !put.variable().functional()) {
+            codes[put.variable().index()] = put.value();
           }
         }
         break;
