@@ -114,13 +114,12 @@ public record Topics(String site) {
 
   /**
    * Which member sent to a topic {@code result/{to}/{member}} or {@code progress/{to}/{member}};
-   * empty on the bare {@code result}.
+   * empty for others, as the bare {@code result}.
    */
   public Optional<String> senderOf(String topic) {
-    int last = topic.lastIndexOf('/');
-    return topic.startsWith(root()) && !topic.equals(bareResult())
-        ? Optional.of(topic.substring(last + 1))
-        : Optional.empty();
+    return after(topic, root() + "result/")
+        .or(() -> after(topic, root() + "progress/"))
+        .map(rest -> rest.substring(rest.lastIndexOf('/') + 1));
   }
 
   /** Who speaks on a topic: the one that it names as its sender, else the topic itself. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
+import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
@@ -59,9 +60,46 @@ class TopicsTest {
   }
 
   @Test
-  void refuseASiteThatIsNoLevel() {
-    for (String site : new String[] {"", "a/b", "+", "-a"}) {
-      assertThatThrownBy(() -> new Topics(site)).isInstanceOf(IllegalArgumentException.class);
+  void tellWhichControllerIsMeant() {
+    assertThat(topics.controllerOf(topics.controllerStatus("cca"))).contains("cca");
+    assertThat(topics.controllerOf("rats/1/bob/controller/cca")).contains("cca");
+    assertThat(topics.controllerOf(topics.status("rose"))).isEmpty();
+    assertThat(topics.controllerOf("rats/1/other/controller/cca/status")).isEmpty();
+  }
+
+  @Test
+  void tellWhoSpeaks() {
+    assertThat(topics.speakerOf(topics.call("cca"))).isEqualTo("cca");
+    assertThat(topics.speakerOf(topics.state("rose"))).isEqualTo("rose");
+    assertThat(topics.speakerOf(topics.controllerStatus("cca"))).isEqualTo("cca");
+    assertThat(topics.speakerOf(topics.result("cca", "rose"))).isEqualTo("rose");
+    assertThat(topics.speakerOf(topics.progress("cca", "rose"))).isEqualTo("rose");
+    for (String nobody : List.of("rats/1/bob/call", topics.bareResult(), "rats/1/other/call/cca")) {
+      assertThat(topics.speakerOf(nobody)).isEqualTo(nobody);
     }
+  }
+
+  @Test
+  void areHeardByTheirFilters() {
+    assertThat(topics.calls()).isEqualTo("rats/1/bob/call/#");
+    assertThat(topics.results("cca")).isEqualTo("rats/1/bob/result/cca/#");
+    assertThat(topics.progresses("cca")).isEqualTo("rats/1/bob/progress/cca/#");
+    assertThat(topics.statuses()).isEqualTo("rats/1/bob/member/+/status");
+    assertThat(topics.descriptions()).isEqualTo("rats/1/bob/member/+/description");
+    assertThat(topics.states()).isEqualTo("rats/1/bob/member/+/state");
+    assertThat(topics.observations()).isEqualTo("rats/1/bob/member/+/observation/+");
+    assertThat(topics.controllerStatuses()).isEqualTo("rats/1/bob/controller/+/status");
+  }
+
+  @Test
+  void refuseASiteThatIsNoLevel() {
+    for (String site : new String[] {"", "a/b", "+", "-a", "a".repeat(64)}) {
+      assertThatThrownBy(() -> new Topics(site))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessage(
+              "'%s' is no site name: letters, digits, '.', '_' and '-', at most 63, a letter or digit first",
+              site);
+    }
+    assertThat(new Topics("a".repeat(63)).site()).hasSize(63);
   }
 }
