@@ -42,9 +42,10 @@ final class Fields {
     return has(field) ? Optional.of(text(field, rule)) : Optional.empty();
   }
 
+  /** Also one that is written as 5.0, which JSON takes for the same number as 5. */
   long integer(String field, long least, long most) {
     JsonNode node = object.get(field);
-    boolean fits = node != null && node.isIntegralNumber() && node.canConvertToLong();
+    boolean fits = node != null && node.canConvertToExactIntegral() && node.canConvertToLong();
     if (!fits || node.longValue() < least || node.longValue() > most) {
       throw broken(field, "a whole number from " + least + " to " + most, node);
     }
@@ -52,20 +53,20 @@ final class Fields {
   }
 
   double fraction(String field) {
-    JsonNode node = object.get(field);
-    if (node == null || !node.isNumber() || node.doubleValue() < 0 || node.doubleValue() > 1) {
-      throw broken(field, "a number from 0 to 1", node);
-    }
-    return node.doubleValue();
+    return number(field, 1, "a number from 0 to 1");
   }
 
   double amount(String field) {
+    return number(field, Double.MAX_VALUE, "a number from 0");
+  }
+
+  private double number(String field, double most, String rule) {
     JsonNode node = object.get(field);
-    boolean fits = node != null && node.isNumber() && Double.isFinite(node.doubleValue());
-    if (!fits || node.doubleValue() < 0) {
-      throw broken(field, "a number from 0", node);
+    double value = node != null && node.isNumber() ? node.doubleValue() : Double.NaN;
+    if (value >= 0 && value <= most) {
+      return value;
     }
-    return node.doubleValue();
+    throw broken(field, rule, node);
   }
 
   boolean truth(String field) {
