@@ -4,12 +4,16 @@ import java.time.Duration;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.sl.Formula;
 
 /** A site in which a random home comes to life on the stepped clock. For one thread. */
 interface Arena extends Fault.Stage, AutoCloseable {
 
   Formula parsed(String goal);
+
+  /** What the platform believes. */
+  KnowledgeBase knowledge();
 
   /**
    * One of both is told, once, on the thread that lets time pass.

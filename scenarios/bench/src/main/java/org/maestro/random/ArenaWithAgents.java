@@ -8,6 +8,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.maestro.assembly.LocalSite;
+import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.Disturbance;
 import org.maestro.rats.transport.InProcessBus;
@@ -44,6 +45,11 @@ final class ArenaWithAgents implements Arena {
   @Override
   public Clock clock() {
     return site.clock();
+  }
+
+  @Override
+  public KnowledgeBase knowledge() {
+    return site.platform().knowledge();
   }
 
   /** Of agents, each on a thread of its own, only what they hear and say can be held up. */

@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import org.maestro.assembly.AgentlessSite;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.api.StoryEntry;
+import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.InProcessBus;
 import org.maestro.sim.world.World;
@@ -29,6 +30,11 @@ record ArenaWithoutAgents(AgentlessSite site, RandomRun.Onlooker onlooker) imple
   @Override
   public Clock clock() {
     return site.clock();
+  }
+
+  @Override
+  public KnowledgeBase knowledge() {
+    return site.knowledge();
   }
 
   @Override

@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import org.maestro.knowledge.api.Snapshot;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Substitution;
 
@@ -30,6 +31,7 @@ final class Judge {
 
   private final Site site;
   private final Supplier<Moment> present;
+  private final Supplier<Snapshot> believed;
   private final Deque<Moment> recent = new ArrayDeque<>();
   private final Map<String, Duration> changedAt = new TreeMap<>();
   private final List<Formula> held = new ArrayList<>();
@@ -40,9 +42,13 @@ final class Judge {
   private Duration disturbedUntil = Duration.ofDays(-1);
   private Duration longestDisturbed = Duration.ZERO;
 
-  Judge(Site site, Supplier<Moment> present) {
+  /**
+   * @param believed by whom it judges, now
+   */
+  Judge(Site site, Supplier<Moment> present, Supplier<Snapshot> believed) {
     this.site = site;
     this.present = present;
+    this.believed = believed;
   }
 
   /** To be told of the passing of time, as often as anything happens; returns whether it looked. */
@@ -134,7 +140,8 @@ final class Judge {
       case TRUE -> verdict(claim, Verdict.Kind.ACHIEVED, "");
       case CLOSE -> verdict(claim, Verdict.Kind.ACHIEVED_CLOSELY, "");
       case FALSE -> {
-        Onlookers onlookers = new Onlookers(site, present.get(), possibilities(now));
+        Onlookers onlookers =
+            new Onlookers(site, present.get(), possibilities(now), believed.get());
         boolean excused =
             !flawed.isEmpty()
                 && !onlookers.couldTell(new SpelledOut(site.home()).of(bound))

@@ -1,12 +1,16 @@
 package org.maestro.random;
 
 import java.util.List;
-import java.util.Optional;
+import org.maestro.knowledge.api.Snapshot;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
-/** Honest observers at one moment, and whether any could have seen that a goal is not so. */
-record Onlookers(Site site, Moment moment, Possibilities possibilities) {
+/**
+ * Honest observers at one moment, and whether any could have seen that a goal is not so.
+ *
+ * @param believed by the platform: there it could have had somebody look
+ */
+record Onlookers(Site site, Moment moment, Possibilities possibilities, Snapshot believed) {
 
   /**
    * @param goal spelled out, and false
@@ -31,8 +35,7 @@ record Onlookers(Site site, Moment moment, Possibilities possibilities) {
     List<Term> arguments = atom.arguments();
     return switch (atom.predicate()) {
       case "in" -> isWatched(Truths.name(arguments, 1));
-      case "nextTo" ->
-          isPlaceWatched(Truths.name(arguments, 0)) && isPlaceWatched(Truths.name(arguments, 1));
+      case "nextTo" -> arguments.stream().anyMatch(this::isWatchedWhereBelieved);
       case "canSee" -> possibilities.isUsable(Truths.name(arguments, 0));
       default -> false;
     };
@@ -43,11 +46,11 @@ record Onlookers(Site site, Moment moment, Possibilities possibilities) {
     return site.floor().isZone(place) && possibilities.canLook(place);
   }
 
-  private boolean isPlaceWatched(String thing) {
-    Optional<String> zone =
-        moment.isHidden(thing) || moment.holder(thing).isPresent()
-            ? Optional.empty()
-            : moment.zone(thing);
-    return zone.filter(this::isWatched).isPresent();
+  /** What is believed to be nowhere could have been looked for. */
+  private boolean isWatchedWhereBelieved(Term thing) {
+    return believed
+        .value("in", List.of(thing))
+        .map(place -> isWatched(((Term.Name) place).text()))
+        .orElse(true);
   }
 }

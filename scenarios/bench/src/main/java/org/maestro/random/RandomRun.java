@@ -95,7 +95,11 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
             home);
     Site site = new Site(home, scene);
     try (Arena arena = arenas.apply(home, scene)) {
-      Judge judge = new Judge(site, () -> Moment.of(arena.world(), site, arena.clock().now()));
+      Judge judge =
+          new Judge(
+              site,
+              () -> Moment.of(arena.world(), site, arena.clock().now()),
+              () -> arena.knowledge().snapshot());
       onlooker.begin(arena.bus(), arena.clock());
       random.faults().forEach(fault -> prepare(fault, arena, judge));
       Map<Integer, Verdict> verdicts = new TreeMap<>();
