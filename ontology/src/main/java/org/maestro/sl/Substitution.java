@@ -1,10 +1,15 @@
 package org.maestro.sl;
 
+import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.BiFunction;
+import java.util.function.Predicate;
+import java.util.function.Supplier;
 
 /**
  * Replaces variables by terms. Variables that a quantifier binds stay; where a replacement would be
@@ -56,10 +61,12 @@ public record Substitution(Map<String, Term> terms) {
     } else if (formula instanceof Formula.Exists exists) {
       return under(
           exists.variables(),
+          () -> FreeVariables.of(exists.body()),
           (variables, inner) -> new Formula.Exists(variables, inner.apply(exists.body())));
     } else if (formula instanceof Formula.Forall forall) {
       return under(
           forall.variables(),
+          () -> FreeVariables.of(forall.body()),
           (variables, inner) -> new Formula.Forall(variables, inner.apply(forall.body())));
     } else if (formula instanceof Formula.Comparison comparison) {
       return new Formula.Comparison(
@@ -84,6 +91,7 @@ public record Substitution(Map<String, Term> terms) {
     } else if (effect instanceof Effect.Forall forall) {
       return under(
           forall.variables(),
+          () -> FreeVariables.of(forall.effect()),
           (variables, inner) -> new Effect.Forall(variables, inner.apply(forall.effect())));
     } else if (effect instanceof Effect.Change change) {
       return new Effect.Change(change.assignment(), apply(change.fluent()), apply(change.value()));
@@ -113,25 +121,39 @@ public record Substitution(Map<String, Term> terms) {
    * below them.
    */
   private <T> T under(
-      List<TypedVariable> variables, BiFunction<List<TypedVariable>, Substitution, T> rebuilt) {
+      List<TypedVariable> variables,
+      Supplier<Set<String>> inside,
+      BiFunction<List<TypedVariable>, Substitution, T> rebuilt) {
     Map<String, Term> below = new LinkedHashMap<>(terms);
     variables.forEach(variable -> below.remove(variable.name()));
-    List<TypedVariable> renamed =
-        variables.stream()
-            .map(
-                variable -> {
-                  String name = variable.name();
-                  while (below.containsValue(new Term.Variable(name))) {
-                    name += "_";
-                  }
-                  return new TypedVariable(name, variable.className());
-                })
-            .toList();
-    for (int i = 0; i < variables.size(); i++) {
-      if (!renamed.get(i).equals(variables.get(i))) {
-        below.put(variables.get(i).name(), new Term.Variable(renamed.get(i).name()));
+    Predicate<TypedVariable> catches =
+        variable -> below.containsValue(new Term.Variable(variable.name()));
+    if (variables.stream().noneMatch(catches)) {
+      return rebuilt.apply(variables, new Substitution(below));
+    }
+    // A new name must not catch anything either: nothing put in, nothing that was free before.
+    Set<String> taken = new HashSet<>(inside.get());
+    variables.forEach(variable -> taken.add(variable.name()));
+    for (Term replacement : below.values()) {
+      if (replacement instanceof Term.Variable variable) {
+        taken.add(variable.name());
       }
     }
+    List<TypedVariable> renamed = new ArrayList<>(variables);
+    Map<String, Term> renaming = new LinkedHashMap<>();
+    renamed.replaceAll(
+        variable -> {
+          if (!catches.test(variable)) {
+            return variable;
+          }
+          String name = variable.name();
+          while (!taken.add(name)) {
+            name += "_";
+          }
+          renaming.put(variable.name(), new Term.Variable(name));
+          return new TypedVariable(name, variable.className());
+        });
+    below.putAll(renaming);
     return rebuilt.apply(renamed, new Substitution(below));
   }
 }
