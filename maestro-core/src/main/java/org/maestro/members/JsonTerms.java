@@ -75,7 +75,7 @@ public final class JsonTerms {
     Map<String, Term> terms = new TreeMap<>();
     values.forEach(
         (name, value) -> {
-          if (value != null && Term.named(name) instanceof Term.Name) {
+          if (value != null && Term.Variable.isName(name)) {
             terms.put(name, term(value));
           }
         });

@@ -46,7 +46,7 @@ final class ExpressionSyntax {
   static String name(Node node, String expected) {
     if (node instanceof Node.Leaf leaf
         && leaf.kind() == Node.Kind.WORD
-        && (Character.isLetterOrDigit(leaf.text().codePointAt(0)) || leaf.text().startsWith("_"))) {
+        && SlReader.isName(leaf.text())) {
       return leaf.text();
     }
     throw node.fault(expected);

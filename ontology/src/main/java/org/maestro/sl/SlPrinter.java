@@ -27,7 +27,7 @@ public final class SlPrinter {
       return value == 0 && 1 / value < 0 ? "-0" : String.valueOf((long) value);
     }
     return Math.abs(value) < LARGEST_PLAIN && Math.abs(value) >= SMALLEST_PLAIN
-        ? new BigDecimal(Double.toString(value)).toPlainString()
+        ? new BigDecimal(Double.toString(value)).stripTrailingZeros().toPlainString()
         : Double.toString(value);
   }
 

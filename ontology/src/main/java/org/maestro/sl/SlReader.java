@@ -153,7 +153,7 @@ final class SlReader {
   }
 
   /** A sign, digits with a point before, between or behind them, an exponent. */
-  private static boolean isNumber(String word) {
+  static boolean isNumber(String word) {
     int start = isSign(word, 0) ? 1 : 0;
     int whole = afterDigits(word, start);
     int end = whole;

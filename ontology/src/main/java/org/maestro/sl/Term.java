@@ -4,7 +4,13 @@ package org.maestro.sl;
 public sealed interface Term {
 
   /** A variable; {@code name} is without the question mark. */
-  record Variable(String name) implements Term {}
+  record Variable(String name) implements Term {
+
+    /** Whether a variable can have this name; a keyword can then, too. */
+    public static boolean isName(String text) {
+      return SlReader.isName(text);
+    }
+  }
 
   /** A bare name of an individual, such as {@code Cup} or {@code zone-b}. */
   record Name(String text) implements Term {
@@ -39,10 +45,11 @@ public sealed interface Term {
 
   /**
    * A text of others that is meant as a name; what the language cannot write as one stays a text,
-   * so that it cannot pass for more than one word.
+   * so that it cannot pass for more than one word, nor {@code 007} for the number 7. The words
+   * {@code true} and {@code false} are read as truths, which are written the same.
    */
   static Term named(String text) {
-    return SlReader.isName(text) ? new Name(text) : new Text(text);
+    return SlReader.isName(text) && !SlReader.isNumber(text) ? new Name(text) : new Text(text);
   }
 
   default boolean isGround() {

@@ -60,7 +60,16 @@ class WordsTest {
   @Test
   void aNameIsReadAsItWasGiven() {
     for (String name :
-        List.of("hostile-1", "cli@http://a:7/acc", "G1) (:goal \"x", "", "\u001b\n")) {
+        List.of(
+            "hostile-1",
+            "cli@http://a:7/acc",
+            "G1) (:goal \"x",
+            "",
+            "\u001b\n",
+            "007",
+            "1e999",
+            "½",
+            "true")) {
       String text = Words.print(Words.content("inform", Words.named("member", Words.name(name))));
 
       assertThat(Words.parse(text)).hasSize(1);
