@@ -89,8 +89,12 @@ final class ExpressionSyntax {
     if (!(node instanceof Node.Group group) || group.children().isEmpty()) {
       throw node.fault("variables in parentheses such as (?x - Thing)");
     }
+    return variables(group.children(), group.end(), "\")\"");
+  }
+
+  /** Reads variables up to where stands what {@code closing} names. */
+  static List<TypedVariable> variables(List<Node> nodes, int end, String closing) {
     List<TypedVariable> variables = new ArrayList<>();
-    List<Node> nodes = group.children();
     int at = 0;
     while (at < nodes.size()) {
       if (!(nodes.get(at) instanceof Node.Leaf leaf) || leaf.kind() != Node.Kind.VARIABLE) {
@@ -98,9 +102,9 @@ final class ExpressionSyntax {
       }
       at++;
       Optional<String> className = Optional.empty();
-      if (at < nodes.size() && nodes.get(at) instanceof Node.Leaf dash && dash.text().equals("-")) {
+      if (at < nodes.size() && isDash(nodes.get(at))) {
         if (at + 1 == nodes.size()) {
-          throw new SlSyntaxException(group.end(), "a class name", "\")\"");
+          throw new SlSyntaxException(end, "a class name", closing);
         }
         className = Optional.of(name(nodes.get(at + 1), "a class name"));
         at += 2;
@@ -108,5 +112,11 @@ final class ExpressionSyntax {
       variables.add(new TypedVariable(leaf.text(), className));
     }
     return variables;
+  }
+
+  private static boolean isDash(Node node) {
+    return node instanceof Node.Leaf leaf
+        && leaf.kind() == Node.Kind.WORD
+        && leaf.text().equals("-");
   }
 }

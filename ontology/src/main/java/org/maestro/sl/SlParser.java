@@ -46,7 +46,9 @@ public final class SlParser {
   public static TypedVariable variable(String text) {
     List<TypedVariable> variables =
         ExpressionSyntax.variables(
-            new Node.Group(SlReader.readAll(text, "a variable such as ?x"), 1, text.length() + 1));
+            SlReader.readAll(text, "a variable such as ?x"),
+            text.length() + 1,
+            "the end of the text");
     if (variables.size() > 1) {
       throw new SlSyntaxException(1, "one variable", variables.size() + " variables");
     }

@@ -134,7 +134,8 @@ final class SlReader {
     }
     if (isNumber(word)) {
       if (!Double.isFinite(Double.parseDouble(word))) {
-        throw new SlSyntaxException(start + 1, "a number below 1.8e308", "\"" + word + "\"");
+        throw new SlSyntaxException(
+            start + 1, "a number between -1.8e308 and 1.8e308", "\"" + word + "\"");
       }
       return new Node.Leaf(Node.Kind.NUMBER, word, start + 1);
     }
