@@ -41,6 +41,9 @@ class EvaluationTest {
         "(and) | TRUE",
         "(or (in Cup a) (in Bob b)) | TRUE",
         "(or (in Bob a) (in Bob b)) | UNKNOWN",
+        "(or (in Bob b) (in Bob a)) | UNKNOWN",
+        "(or (in Bob a) (Zone Cup)) | FALSE",
+        "(imply (in Bob b) (in Cup a)) | TRUE",
         "(or) | FALSE",
         "(imply (in Bob a) (in Bob b)) | TRUE",
         "(imply (in Cup a) (in Bob b)) | UNKNOWN",
@@ -65,6 +68,18 @@ class EvaluationTest {
   void isThreeValued(String formula, Truth expected) {
     assertThat(evaluation.truth(SlParser.formula(formula, "lux"::equals), Map.of()))
         .isEqualTo(expected);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "(= 1e-9 0), TRUE", "(= -1e-9 0), TRUE", "(= 2e-9 0), FALSE", "(= -2e-9 0), FALSE",
+    "(< -1e-9 0), FALSE", "(< -2e-9 0), TRUE", "(< 1 2), TRUE", "(< 2 1), FALSE",
+    "(<= 1e-9 0), TRUE", "(<= 2e-9 0), FALSE", "(<= 1 2), TRUE", "(<= 2 1), FALSE",
+    "(> 1e-9 0), FALSE", "(> 2e-9 0), TRUE", "(> 1 2), FALSE", "(> 2 1), TRUE",
+    "(>= -1e-9 0), TRUE", "(>= -2e-9 0), FALSE", "(>= 1 2), FALSE", "(>= 2 1), TRUE"
+  })
+  void aBillionthMakesNoNumberAnother(String comparison, Truth expected) {
+    assertThat(evaluation.truth(SlParser.formula(comparison), Map.of())).isEqualTo(expected);
   }
 
   @ParameterizedTest
@@ -95,6 +110,26 @@ class EvaluationTest {
     assertThatThrownBy(() -> evaluation.truth(SlParser.formula("(in ?x a)"), Map.of()))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("?x");
+  }
+
+  @Test
+  void whatIsNotKnownDoesNotHoldWhereOnlyTheKnownCounts() {
+    Facts known = new OnlyKnown(facts);
+    assertThat(known.truth(atom("(in Cup a)"))).isEqualTo(Truth.TRUE);
+    assertThat(known.truth(atom("(in Bob a)"))).isEqualTo(Truth.FALSE);
+    assertThat(known.truth(atom("(in Bob b)"))).isEqualTo(Truth.FALSE);
+    assertThat(known.number(fluent("(lux a)"))).hasValue(72);
+    assertThat(known.number(fluent("(lux b)"))).isEmpty();
+    assertThat(known.individuals("Zone")).containsExactly(new Term.Name("a"), new Term.Name("b"));
+  }
+
+  @Test
+  void theSpeakerIsSelfWhateverElseIsBound() {
+    Map<String, Term> others = Map.of("self", new Term.Name("Bob"), "where", new Term.Name("a"));
+    assertThat(evaluation.truth(SlParser.formula("(in ?self a)"), Self.is("Cup")))
+        .isEqualTo(Truth.TRUE);
+    assertThat(evaluation.truth(SlParser.formula("(in ?self ?where)"), Self.is("Cup", others)))
+        .isEqualTo(Truth.TRUE);
   }
 
   private static Formula.Atom atom(String text) {

@@ -46,6 +46,16 @@ class SlParserTest {
   }
 
   @Test
+  void writesContentElementsAndTheirArguments() {
+    String text = "(cancel G1) (explain G2 (:depth 2 (assign (level l) 1)) (inform (in Cup a)))";
+    List<Content> contents = SlParser.content(text);
+    assertThat(SlPrinter.print(contents)).isEqualTo(text);
+    assertThat(contents.get(1).arguments())
+        .extracting(SlPrinter::print)
+        .containsExactly("G2", "(:depth 2 (assign (level l) 1))", "(inform (in Cup a))");
+  }
+
+  @Test
   void readsArgumentsByTheirLooks() {
     Content content =
         SlParser.content(
