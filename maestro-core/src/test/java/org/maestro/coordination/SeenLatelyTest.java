@@ -7,6 +7,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.api.GoalOutcome;
@@ -42,6 +43,24 @@ class SeenLatelyTest {
     assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
     assertThat(house.calls).contains("observeObject cam-b", "pick rose");
     assertThat(house.place).containsEntry("Cup", "zone-b");
+  }
+
+  @Test
+  void whatIsLookedForInVainBesideTheOtherIsNotReachedByItsDoersWord() {
+    house.made.put(
+        "place rose",
+        step -> {
+          house.place.put("Cup", "away");
+          return PretendHouse.succeeded(Map.of());
+        });
+
+    GoalOutcome outcome = house.achieve("(nextTo Cup Bob)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isFalse();
+    assertThat(outcome.reasons().get(0))
+        .isEqualTo("It is not so, though rose says so: cam-a tells: Cup is not in zone-a.");
+    assertThat(house.calls)
+        .containsSubsequence("place rose", "observeObject cam-a", "observeObject cam-b");
   }
 
   @Test

@@ -228,7 +228,7 @@ final class GoalEnding {
 
   /** Whoever did it is believed where nobody can look, and not against who has looked. */
   private void endUnseen(Confirmation needed, Map<String, Term> binding) {
-    if (needed.denials().isEmpty()) {
+    if (needed.denials().isEmpty() && needed.missed().isEmpty()) {
       end(GoalState.ACHIEVED, false, binding, List.of(story.unconfirmed(needed)));
     } else {
       giveUp(List.of(story.denied(needed), NOT_PROVEN));

@@ -44,6 +44,7 @@ public final class Confirmation {
   private final SortedSet<String> reporters;
   private final List<Belief> objections;
   private final List<Belief> denials;
+  private final List<Belief> missed;
   private final SortedSet<String> tellers;
   private final Optional<Instant> oldest;
 
@@ -54,6 +55,7 @@ public final class Confirmation {
     this.reporters = expected.reporters();
     this.objections = expected.objections();
     this.denials = expected.denials();
+    this.missed = expected.missed();
     this.tellers = expected.tellers();
     this.oldest = expected.oldest();
   }
@@ -87,6 +89,14 @@ public final class Confirmation {
   /** What was observed since its doer said that it is so, and does not agree. */
   public List<Belief> denials() {
     return denials;
+  }
+
+  /**
+   * What was observed since: a thing is not in the zone of the other that its doer put it beside.
+   * It may lie just beyond, so other zones are looked at before this counts.
+   */
+  public List<Belief> missed() {
+    return missed;
   }
 
   /** Who tells of it of its own accord, and may yet have to. */

@@ -47,6 +47,7 @@ final class OnlyExpected {
   private final SortedSet<String> reporters = new TreeSet<>();
   private final Set<Belief> objections = new LinkedHashSet<>();
   private final Set<Belief> denials = new LinkedHashSet<>();
+  private final Set<Belief> missed = new LinkedHashSet<>();
   private final SortedSet<String> tellers = new TreeSet<>();
   private Optional<Instant> oldest = Optional.empty();
 
@@ -87,6 +88,11 @@ final class OnlyExpected {
   /** What witnesses say against what only its doer says. */
   List<Belief> denials() {
     return List.copyOf(denials);
+  }
+
+  /** What witnesses say who looked for a thing where the other is that it is to be beside. */
+  List<Belief> missed() {
+    return List.copyOf(missed);
   }
 
   /** Witnesses that tell of it of their own accord whenever it changes. */
@@ -168,9 +174,35 @@ final class OnlyExpected {
             && !testimony.isSeen(places, condition)) {
           things.add(thing.text());
           note(position(thing), places, POSITION, condition);
+          noteMissed(thing, arguments, claims);
         }
       }
     }
+  }
+
+  /** What its doer says of it and of another holds, as far as is known, where the other is. */
+  private void noteMissed(Term.Name thing, List<Term> arguments, List<Belief> claims) {
+    for (PredicateDeclaration declared : vocabulary.predicates().values()) {
+      if (declared.functional() && declared.observedWhen().isPresent()) {
+        String name = declared.name();
+        for (Term other : arguments) {
+          snapshot
+              .value(name, List.of(other))
+              .filter(place -> !other.equals(thing))
+              .map(place -> new Formula.Atom(name, List.of(thing, place)))
+              .ifPresent(
+                  there ->
+                      claims.stream()
+                          .filter(OnlyExpected::isExpected)
+                          .map(said -> deniedSince(there, said.since()))
+                          .forEach(missed::addAll));
+        }
+      }
+    }
+  }
+
+  private List<Belief> deniedSince(Formula.Atom atom, Instant since) {
+    return testimony.denials(snapshot.claims(atom), atom.predicate(), atom, since);
   }
 
   private boolean isSure(Optional<Belief> believed, String name) {

@@ -65,7 +65,7 @@ record WitnessSentences(Vocabulary vocabulary, Instant now) {
                 ? "it was done"
                 : String.join(" and ", needed.reporters())
                     + (needed.reporters().size() == 1 ? " says so" : " say so"),
-            told(needed.denials(), " tells: "));
+            told(needed.denials().isEmpty() ? needed.missed() : needed.denials(), " tells: "));
   }
 
   private String told(List<Belief> beliefs, String verb) {
