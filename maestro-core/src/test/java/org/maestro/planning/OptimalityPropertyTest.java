@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.maestro.planning.api.Plan;
@@ -102,6 +103,49 @@ public class OptimalityPropertyTest {
     check(task, Everything.ground(task));
   }
 
+  /** No condition asks for what f5 does; it only keeps f1 from setting the number that it finds. */
+  @Test
+  void whatOnlyKeepsAnotherStepFromItsEffect() {
+    String both = "x:Thing ; y:Thing";
+    PlanningTask task =
+        puzzleWords()
+            .feature("f0", both, "(not (p ?y))", "(p ?x)")
+            .offer("agent", "f0", "0")
+            .feature(
+                "f1",
+                both,
+                "(and (unknown (seen ?y)) (not (at ?y ?x)))",
+                "(and (sense (n ?x)) (when (linked ?x ?y) (assign (n ?x) 2)))")
+            .offer("agent", "f1", "2")
+            .feature(
+                "f2",
+                both,
+                "(and (not (= (n ?x) 2)) (< (n ?x) (n ?y)))",
+                "(and (at ?x ?y) (sense (n ?x)) (not (at ?x ?y)))")
+            .offer("agent", "f2", "0")
+            .feature(
+                "f3",
+                both,
+                "(and (not (at ?x ?y)) (p ?y))",
+                "(and (increase (n ?x) (- 1 (n ?x))) (seen ?x) (linked ?x ?y))")
+            .offer("agent", "f3", "3")
+            .feature(
+                "f4",
+                both,
+                "(and (imply (p ?y) (at ?y ?x)) (< (n ?y) (n ?x)))",
+                "(sense (at ?x ?y))")
+            .offer("agent", "f4", "2")
+            .feature(
+                "f5",
+                both,
+                "(and (or (p ?x) (seen ?y)) (unknown (n ?y)))",
+                "(forall (?z - Thing) (not (linked ?x ?z)))")
+            .offer("agent", "f5", "1")
+            .facts("(p b)", "(seen a)", "(not (at b a))", "(linked a b)")
+            .task("(and (at a b) (p a))");
+    check(task, Everything.ground(task));
+  }
+
   /** What only a condition of an effect names, and what is the value of what an effect changes. */
   @ParameterizedTest
   @ValueSource(longs = {349_124, 30_915})
@@ -114,18 +158,21 @@ public class OptimalityPropertyTest {
     return puzzle(random).task(conjunction(random, 2));
   }
 
+  private static SmallWorld puzzleWords() {
+    return new SmallWorld()
+        .individuals("Thing", "a", "b")
+        .individuals("Agent", "agent")
+        .word("p", "", "?x - Thing")
+        .word("seen", "observable", "?x - Thing")
+        .word("at", "observable functional", "?x - Thing", "?y - Thing")
+        .word("mode", "functional", "?x - Thing", "?y - Thing")
+        .word("n", "fluent observable", "?x - Thing")
+        .word("linked", "symmetric", "?x - Thing", "?y - Thing")
+        .derived("calm", "(not (exists (?y - Thing) (linked ?x ?y)))", "?x - Thing");
+  }
+
   static SmallWorld puzzle(Random random) {
-    SmallWorld world =
-        new SmallWorld()
-            .individuals("Thing", "a", "b")
-            .individuals("Agent", "agent")
-            .word("p", "", "?x - Thing")
-            .word("seen", "observable", "?x - Thing")
-            .word("at", "observable functional", "?x - Thing", "?y - Thing")
-            .word("mode", "functional", "?x - Thing", "?y - Thing")
-            .word("n", "fluent observable", "?x - Thing")
-            .word("linked", "symmetric", "?x - Thing", "?y - Thing")
-            .derived("calm", "(not (exists (?y - Thing) (linked ?x ?y)))", "?x - Thing");
+    SmallWorld world = puzzleWords();
     int features = 3 + random.nextInt(5);
     for (int i = 0; i < features; i++) {
       String effect = "(and " + effects(random, 1 + random.nextInt(3)) + ")";

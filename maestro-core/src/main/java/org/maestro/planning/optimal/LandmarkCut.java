@@ -9,13 +9,15 @@ import org.maestro.planning.problem.State;
 
 /**
  * The landmark-cut lower bound of the cost from a state to the goal (Helmert and Domshlak 2009),
- * over {@link RelaxedProblem}. Actions of one operator share its cost. Not thread-safe.
+ * over {@link RelaxedProblem}. Actions of one operator share its cost. Costs of propositions are
+ * brought up to date after each cut instead of computed anew. Not thread-safe.
  */
 public final class LandmarkCut {
   private static final double NOTHING = 1e-9;
 
   private final RelaxedProblem relaxed;
   private final int[] payers;
+  private final int[][] paidBy;
   private final int[][] preconditions;
   private final int[][] additions;
   private final int[][] consumers;
@@ -51,6 +53,12 @@ public final class LandmarkCut {
     inGoalZone = new boolean[propositions];
     inFrontZone = new boolean[propositions];
     paid = new boolean[relaxed.payerCount()];
+    paidBy =
+        RelaxedProblem.inverse(
+            IntStream.of(payers)
+                .mapToObj(payer -> payer == RelaxedProblem.FREE ? new int[0] : new int[] {payer})
+                .toArray(int[][]::new),
+            relaxed.payerCount());
     inSomeCut = new boolean[relaxed.payerCount()];
     queue = new PropositionQueue();
     stack = new int[propositions];
@@ -77,8 +85,8 @@ public final class LandmarkCut {
     Arrays.fill(inSomeCut, false);
     rest = costs;
     double total = 0;
+    computeMaximumCosts(truths, costs);
     while (true) {
-      computeMaximumCosts(truths, costs);
       if (value[goal] == Double.POSITIVE_INFINITY) {
         return Double.POSITIVE_INFINITY;
       }
@@ -91,8 +99,12 @@ public final class LandmarkCut {
         if (paid[payer]) {
           inSomeCut[payer] = true;
           costs[payer] = nothingIfTiny(costs[payer] - cut);
+          for (int action : paidBy[payer]) {
+            offerAnew(action, costs);
+          }
         }
       }
+      lowerMaximumCosts(costs);
       total += cut;
     }
   }
@@ -119,25 +131,22 @@ public final class LandmarkCut {
   }
 
   /**
-   * For each operator the rests, of the last estimate, of what has to come before it, at least;
-   * infinite when it is out of reach.
+   * For each operator the rests, of the last estimate, of what its precondition needs, at least;
+   * infinite when that is out of reach. What the conditions of its changes need does not count: it
+   * may be taken for what it ends, so that another operator does not change what it would.
    */
   double[] restsBefore() {
     double[] before = new double[relaxed.problem().operators().size()];
-    Arrays.fill(before, Double.POSITIVE_INFINITY);
-    for (int action = 0; action < payers.length; action++) {
-      int payer = payers[action];
-      if (payer >= 0 && payer < before.length && open[action] == 0) {
-        double most = 0;
-        for (int needed : preconditions[action]) {
-          most = Math.max(most, value[needed]);
-        }
-        before[payer] = Math.min(before[payer], most);
-      }
-    }
     for (int operator = 0; operator < before.length; operator++) {
       if (relaxed.isPaidForByThreshold(operator)) {
-        before[operator] = 0;
+        continue;
+      }
+      if (relaxed.isPossible(operator)) {
+        for (int needed : relaxed.needed(operator)) {
+          before[operator] = Math.max(before[operator], value[needed]);
+        }
+      } else {
+        before[operator] = Double.POSITIVE_INFINITY;
       }
     }
     return before;
@@ -177,21 +186,55 @@ public final class LandmarkCut {
         continue;
       }
       for (int action : consumers[proposition]) {
-        if (supporter[action] < 0
-            || now > value[supporter[action]]
-            || now == value[supporter[action]]
-                && subject[proposition] < subject[supporter[action]]) {
+        if (supporter[action] < 0 || supports(proposition, supporter[action])) {
           supporter[action] = proposition;
         }
         if (--open[action] == 0) {
-          double reached = now + cost(action, costs);
-          for (int added : additions[action]) {
-            if (reached < value[added]) {
-              value[added] = reached;
-              queue.add(reached, added);
-            }
-          }
+          offer(action, costs);
         }
+      }
+    }
+  }
+
+  /** The same after costs have fallen, from what has been offered anew. */
+  private void lowerMaximumCosts(double[] costs) {
+    while (!queue.isEmpty()) {
+      double now = queue.leastKey();
+      int proposition = queue.removeLeast();
+      if (now > value[proposition]) {
+        continue;
+      }
+      for (int action : consumers[proposition]) {
+        if (supporter[action] == proposition) {
+          offerAnew(action, costs);
+        }
+      }
+    }
+  }
+
+  private void offerAnew(int action, double[] costs) {
+    if (open[action] == 0) {
+      for (int needed : preconditions[action]) {
+        if (supports(needed, supporter[action])) {
+          supporter[action] = needed;
+        }
+      }
+      offer(action, costs);
+    }
+  }
+
+  private boolean supports(int proposition, int other) {
+    return value[proposition] > value[other]
+        || value[proposition] == value[other] && subject[proposition] < subject[other];
+  }
+
+  /** Lets what the action adds cost no more than by way of it. */
+  private void offer(int action, double[] costs) {
+    double reached = value[supporter[action]] + cost(action, costs);
+    for (int added : additions[action]) {
+      if (reached < value[added]) {
+        value[added] = reached;
+        queue.add(reached, added);
       }
     }
   }

@@ -352,9 +352,28 @@ public final class RelaxedProblem {
     return consumers;
   }
 
+  /** Whether nothing that its precondition needs is always false. */
+  boolean isPossible(int operator) {
+    return needed[operator] != IMPOSSIBLE;
+  }
+
+  /** What the precondition of an operator needs, where that was asked; or nothing. */
+  int[] needed(int operator) {
+    return needed[operator] == null ? new int[0] : needed[operator];
+  }
+
   /** For each proposition the lists in which it stands. */
   int[][] inverse(int[][] lists) {
-    int[] counts = new int[leaves.size()];
+    return inverse(lists, leaves.size());
+  }
+
+  /**
+   * For each entry the lists in which it stands.
+   *
+   * @param entries how many there are
+   */
+  static int[][] inverse(int[][] lists, int entries) {
+    int[] counts = new int[entries];
     for (int[] list : lists) {
       for (int entry : list) {
         counts[entry]++;
