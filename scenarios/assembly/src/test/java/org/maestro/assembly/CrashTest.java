@@ -12,10 +12,12 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.LongStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.maestro.fixtures.Share;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.sim.scene.Scene;
@@ -62,9 +64,9 @@ class CrashTest {
   @Tag("full")
   void everyEntry() throws IOException {
     int entries = entries();
-    for (int at = 1; at <= entries; at++) {
-      crash(at, 0);
-      crash(at, 1 + at % 60);
+    for (long at : Share.of(LongStream.rangeClosed(1, entries)).toArray()) {
+      crash((int) at, 0);
+      crash((int) at, (int) (1 + at % 60));
     }
   }
 
@@ -126,9 +128,9 @@ class CrashTest {
   @Tag("full")
   void everyEntryOfAHeldGoal() throws IOException {
     int entries = entriesUntilHeld();
-    for (int at = 1; at <= entries; at++) {
-      hold(at, 0);
-      hold(at, 1 + at % 60);
+    for (long at : Share.of(LongStream.rangeClosed(1, entries)).toArray()) {
+      hold((int) at, 0);
+      hold((int) at, (int) (1 + at % 60));
     }
   }
 

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.maestro.coordination.api.GoalOutcome;
+import org.maestro.fixtures.Share;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.sim.scene.Scene;
@@ -36,7 +37,7 @@ class FreezeTest {
   }
 
   static LongStream allSeeds() {
-    return LongStream.rangeClosed(1, 200);
+    return Share.of(LongStream.rangeClosed(1, 200));
   }
 
   @ParameterizedTest(name = "seed {0}")
