@@ -213,7 +213,7 @@ final class SchemaReader {
           deletions.add(atom(only(group).group("an atom"), symbols.predicates, "predicate"));
       case "increase" -> increase(group, false);
       case "decrease" -> increase(group, true);
-      case "assign", "scale-up", "scale-down" ->
+      case "assign", "scale-up", "scale-down", "or", "imply", "exists" ->
           throw group
               .position()
               .error("(%s ...) in an effect is not supported.".formatted(group.head()));

@@ -71,8 +71,8 @@ class PlanCommandTest {
       delimiter = '|',
       value = {
         "(ready | (set | d.pddl:6:38: There is no predicate set.",
-        "(ready) (INC | (when (ready) (ready)) (INC | d.pddl:6:37: (when ...) in an effect is not supported.",
-        ":STRIPS | :ADL | d.pddl:1:38: The requirement :adl is not supported."
+        "(ready) (INC | (or (ready) (ready)) (INC | d.pddl:6:37: (or ...) in an effect is not supported.",
+        ":STRIPS | :PREFERENCES | d.pddl:1:38: The requirement :preferences is not supported."
       })
   void namesWhatIsNotUnderstood(String from, String to, String problem) throws IOException {
     int at = DOMAIN.lastIndexOf(from);
