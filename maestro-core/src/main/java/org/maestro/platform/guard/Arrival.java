@@ -1,10 +1,13 @@
 package org.maestro.platform.guard;
 
+import static java.nio.charset.StandardCharsets.ISO_8859_1;
+
 import jade.core.Agent;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
+import java.io.ObjectStreamClass;
 import java.util.Collection;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -12,11 +15,20 @@ import org.maestro.agents.GenericAgent;
 
 /**
  * An agent that arrives as bytes. Only classes of this process are looked for, and only those that
- * a generic agent is made of are let in; the time it takes is bounded.
+ * a generic agent is made of are let in; the time and the memory that it takes are bounded.
  */
 final class Arrival extends ObjectInputStream {
+  /**
+   * As many places JADE's agent makes for objects of other programs while it is read, which may be
+   * more than there is memory. Generic agents take none.
+   */
+  private static final String PLACES = "o2aQueueSize";
+
+  /** A name that no field has, so that what is stated under it is passed over. */
+  private static final String PASSED_OVER = "O2aQueueSize";
+
   private Arrival(byte[] bytes) throws IOException {
-    super(new ByteArrayInputStream(bytes));
+    super(new ByteArrayInputStream(withoutPlaces(bytes)));
     enableResolveObject(true);
   }
 
@@ -34,6 +46,27 @@ final class Arrival extends ObjectInputStream {
     } catch (StackOverflowError endless) {
       throw new InvalidObjectException("it contains itself");
     }
+  }
+
+  private static byte[] withoutPlaces(byte[] bytes) {
+    return new String(bytes, ISO_8859_1)
+        .replace(asField(PLACES), asField(PASSED_OVER))
+        .getBytes(ISO_8859_1);
+  }
+
+  /** As a class's description in a stream has it: after its length in two bytes. */
+  private static String asField(String name) {
+    return "I\0" + (char) name.length() + name;
+  }
+
+  /** The same name may be spelt in other bytes. */
+  @Override
+  protected Class<?> resolveClass(ObjectStreamClass described)
+      throws IOException, ClassNotFoundException {
+    if (Stream.of(described.getFields()).anyMatch(field -> field.getName().equals(PLACES))) {
+      throw new InvalidObjectException("it asks for places for objects of other programs");
+    }
+    return super.resolveClass(described);
   }
 
   /**

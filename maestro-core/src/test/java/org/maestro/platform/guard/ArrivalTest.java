@@ -1,15 +1,19 @@
 package org.maestro.platform.guard;
 
+import static java.nio.charset.StandardCharsets.ISO_8859_1;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
+import com.sun.management.ThreadMXBean;
 import jade.core.AID;
 import jade.core.Agent;
 import jade.lang.acl.ACLMessage;
 import jade.tools.DummyAgent.DummyAgent;
 import java.io.File;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -40,6 +44,9 @@ import org.maestro.fixtures.Gadgets;
 /** Which agents may arrive from another container, and how long one that is none takes at most. */
 class ArrivalTest {
   private static final Duration BOUND = Duration.ofSeconds(5);
+
+  /** Several times what an agent takes, and as much as a packet may be long. */
+  private static final long MOST_BYTES = 1 << 20;
 
   /** Ways to put something into something else, in one of which gadgets begin. */
   private static final List<UnaryOperator<Object>> SHAPES =
@@ -121,20 +128,58 @@ class ArrivalTest {
     inTime(changed);
   }
 
+  @Example
+  void noNumberInAnAgentMakesItTakeMuchMemory() throws Exception {
+    byte[] agent = Gadgets.bytes(new GenericAgent());
+    for (int place = 0; place + Integer.BYTES <= agent.length; place++) {
+      for (int number : new int[] {10_000_000, Integer.MAX_VALUE, Integer.MIN_VALUE}) {
+        byte[] changed = agent.clone();
+        ByteBuffer.wrap(changed).putInt(place, number);
+        assertThat(allocatedFor(changed))
+            .as("for %d at %d of %d", number, place, agent.length)
+            .isLessThan(MOST_BYTES);
+      }
+    }
+  }
+
+  @Example
+  void noOtherSpellingOfAFieldDoes() throws Exception {
+    GenericAgent agent = new GenericAgent();
+    agent.setEnabledO2ACommunication(true, 10_000);
+    byte[] plain = Gadgets.bytes(agent);
+    assertThat(Arrival.of(plain)).isInstanceOf(GenericAgent.class);
+
+    byte[] spelt =
+        new String(plain, ISO_8859_1)
+            .replace("\0\14o2aQueueSize", "\0\15\u00c1\u00af2aQueueSize")
+            .getBytes(ISO_8859_1);
+    assertThat(spelt).hasSize(plain.length + 1);
+    assertThatThrownBy(() -> Arrival.of(spelt))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("places for objects of other programs");
+  }
+
+  private static long allocatedFor(byte[] bytes) {
+    ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    long before = threads.getCurrentThreadAllocatedBytes();
+    isRead(bytes);
+    return threads.getCurrentThreadAllocatedBytes() - before;
+  }
+
   private static void refusedInTime(byte[] bytes) {
     assertThat(inTime(bytes)).as("arrives").isFalse();
   }
 
   /** Whether it arrives; nothing but what refuses an agent may be thrown. */
   private static boolean inTime(byte[] bytes) {
-    return assertTimeoutPreemptively(
-        BOUND,
-        () -> {
-          try {
-            return Arrival.of(bytes) != null;
-          } catch (IOException | ClassNotFoundException | RuntimeException refused) {
-            return false;
-          }
-        });
+    return assertTimeoutPreemptively(BOUND, () -> isRead(bytes));
+  }
+
+  private static boolean isRead(byte[] bytes) {
+    try {
+      return Arrival.of(bytes) != null;
+    } catch (IOException | ClassNotFoundException | RuntimeException refused) {
+      return false;
+    }
   }
 }
