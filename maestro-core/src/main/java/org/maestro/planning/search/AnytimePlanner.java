@@ -300,7 +300,27 @@ public final class AnytimePlanner {
     }
     List<GroundOperator> meant =
         settled.map(task -> task.meant(operators)).orElse(List.copyOf(operators));
+    int last = reaching(meant);
+    for (GroundOperator inVain : meant.subList(last, meant.size())) {
+      cost -= inVain.cost();
+    }
     Verdict verdict = cost <= best.lowerBound() ? Verdict.OPTIMAL : Verdict.PLAN;
-    best = new Solution(verdict, meant, cost, best.lowerBound(), best.memoryUsedUp());
+    best =
+        new Solution(verdict, meant.subList(0, last), cost, best.lowerBound(), best.memoryUsedUp());
+  }
+
+  /**
+   * How many operators there are up to the one that reaches the goal by itself, if any does. Such a
+   * one stands for what people asked, which what comes after it could undo.
+   */
+  private int reaching(List<GroundOperator> plan) {
+    GroundTask task = growing.task();
+    for (int i = 0; task.goalBounds().length == 0 && i < plan.size(); i++) {
+      int[] added = plan.get(i).added();
+      if (Arrays.stream(task.goal()).allMatch(fact -> Arrays.binarySearch(added, fact) >= 0)) {
+        return i + 1;
+      }
+    }
+    return plan.size();
   }
 }
