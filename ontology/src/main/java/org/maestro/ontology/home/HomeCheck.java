@@ -75,14 +75,13 @@ final class HomeCheck {
    */
   void checkUse(Node node, Device device) {
     Set<Node> own = has(graph.objects(node, RDF.type.asNode()));
-    Set<Node> known = has(graph.subjectsWith(HAS));
     if (own.isEmpty()) {
       return;
     }
     for (Node property : graph.predicates(node)) {
       String name = Literals.name(property);
-      if (known.contains(property)
-          && !own.contains(property)
+      if (!own.contains(property)
+          && !graph.subjects(HAS, property).isEmpty()
           && device.features().stream().noneMatch(feature -> feature.speaksOf(name))) {
         graph.fault(
             node,
@@ -373,10 +372,11 @@ final class HomeCheck {
     Polygon first = geometry.outline(a).orElseThrow();
     Polygon second = geometry.outline(b).orElseThrow();
     boolean overlap =
-        first.samples(SAMPLE_SPACING).stream()
-            .filter(second::contains)
-            .anyMatch(
-                point -> second.edges().stream().allMatch(edge -> edge.distance(point) > EDGE));
+        first.isNear(second)
+            && first.samples(SAMPLE_SPACING).stream()
+                .filter(second::contains)
+                .anyMatch(
+                    point -> second.edges().stream().allMatch(edge -> edge.distance(point) > EDGE));
     if (overlap) {
       graph.fault(
           named(nodes, b),

@@ -1,11 +1,13 @@
 package org.maestro.ontology.home;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.stream.Collectors;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
@@ -42,49 +44,92 @@ public final class ImpossibleUses {
     return new ImpossibleUses(home).sentences();
   }
 
+  /** A feature that a device offers, with those of its conditions that only the home decides. */
+  private record Offer(Device device, FeatureType feature, List<Formula> conditions) {}
+
+  /**
+   * An offer for things of some classes.
+   *
+   * @param input for which they may stand
+   */
+  private record Use(Device device, String input, List<Formula> conditions) {}
+
   private List<String> sentences() {
-    Map<String, List<Device>> offering = new LinkedHashMap<>();
-    for (Device device : home.devices().values()) {
-      device
-          .features()
-          .forEach(
-              feature ->
-                  offering.computeIfAbsent(feature.name(), f -> new ArrayList<>()).add(device));
-    }
+    Map<String, List<Offer>> offering = offering();
+    Map<Set<String>, Map<String, List<Use>>> usesOf = new HashMap<>();
     List<String> sentences = new ArrayList<>();
     for (Individual thing : home.individuals().values()) {
-      offering.forEach(
-          (feature, devices) -> sentence(thing, feature, devices).ifPresent(sentences::add));
+      usesOf
+          .computeIfAbsent(thing.classes(), classes -> uses(offering, classes))
+          .forEach((feature, uses) -> sentence(thing, feature, uses).ifPresent(sentences::add));
     }
     return sentences;
   }
 
-  private Optional<String> sentence(Individual thing, String name, List<Device> devices) {
-    Map<List<String>, Shortfall> nearest = new LinkedHashMap<>();
-    for (Device device : devices) {
-      FeatureType feature =
-          device.features().stream().filter(f -> f.name().equals(name)).findFirst().orElseThrow();
-      Optional<Parameter> input =
-          feature.inputs().stream()
-              .filter(p -> p.types().stream().anyMatch(thing.classes()::contains))
-              .findFirst();
-      if (input.isEmpty()) {
-        continue;
+  /** By the name of the feature. */
+  private Map<String, List<Offer>> offering() {
+    Map<String, List<Offer>> offering = new LinkedHashMap<>();
+    for (Device device : home.devices().values()) {
+      for (FeatureType feature : device.features()) {
+        List<Formula> conditions =
+            conjuncts(feature.precondition()).stream().filter(this::isFixed).toList();
+        offering
+            .computeIfAbsent(feature.name(), name -> new ArrayList<>())
+            .add(new Offer(device, feature, conditions));
       }
-      Optional<Shortfall> shortfall = shortfall(device, feature, input.get(), thing);
+    }
+    return offering;
+  }
+
+  /** What is offered for things of these classes, by the name of the feature. */
+  private static Map<String, List<Use>> uses(
+      Map<String, List<Offer>> offering, Set<String> classes) {
+    Map<String, List<Use>> uses = new LinkedHashMap<>();
+    offering.forEach(
+        (name, offers) -> {
+          List<Use> some = offers.stream().flatMap(offer -> use(offer, classes).stream()).toList();
+          if (!some.isEmpty()) {
+            uses.put(name, some);
+          }
+        });
+    return uses;
+  }
+
+  private static Optional<Use> use(Offer offer, Set<String> classes) {
+    return offer.feature().inputs().stream()
+        .filter(input -> input.types().stream().anyMatch(classes::contains))
+        .map(Parameter::name)
+        .findFirst()
+        .map(
+            input ->
+                new Use(
+                    offer.device(),
+                    input,
+                    offer.conditions().stream()
+                        .filter(part -> isOfBoth(FreeVariables.of(part), input))
+                        .toList()));
+  }
+
+  /** Whether nothing stands in a condition but the device itself and what is given to it. */
+  private static boolean isOfBoth(Set<String> variables, String input) {
+    return variables.contains(input) && Set.of(Self.NAME, input).containsAll(variables);
+  }
+
+  private Optional<String> sentence(Individual thing, String feature, List<Use> uses) {
+    Map<List<String>, Shortfall> nearest = new LinkedHashMap<>();
+    for (Use use : uses) {
+      Optional<Shortfall> shortfall = shortfall(use, thing);
       if (shortfall.isEmpty()) {
         return Optional.empty();
       }
       nearest.merge(shortfall.get().numbers(), shortfall.get(), Shortfall::nearer);
     }
-    return nearest.isEmpty()
-        ? Optional.empty()
-        : Optional.of(
-            "Nobody can do %s with %s: %s. Correct the numbers, or add a device that can."
-                .formatted(
-                    name,
-                    thing.name(),
-                    nearest.values().stream().map(this::words).collect(Collectors.joining("; "))));
+    return Optional.of(
+        "Nobody can do %s with %s: %s. Correct the numbers, or add a device that can."
+            .formatted(
+                feature,
+                thing.name(),
+                nearest.values().stream().map(this::words).collect(Collectors.joining("; "))));
   }
 
   /** A comparison of numbers that fails, and by how much. */
@@ -106,13 +151,11 @@ public final class ImpossibleUses {
     }
   }
 
-  private Optional<Shortfall> shortfall(
-      Device device, FeatureType feature, Parameter input, Individual thing) {
+  private Optional<Shortfall> shortfall(Use use, Individual thing) {
     Map<String, Term> bindings =
-        Map.of(Self.NAME, new Term.Name(device.id()), input.name(), new Term.Name(thing.name()));
-    return conjuncts(feature.precondition()).stream()
-        .filter(part -> FreeVariables.of(part).contains(input.name()))
-        .filter(part -> bindings.keySet().containsAll(FreeVariables.of(part)) && isFixed(part))
+        Map.of(
+            Self.NAME, new Term.Name(use.device().id()), use.input(), new Term.Name(thing.name()));
+    return use.conditions().stream()
         .filter(part -> new Evaluation(facts).truth(part, bindings) == Truth.FALSE)
         .flatMap(part -> comparisons(part).stream())
         .map(part -> (Formula.Comparison) new Substitution(bindings).apply((Formula) part))

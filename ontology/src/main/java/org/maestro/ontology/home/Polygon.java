@@ -2,19 +2,28 @@ package org.maestro.ontology.home;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A simple polygon of the floor plan, such as a room's or a zone's outline; its last corner is
- * joined to its first.
+ * joined to its first. Immutable; equal to one of the same corners.
  */
-public record Polygon(List<Point2> corners) {
+public final class Polygon {
+  private final List<Point2> corners;
+  private final List<Segment> edges;
+  private final Rectangle around;
 
-  public Polygon {
-    corners = List.copyOf(corners);
+  /**
+   * @throws IllegalArgumentException for fewer than three corners
+   */
+  public Polygon(List<Point2> corners) {
     if (corners.size() < 3) {
       throw new IllegalArgumentException(
           "An outline needs three corners or more, but has " + corners.size() + ".");
     }
+    this.corners = List.copyOf(corners);
+    this.edges = joined(this.corners);
+    this.around = Rectangle.around(this.corners);
   }
 
   /**
@@ -38,7 +47,7 @@ public record Polygon(List<Point2> corners) {
   /** Square metres. */
   public double area() {
     double twice = 0;
-    for (Segment edge : edges()) {
+    for (Segment edge : edges) {
       twice += edge.from().x() * edge.to().y() - edge.to().x() * edge.from().y();
     }
     return Math.abs(twice) / 2;
@@ -48,7 +57,7 @@ public record Polygon(List<Point2> corners) {
     double twice = 0;
     double x = 0;
     double y = 0;
-    for (Segment edge : edges()) {
+    for (Segment edge : edges) {
       Point2 a = edge.from();
       Point2 b = edge.to();
       double cross = a.x() * b.y() - b.x() * a.y();
@@ -59,21 +68,29 @@ public record Polygon(List<Point2> corners) {
     return new Point2(x / (3 * twice), y / (3 * twice));
   }
 
+  public List<Point2> corners() {
+    return corners;
+  }
+
   public List<Segment> edges() {
+    return edges;
+  }
+
+  private static List<Segment> joined(List<Point2> corners) {
     List<Segment> edges = new ArrayList<>();
     for (int i = 0; i < corners.size(); i++) {
       edges.add(new Segment(corners.get(i), corners.get((i + 1) % corners.size())));
     }
-    return edges;
+    return List.copyOf(edges);
   }
 
   /** Whether the point lies inside or on the edge. */
   public boolean contains(Point2 point) {
-    if (!isNear(point)) {
+    if (!around.contains(point)) {
       return false;
     }
     boolean inside = false;
-    for (Segment edge : edges()) {
+    for (Segment edge : edges) {
       if (edge.distance(point) <= Segment.TOLERANCE) {
         return true;
       }
@@ -87,28 +104,15 @@ public record Polygon(List<Point2> corners) {
     return inside;
   }
 
-  /** Whether it lies in the rectangle around. */
-  private boolean isNear(Point2 point) {
-    double left = Double.POSITIVE_INFINITY;
-    double right = Double.NEGATIVE_INFINITY;
-    double bottom = Double.POSITIVE_INFINITY;
-    double top = Double.NEGATIVE_INFINITY;
-    for (Point2 corner : corners) {
-      left = Math.min(left, corner.x());
-      right = Math.max(right, corner.x());
-      bottom = Math.min(bottom, corner.y());
-      top = Math.max(top, corner.y());
-    }
-    return point.x() >= left - Segment.TOLERANCE
-        && point.x() <= right + Segment.TOLERANCE
-        && point.y() >= bottom - Segment.TOLERANCE
-        && point.y() <= top + Segment.TOLERANCE;
+  /** Whether the rectangles around both touch; polygons of which they do not are apart. */
+  boolean isNear(Polygon other) {
+    return around.touches(other.around);
   }
 
   /** The length of edge that both share; metres. */
   public double sharedEdge(Polygon other) {
     double shared = 0;
-    for (Segment edge : edges()) {
+    for (Segment edge : edges) {
       for (Segment opposite : other.edges()) {
         if (edge.isInLineWith(opposite)) {
           double first = edge.share(opposite.from());
@@ -129,19 +133,15 @@ public record Polygon(List<Point2> corners) {
    * @param spacing metres, at most
    */
   public List<Point2> samples(double spacing) {
-    double left = corners.stream().mapToDouble(Point2::x).min().orElseThrow();
-    double right = corners.stream().mapToDouble(Point2::x).max().orElseThrow();
-    double bottom = corners.stream().mapToDouble(Point2::y).min().orElseThrow();
-    double top = corners.stream().mapToDouble(Point2::y).max().orElseThrow();
-    int columns = cells(right - left, spacing);
-    int rows = cells(top - bottom, spacing);
+    int columns = cells(around.width(), spacing);
+    int rows = cells(around.height(), spacing);
     List<Point2> samples = new ArrayList<>();
     for (int column = 0; column < columns; column++) {
       for (int row = 0; row < rows; row++) {
         Point2 point =
             new Point2(
-                left + (column + 0.5) * (right - left) / columns,
-                bottom + (row + 0.5) * (top - bottom) / rows);
+                around.left() + (column + 0.5) * around.width() / columns,
+                around.bottom() + (row + 0.5) * around.height() / rows);
         if (contains(point)) {
           samples.add(point);
         }
@@ -152,5 +152,20 @@ public record Polygon(List<Point2> corners) {
 
   private static int cells(double length, double spacing) {
     return Math.max(1, (int) Math.ceil(length / spacing - Segment.TOLERANCE));
+  }
+
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof Polygon polygon && corners.equals(polygon.corners);
+  }
+
+  @Override
+  public int hashCode() {
+    return corners.hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return corners.toString();
   }
 }

@@ -48,6 +48,20 @@ class PolygonTest {
   }
 
   @Test
+  void isNearWhatItsRectangleTouches() {
+    assertThat(LEFT.isNear(RIGHT)).isTrue();
+    assertThat(L_SHAPE.isNear(Polygon.parse("2 2, 2.5 2, 2.5 2.5"))).isTrue();
+    assertThat(LEFT.isNear(Polygon.parse("3.1 0, 6 0, 6 3, 3.1 3"))).isFalse();
+    assertThat(LEFT.isNear(Polygon.parse("0 -2, 3 -2, 3 -0.1"))).isFalse();
+  }
+
+  @Test
+  void isEqualToOneOfTheSameCorners() {
+    assertThat(Polygon.parse("0 0, 3 0, 3 3, 0 3")).isEqualTo(LEFT).hasSameHashCodeAs(LEFT);
+    assertThat(RIGHT).isNotEqualTo(LEFT);
+  }
+
+  @Test
   void leavesDoorOpeningsOutOfTheWalls() {
     Segment door = new Segment(new Point2(3, 1), new Point2(3, 2));
     FloorPlan plan = new FloorPlan(List.of(LEFT, RIGHT), List.of(door));
