@@ -287,8 +287,11 @@ final class BudgetedSearch {
     return members;
   }
 
-  /** Empty when there is no plan, or none within a smaller bound. */
+  /** Empty when there is no plan, or none within a smaller bound or the effort that is left. */
   private Optional<List<Operator>> cheapest(GroundProblem problem) {
+    if (effort.isSpent()) {
+      return Optional.empty();
+    }
     return search(
                 Pruning.pruned(problem),
                 effort.within(MOST_STATES_BESIDE),

@@ -40,7 +40,7 @@ import org.maestro.sl.Term;
  * {@code V} is the expected cost of the rest of the search ({@link SearchOrder}).
  */
 public final class ExpectedCostSearch {
-  /** Plans made at most to weigh one search. */
+  /** Plans made at most to weigh one search, those that were in vain among them. */
   private static final int MOST_PLANS = 6;
 
   private static final double SAME = 1e-9;
@@ -119,9 +119,9 @@ public final class ExpectedCostSearch {
     Rests rests = new Rests(new State[look.length], new double[look.length]);
     double[] expected = expectedCosts(costs, present, chance, look, splits, rests);
     int first = least(expected, chance, present, candidates.keySet(), open);
-    while (!candidates.containsKey(first)) {
+    for (int plans = 1; !candidates.containsKey(first); plans++) {
       plan(sought, first, open, candidates, splits);
-      if (candidates.size() > MOST_PLANS) {
+      if (plans >= MOST_PLANS) {
         open.clear();
       }
       expected = expectedCosts(costs, present, chance, look, splits, rests);
