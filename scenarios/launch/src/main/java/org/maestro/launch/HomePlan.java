@@ -4,17 +4,20 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.InvalidGoalException;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.OptimalPlanner;
+import org.maestro.planning.api.PlannedSearch;
 import org.maestro.planning.api.PlanningResult;
 import org.maestro.planning.api.PlanningTask;
 import org.maestro.planning.api.PricedFeature;
@@ -24,6 +27,8 @@ import org.maestro.planning.export.PddlWriter;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Term;
 
 /**
  * The platform's plan for a goal, made from a home file alone: nobody is asked for prices, and
@@ -32,6 +37,9 @@ import org.maestro.sl.SlParser;
 final class HomePlan {
   private static final int UNSOLVABLE = 10;
   private static final int NOTHING_FOUND = 12;
+
+  /** Told of a search, beside the one where it begins. */
+  private static final int MOST_PLACES = 3;
 
   private final PrintWriter out;
 
@@ -61,12 +69,8 @@ final class HomePlan {
             step.exactPrice() ? "" : "at least ",
             Sentences.number(step.cost()));
       }
-      out.printf(
-          "; cost = %s (%s)%n",
-          Sentences.number(found.plan().cost()),
-          found.atLeast().isEmpty()
-              ? "optimal"
-              : "lower bound " + Sentences.number(found.atLeast().getAsDouble()));
+      found.plan().searches().forEach(search -> printSearch(search, sentences));
+      out.printf("; cost = %s (%s)%n", Sentences.number(found.plan().cost()), worth(found));
       return ExitCode.DONE;
     }
     if (result instanceof PlanningResult.Impossible impossible) {
@@ -86,6 +90,39 @@ final class HomePlan {
     }
     out.println("; no plan found: " + ((PlanningResult.GaveUp) result).reason());
     return NOTHING_FOUND;
+  }
+
+  /** Where it is looked first, how surely it is there, and what else was weighed. */
+  private void printSearch(PlannedSearch search, Sentences sentences) {
+    PlannedSearch.Place first = search.places().get(0);
+    List<Term> found = new ArrayList<>(search.arguments());
+    found.add(first.value());
+    out.printf(
+        Locale.ROOT,
+        "; %s: %.0f %%; to look there first is expected to cost %s in all%s%n",
+        sentences.fact(new Formula.Atom(search.predicate(), found)),
+        100 * first.chance(),
+        Sentences.number(first.expectedCost()),
+        search.places().stream()
+            .skip(1)
+            .filter(place -> Double.isFinite(place.expectedCost()))
+            .limit(MOST_PLACES)
+            .map(
+                place ->
+                    ", in %s %s"
+                        .formatted(
+                            SlPrinter.print(place.value()), Sentences.number(place.expectedCost())))
+            .collect(Collectors.joining()));
+  }
+
+  /** What is said of the cost: no more than is proven. */
+  private static String worth(PlanningResult.Found found) {
+    if (found.atLeast().isPresent()) {
+      return "lower bound " + Sentences.number(found.atLeast().getAsDouble());
+    }
+    return found.plan().searches().isEmpty()
+        ? "optimal"
+        : "if each is found where it is looked for first";
   }
 
   /** What is only known now, or the best that was found, is no limit. */

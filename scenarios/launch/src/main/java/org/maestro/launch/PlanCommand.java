@@ -59,6 +59,11 @@ final class PlanCommand implements Callable<Integer> {
       throw CommandException.badInput("The deadline has to be more than 0 seconds.");
     }
     if (problem.strip().startsWith("(")) {
+      if (first || verbose || Double.isFinite(deadline)) {
+        throw CommandException.badInput(
+            "--deadline, --first and --verbose go with a problem in PDDL; a home's goal is planned"
+                + " as the platform plans it.");
+      }
       return new HomePlan(spec.commandLine().getOut()).show(domain, problem, pddl);
     }
     if (pddl.isPresent()) {

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The planner alone, as people call it. */
 class PlanCommandTest {
@@ -48,7 +49,35 @@ class PlanCommandTest {
             pddl.resolve("problem.pddl").toString());
     assertThat(written.exitCode()).isZero();
     assertThat(last(written.out())).startsWith("; cost = ").endsWith("(optimal)");
-    assertThat(last(home.out())).isEqualTo(last(written.out()));
+    assertThat(last(home.out()))
+        .isEqualTo(
+            last(written.out())
+                .replace("(optimal)", "(if each is found where it is looked for first)"));
+  }
+
+  @Test
+  void saysHowSurelyWhatIsSoughtIsWhereItLooksFirst() {
+    Said said = maestro("plan", "arena", "(canSee ?agent RedObject1)");
+    assertThat(said.exitCode()).isZero();
+    assertThat(said.out())
+        .contains("; RedObject1 is in zone-1: 33 %; to look there first is expected to cost 3 in")
+        .contains(" in all, in zone-2 3, in zone-3 3")
+        .doesNotContain("optimal");
+  }
+
+  @Test
+  void callsAPlanInWhichNothingIsSoughtOptimal() {
+    Said said = maestro("plan", "bob", "(= (level lamp-a1) 0.5)");
+    assertThat(said.exitCode()).isZero();
+    assertThat(last(said.out())).endsWith(" (optimal)");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"--first", "--verbose", "--deadline=3"})
+  void refusesForAHomeWhatGoesWithAProblem(String option) {
+    Said said = maestro("plan", "bob", "(nextTo Cup Bob)", option);
+    assertThat(said.exitCode()).isEqualTo(2);
+    assertThat(said.err()).contains("go with a problem in PDDL");
   }
 
   @ParameterizedTest
