@@ -103,4 +103,9 @@ public record Device(
   public double order() {
     return individual.order();
   }
+
+  /** Whether it reports what this predicate says of it. */
+  public boolean tells(String predicate) {
+    return reports.values().stream().anyMatch(fact -> fact.contains("(" + predicate + " "));
+  }
 }

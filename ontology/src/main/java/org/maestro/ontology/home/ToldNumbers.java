@@ -36,12 +36,12 @@ final class ToldNumbers {
   /** Whether anybody may tell it of things, devices or places. */
   boolean isTold(String name) {
     return isOfAnybody(name)
-        || home.devices().values().stream().anyMatch(device -> reports(device, name));
+        || home.devices().values().stream().anyMatch(device -> device.tells(name));
   }
 
   /** Whether anybody may tell it of this device. */
   boolean isToldOf(Device device, String name) {
-    return isOfAnybody(name) || reports(device, name);
+    return isOfAnybody(name) || device.tells(name);
   }
 
   private boolean isOfAnybody(String name) {
@@ -50,9 +50,5 @@ final class ToldNumbers {
             .predicate(name)
             .filter(declared -> declared.observable() || declared.computedBy().isPresent())
             .isPresent();
-  }
-
-  private static boolean reports(Device device, String name) {
-    return device.reports().values().stream().anyMatch(fact -> fact.contains("(" + name + " "));
   }
 }

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.InvalidGoalException;
@@ -17,6 +18,7 @@ import org.maestro.coordination.api.Sentences;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.OptimalPlanner;
+import org.maestro.planning.api.PlanTime;
 import org.maestro.planning.api.PlannedSearch;
 import org.maestro.planning.api.PlanningResult;
 import org.maestro.planning.api.PlanningTask;
@@ -26,6 +28,7 @@ import org.maestro.planning.export.NotCarriedException;
 import org.maestro.planning.export.PddlWriter;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Leaves;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
@@ -74,7 +77,11 @@ final class HomePlan {
       return ExitCode.DONE;
     }
     if (result instanceof PlanningResult.Impossible impossible) {
-      out.println("; unsolvable (proven)");
+      String told = told(home, impossible.explanation().obstacles());
+      out.println(
+          told.isEmpty()
+              ? "; unsolvable (proven)"
+              : "; no plan from the file alone: the devices themselves tell " + told);
       impossible
           .explanation()
           .obstacles()
@@ -86,7 +93,7 @@ final class HomePlan {
                       obstacle.needed(),
                       reachedWord(obstacle),
                       obstacle.possible()));
-      return UNSOLVABLE;
+      return told.isEmpty() ? UNSOLVABLE : NOTHING_FOUND;
     }
     out.println("; no plan found: " + ((PlanningResult.GaveUp) result).reason());
     return NOTHING_FOUND;
@@ -120,9 +127,25 @@ final class HomePlan {
     if (found.atLeast().isPresent()) {
       return "lower bound " + Sentences.number(found.atLeast().getAsDouble());
     }
-    return found.plan().searches().isEmpty()
-        ? "optimal"
-        : "if each is found where it is looked for first";
+    boolean findsOut =
+        found.plan().steps().stream().anyMatch(step -> PlanTime.senses(step.feature().effect()));
+    return findsOut ? "if what is found out is as hoped" : "optimal";
+  }
+
+  /** The words in what stands in the way that a platform would hear from its devices. */
+  private static String told(Home home, List<PlanningResult.Obstacle> obstacles) {
+    Set<String> words = new TreeSet<>();
+    obstacles.stream()
+        .filter(obstacle -> obstacle.subject().isEmpty())
+        .map(obstacle -> SlParser.formula(obstacle.condition(), home.vocabulary()::isFluent))
+        .forEach(
+            condition ->
+                Leaves.of(
+                    condition,
+                    atom -> words.add(atom.predicate()),
+                    fluent -> words.add(fluent.name())));
+    words.removeIf(word -> home.devices().values().stream().noneMatch(one -> one.tells(word)));
+    return String.join(", ", words);
   }
 
   /** What is only known now, or the best that was found, is no limit. */
@@ -139,9 +162,7 @@ final class HomePlan {
 
   private static Formula goal(Home home, String text) {
     Formula goal =
-        SlParser.formula(
-            text,
-            name -> home.vocabulary().predicate(name).filter(word -> word.fluent()).isPresent());
+SlParser.formula(text, home.vocabulary()::isFluent);
     try {
       new GoalCheck(home).check(goal);
     } catch (InvalidGoalException e) {

@@ -52,7 +52,7 @@ class PlanCommandTest {
     assertThat(last(home.out()))
         .isEqualTo(
             last(written.out())
-                .replace("(optimal)", "(if each is found where it is looked for first)"));
+                .replace("(optimal)", "(if what is found out is as hoped)"));
   }
 
   @Test
@@ -66,10 +66,13 @@ class PlanCommandTest {
   }
 
   @Test
-  void callsAPlanInWhichNothingIsSoughtOptimal() {
-    Said said = maestro("plan", "bob", "(= (level lamp-a1) 0.5)");
-    assertThat(said.exitCode()).isZero();
-    assertThat(last(said.out())).endsWith(" (optimal)");
+  void callsOnlyThatOptimalForWhichNothingHasToBeFoundOut() {
+    Said hopes = maestro("plan", "bob", "(>= (illuminance zone-a) 99999)");
+    assertThat(hopes.exitCode()).isZero();
+    assertThat(last(hopes.out())).isEqualTo("; cost = 0.5 (if what is found out is as hoped)");
+    Said knows = maestro("plan", "flat", "(open bedroom-door)");
+    assertThat(knows.exitCode()).isZero();
+    assertThat(last(knows.out())).endsWith(" (optimal)");
   }
 
   @ParameterizedTest
@@ -131,9 +134,19 @@ class PlanCommandTest {
 
   @Test
   void saysWhyAHomeHasNoPlan() {
-    Said said = maestro("plan", "bob", "(= (level lux-a) 1)");
+    Said said = maestro("plan", "bob", "(senses lux-a zone-b)");
     assertThat(said.exitCode()).isEqualTo(10);
     assertThat(said.out()).startsWith("; unsolvable (proven)").contains("needed");
+  }
+
+  /** A lamp's level is set by what it was, which only the lamp knows. */
+  @Test
+  void callsNothingUnsolvableForWantOfWhatDevicesTell() {
+    Said said = maestro("plan", "bob", "(= (level lamp-a1) 1)");
+    assertThat(said.exitCode()).isEqualTo(12);
+    assertThat(said.out())
+        .startsWith("; no plan from the file alone: the devices themselves tell level")
+        .contains("needed");
   }
 
   @Test
