@@ -17,7 +17,7 @@ import org.maestro.hal.GripperArm;
 import org.maestro.hal.MobileBase;
 import org.maestro.hal.ShutterDrive;
 import org.maestro.hal.Surroundings;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 import org.maestro.rats.member.MemberProfile;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;

@@ -1,7 +1,7 @@
 package org.maestro.hal;
 
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Polygon;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Polygon;
 
 /**
  * A named area of the floor on a device's map.

@@ -1,7 +1,7 @@
 package org.maestro.hal;
 
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Segment;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Segment;
 
 /** The pose of a base on its map, and what its scanner sees ahead. */
 public interface Localization {

@@ -1,7 +1,7 @@
 package org.maestro.hal;
 
 import java.util.List;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 
 /**
  * An omni-directional base: it drives along a way without turning first (Three-layered

@@ -1,6 +1,6 @@
 package org.maestro.hal;
 
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 
 /** A point in space; metres, z upwards from the floor. */
 public record Position(double x, double y, double z) {

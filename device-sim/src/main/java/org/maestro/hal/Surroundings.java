@@ -1,8 +1,8 @@
 package org.maestro.hal;
 
 import java.util.List;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Segment;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Segment;
 
 /** The floor as a mobile device knows it: its map, and what its scanners see standing there now. */
 public interface Surroundings {

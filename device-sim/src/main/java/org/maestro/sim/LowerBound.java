@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.maestro.device.navigation.Route;
 import org.maestro.device.navigation.RoutePlanner;
 import org.maestro.hal.Position;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 import org.maestro.sim.drivers.SimulatedArm;
 import org.maestro.sim.parameters.ArmData;
 import org.maestro.sim.parameters.GripperData;

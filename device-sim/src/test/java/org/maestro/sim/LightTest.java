@@ -6,11 +6,11 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.maestro.hal.Position;
-import org.maestro.ontology.home.FloorPlan;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Polygon;
-import org.maestro.ontology.home.Pose;
-import org.maestro.ontology.home.Segment;
+import org.maestro.ontology.floor.FloorPlan;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Polygon;
+import org.maestro.ontology.floor.Pose;
+import org.maestro.ontology.floor.Segment;
 import org.maestro.sim.world.LampLight;
 import org.maestro.sim.world.World;
 

@@ -11,7 +11,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.maestro.hal.Position;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Result;

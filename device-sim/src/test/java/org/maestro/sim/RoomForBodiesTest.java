@@ -11,7 +11,7 @@ import org.maestro.hal.Completion;
 import org.maestro.hal.GripperArm;
 import org.maestro.hal.MobileBase;
 import org.maestro.hal.Position;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 import org.maestro.sim.scene.WorldEvent;
 import org.maestro.sim.world.Walks;
 import org.maestro.sim.world.World;

@@ -13,7 +13,7 @@ import org.maestro.hal.Camera;
 import org.maestro.hal.Photo;
 import org.maestro.hal.Position;
 import org.maestro.hal.Target;
-import org.maestro.ontology.home.Pose;
+import org.maestro.ontology.floor.Pose;
 import org.maestro.sim.drivers.Actuator;
 import org.maestro.sim.drivers.Eye;
 import org.maestro.sim.drivers.SimulatedCamera;

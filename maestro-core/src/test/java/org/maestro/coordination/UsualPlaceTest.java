@@ -10,7 +10,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.maestro.ontology.home.HomeLoader;
 
-/** Of two places into which it costs the same to look, the usual one comes first, wherever it is. */
+/**
+ * Of two places into which it costs the same to look, the usual one comes first, wherever it is.
+ */
 class UsualPlaceTest {
   private static final String CUP = "home:Cup a :Item ;";
 

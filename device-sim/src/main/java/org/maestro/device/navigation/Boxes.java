@@ -2,7 +2,7 @@ package org.maestro.device.navigation;
 
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 
 /**
  * Boxes around things on the floor, kept as plain numbers: most ways lie outside of most boxes,

@@ -2,8 +2,8 @@ package org.maestro.device.navigation;
 
 import java.util.List;
 import org.maestro.hal.Surroundings.Obstacle;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Segment;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Segment;
 
 /** The free space of a round body among walls and round obstacles. Immutable. */
 final class FreeFloor {

@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.PriorityQueue;
 import org.maestro.hal.Surroundings.Obstacle;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Segment;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Segment;
 
 /**
  * Shortest ways of a round body among walls and round obstacles: A* over a visibility graph, whose

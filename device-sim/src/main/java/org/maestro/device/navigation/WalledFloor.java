@@ -5,8 +5,8 @@ import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Segment;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Segment;
 
 /**
  * The free space that walls leave to a round body. Walls stay the same until a door moves, so that

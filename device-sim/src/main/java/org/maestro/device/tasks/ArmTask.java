@@ -7,7 +7,7 @@ import java.util.function.Function;
 import org.maestro.hal.Completion;
 import org.maestro.hal.GripperArm;
 import org.maestro.hal.Position;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 import org.maestro.rats.member.Execution;
 import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.RatsError;

@@ -8,7 +8,7 @@ import org.maestro.device.navigation.Route;
 import org.maestro.device.navigation.RoutePlanner;
 import org.maestro.device.navigation.WalledFloor;
 import org.maestro.hal.Surroundings.Obstacle;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 
 /**
  * Why a robot finds no free way: what stands in it. It is searched for only once no way was found.

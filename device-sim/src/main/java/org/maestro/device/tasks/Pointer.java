@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.maestro.hal.Position;
 import org.maestro.hal.Target;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Polygon;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Polygon;
 
 /**
  * A pointer into the knowledge base as it travels in a call (Three-layered architecture, 3.2.3;

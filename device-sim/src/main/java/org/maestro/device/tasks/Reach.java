@@ -10,7 +10,7 @@ import org.maestro.device.navigation.Route;
 import org.maestro.device.navigation.RoutePlanner;
 import org.maestro.device.navigation.WalledFloor;
 import org.maestro.hal.Area;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 
 /**
  * The stands from which a robot reaches a spot of the floor, and the spots beside a thing where it

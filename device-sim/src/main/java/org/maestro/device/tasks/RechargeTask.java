@@ -3,7 +3,7 @@ package org.maestro.device.tasks;
 import java.util.List;
 import org.maestro.hal.Battery;
 import org.maestro.hal.Completion;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 import org.maestro.rats.member.Execution;
 import org.maestro.rats.protocol.CostAnswer;
 

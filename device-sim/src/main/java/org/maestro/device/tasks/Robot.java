@@ -12,8 +12,8 @@ import org.maestro.hal.Completion;
 import org.maestro.hal.MobileBase;
 import org.maestro.hal.Surroundings;
 import org.maestro.hal.Surroundings.Obstacle;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Segment;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Segment;
 
 /**
  * The navigation of a mobile robot: its base, and what it knows of the floor. Clock thread only.

@@ -7,8 +7,8 @@ import org.maestro.hal.Localization;
 import org.maestro.hal.MobileBase;
 import org.maestro.hal.Twist;
 import org.maestro.hal.WheelMotors;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Segment;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Segment;
 
 /**
  * A base that follows a way by its wheels: some times a second it looks where it is, aims at the

@@ -3,8 +3,8 @@ package org.maestro.sim.drivers;
 import java.time.Duration;
 import java.util.Optional;
 import org.maestro.hal.Position;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Segment;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Segment;
 import org.maestro.sim.world.Drive;
 import org.maestro.sim.world.World;
 

@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.maestro.hal.Area;
 import org.maestro.hal.Position;
-import org.maestro.ontology.home.FloorPlan;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Pose;
+import org.maestro.ontology.floor.FloorPlan;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Pose;
 import org.maestro.sim.parameters.TurnData;
 
 /**

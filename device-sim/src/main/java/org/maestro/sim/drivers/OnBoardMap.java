@@ -3,7 +3,7 @@ package org.maestro.sim.drivers;
 import java.util.List;
 import org.maestro.hal.Area;
 import org.maestro.hal.Surroundings;
-import org.maestro.ontology.home.Segment;
+import org.maestro.ontology.floor.Segment;
 import org.maestro.sim.world.World;
 
 /**

@@ -2,7 +2,7 @@ package org.maestro.sim.drivers;
 
 import java.util.List;
 import org.maestro.hal.DaylightSensor;
-import org.maestro.ontology.home.Glass;
+import org.maestro.ontology.floor.Glass;
 import org.maestro.sim.parameters.FacadeData;
 import org.maestro.sim.scene.WorldEvent;
 

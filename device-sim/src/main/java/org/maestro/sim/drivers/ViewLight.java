@@ -8,9 +8,9 @@ import java.util.TreeMap;
 import org.maestro.hal.Area;
 import org.maestro.hal.Camera.AreaLight;
 import org.maestro.hal.Position;
-import org.maestro.ontology.home.FloorPlan;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Pose;
+import org.maestro.ontology.floor.FloorPlan;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Pose;
 import org.maestro.sim.world.World;
 
 /** The light in what a camera has in view, kept until light or view change. Clock thread only. */

@@ -1,6 +1,6 @@
 package org.maestro.sim.image;
 
-import org.maestro.ontology.home.Pose;
+import org.maestro.ontology.floor.Pose;
 
 /**
  * A pin-hole: the directions in which the pixels look. The cone of view touches the picture's upper

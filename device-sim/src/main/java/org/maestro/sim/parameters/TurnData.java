@@ -3,7 +3,7 @@ package org.maestro.sim.parameters;
 import java.util.ArrayList;
 import java.util.List;
 import org.maestro.hal.Position;
-import org.maestro.ontology.home.Pose;
+import org.maestro.ontology.floor.Pose;
 
 /**
  * The views of a camera on a robot that looks around: from its mast, turning with the base.

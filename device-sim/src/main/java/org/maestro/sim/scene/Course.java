@@ -4,7 +4,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 
 /**
  * The events of a scene that happen of their own accord. Immutable.

@@ -20,9 +20,9 @@ import org.apache.jena.riot.RiotException;
 import org.apache.jena.riot.system.ErrorHandlerFactory;
 import org.apache.jena.sys.JenaSystem;
 import org.maestro.hal.Position;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Pose;
 import org.maestro.ontology.home.Home;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Pose;
 
 /**
  * Reads scenes in Turtle: words of {@code scene:} about things of one home. Every fault is one

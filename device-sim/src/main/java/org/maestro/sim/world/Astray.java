@@ -1,7 +1,7 @@
 package org.maestro.sim.world;
 
 import org.maestro.hal.Position;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 
 /** By how many metres a robot errs about where it is, along x and y. Immutable. */
 public record Astray(double xMetres, double yMetres) {

@@ -3,9 +3,9 @@ package org.maestro.sim.world;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import org.maestro.ontology.home.FloorPlan;
+import org.maestro.ontology.floor.FloorPlan;
+import org.maestro.ontology.floor.Segment;
 import org.maestro.ontology.home.Home;
-import org.maestro.ontology.home.Segment;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SimulationException;
 

@@ -3,8 +3,8 @@ package org.maestro.sim.world;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Segment;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Segment;
 
 /** A drive at constant speed along straight pieces, begun at a moment. */
 public record Drive(Duration begun, Point2 from, List<Point2> way, double speed) {

@@ -10,13 +10,13 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
 import org.maestro.hal.Area;
-import org.maestro.ontology.home.FloorPlan;
+import org.maestro.ontology.floor.FloorPlan;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Polygon;
+import org.maestro.ontology.floor.Pose;
+import org.maestro.ontology.floor.Segment;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Polygon;
-import org.maestro.ontology.home.Pose;
-import org.maestro.ontology.home.Segment;
 import org.maestro.sim.scene.SimulationException;
 import org.maestro.sl.Term;
 

@@ -1,8 +1,8 @@
 package org.maestro.sim.world;
 
 import org.maestro.hal.Position;
-import org.maestro.ontology.home.FloorPlan;
-import org.maestro.ontology.home.Pose;
+import org.maestro.ontology.floor.FloorPlan;
+import org.maestro.ontology.floor.Pose;
 
 /**
  * A lamp as a source of light.

@@ -3,8 +3,8 @@ package org.maestro.sim.world;
 import java.util.List;
 import org.maestro.hal.Position;
 import org.maestro.hal.Surroundings.Obstacle;
-import org.maestro.ontology.home.FloorPlan;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.FloorPlan;
+import org.maestro.ontology.floor.Point2;
 
 /** The landing spot of a thing that a robot lets go of: beside it, on free floor of its room. */
 final class LandingSpot {

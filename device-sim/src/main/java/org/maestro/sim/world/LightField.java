@@ -9,9 +9,9 @@ import java.util.TreeMap;
 import java.util.function.Predicate;
 import org.maestro.hal.Area;
 import org.maestro.hal.Position;
-import org.maestro.ontology.home.FloorPlan;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Pose;
+import org.maestro.ontology.floor.FloorPlan;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Pose;
 import org.maestro.sim.scene.SimulationException;
 
 /**

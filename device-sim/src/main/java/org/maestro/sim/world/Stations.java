@@ -2,10 +2,10 @@ package org.maestro.sim.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Pose;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Pose;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SimulationException;
 

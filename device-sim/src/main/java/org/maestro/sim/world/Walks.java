@@ -3,7 +3,7 @@ package org.maestro.sim.world;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 import org.maestro.rats.time.Clock;
 import org.maestro.sim.scene.WorldEvent;
 

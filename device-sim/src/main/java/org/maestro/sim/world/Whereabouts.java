@@ -10,7 +10,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.maestro.hal.Position;
 import org.maestro.hal.Surroundings.Obstacle;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 import org.maestro.rats.time.Clock;
 import org.maestro.sim.scene.SimulationException;
 

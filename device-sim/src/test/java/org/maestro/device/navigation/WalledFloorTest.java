@@ -6,8 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Segment;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Segment;
 
 /** What squares of the floor know of walls is what holding a way against every wall would tell. */
 class WalledFloorTest {

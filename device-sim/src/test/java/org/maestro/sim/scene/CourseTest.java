@@ -13,8 +13,8 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.maestro.ontology.floor.Point2;
 import org.maestro.ontology.home.Home;
-import org.maestro.ontology.home.Point2;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.sim.Homes;
 

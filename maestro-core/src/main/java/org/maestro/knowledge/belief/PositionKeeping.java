@@ -10,7 +10,7 @@ import java.util.function.Predicate;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.knowledge.api.Source;
 import org.maestro.knowledge.api.StateVariable;
-import org.maestro.ontology.home.Pose;
+import org.maestro.ontology.floor.Pose;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlPrinter;

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import org.maestro.ontology.home.Pose;
+import org.maestro.ontology.floor.Pose;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.sl.FreeVariables;

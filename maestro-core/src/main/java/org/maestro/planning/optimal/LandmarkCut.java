@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.maestro.planning.problem.Condition;
-import org.maestro.planning.problem.SettingAnalysis;
 import org.maestro.planning.problem.State;
+import org.maestro.planning.settings.SettingAnalysis;
 
 /**
  * The landmark-cut lower bound of the cost from a state to the goal (Helmert and Domshlak 2009),

@@ -16,11 +16,11 @@ import org.maestro.planning.problem.GroundGoal.Alternative;
 import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.NumberVariable;
 import org.maestro.planning.problem.Operator;
-import org.maestro.planning.problem.SettingAnalysis;
-import org.maestro.planning.problem.SettledSums;
 import org.maestro.planning.problem.State;
 import org.maestro.planning.problem.Successors;
-import org.maestro.planning.problem.Threshold;
+import org.maestro.planning.settings.SettingAnalysis;
+import org.maestro.planning.settings.SettledSums;
+import org.maestro.planning.settings.Threshold;
 import org.maestro.sl.SlPrinter;
 
 /**

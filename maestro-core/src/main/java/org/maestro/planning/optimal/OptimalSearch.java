@@ -13,9 +13,9 @@ import org.maestro.planning.api.Effort;
 import org.maestro.planning.problem.Condition;
 import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.Operator;
-import org.maestro.planning.problem.SettledSums;
 import org.maestro.planning.problem.State;
 import org.maestro.planning.problem.Successors;
+import org.maestro.planning.settings.SettledSums;
 
 /**
  * A* over the states of a ground problem. Estimates take longer than all else: a state has the

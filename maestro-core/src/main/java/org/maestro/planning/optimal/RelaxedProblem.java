@@ -11,16 +11,16 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.maestro.planning.problem.Achievement;
 import org.maestro.planning.problem.Change;
 import org.maestro.planning.problem.Condition;
 import org.maestro.planning.problem.Condition.Constant;
 import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.NumberVector;
 import org.maestro.planning.problem.Operator;
-import org.maestro.planning.problem.SettingAnalysis;
 import org.maestro.planning.problem.State;
-import org.maestro.planning.problem.Threshold;
+import org.maestro.planning.settings.Achievement;
+import org.maestro.planning.settings.SettingAnalysis;
+import org.maestro.planning.settings.Threshold;
 
 /**
  * The delete relaxation of a ground problem, built backwards from its goal: propositions, once

@@ -14,9 +14,9 @@ import org.maestro.planning.optimal.MultipleChoiceKnapsack.Option;
 import org.maestro.planning.problem.NumberVariable;
 import org.maestro.planning.problem.NumberVector;
 import org.maestro.planning.problem.Quantity;
-import org.maestro.planning.problem.Setting;
-import org.maestro.planning.problem.SettingSum;
-import org.maestro.planning.problem.Threshold;
+import org.maestro.planning.settings.Setting;
+import org.maestro.planning.settings.SettingSum;
+import org.maestro.planning.settings.Threshold;
 
 /**
  * Lower bounds of the cost to bring sums over (or under) their thresholds.

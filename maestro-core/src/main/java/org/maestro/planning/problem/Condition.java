@@ -29,7 +29,7 @@ public sealed interface Condition {
     TRUE,
     FALSE;
 
-    static Constant of(boolean value) {
+    public static Constant of(boolean value) {
       return value ? TRUE : FALSE;
     }
 

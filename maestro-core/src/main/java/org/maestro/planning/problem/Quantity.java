@@ -28,11 +28,13 @@ public final class Quantity {
         : value;
   }
 
-  static boolean atLeast(double left, double right) {
+  /** At least so much, but for rounding. */
+  public static boolean atLeast(double left, double right) {
     return left >= right - TOLERANCE;
   }
 
-  static boolean greater(double left, double right) {
+  /** More than rounding makes of it. */
+  public static boolean greater(double left, double right) {
     return left > right + TOLERANCE;
   }
 }

@@ -7,6 +7,12 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
+import org.maestro.ontology.floor.FloorPlan;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Polygon;
+import org.maestro.ontology.floor.Pose;
+import org.maestro.ontology.floor.Segment;
+import org.maestro.ontology.floor.WayFinder;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 

@@ -1,6 +1,7 @@
 package org.maestro.ontology.home;
 
 import java.util.Optional;
+import org.maestro.ontology.floor.Pose;
 
 /** The poses of movable things, as far as anybody knows. */
 @FunctionalInterface

@@ -7,6 +7,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.maestro.ontology.floor.FloorPlan;
+import org.maestro.ontology.floor.Glass;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Polygon;
+import org.maestro.ontology.floor.Segment;
 import org.maestro.sl.Term;
 
 /**

@@ -1,7 +1,8 @@
 /**
- * The typed read model of a home and the geometry over it: rooms, zones, doors, things and devices.
- * Home files and device descriptions flow in, immutable records and geometric values flow out.
- * Geometry asks for properties (pose, view angle, luminous intensity), never for a kind of device.
+ * The typed read model of a home, and what follows from where things in it are: rooms, zones,
+ * doors, things and devices. Home files and device descriptions flow in, immutable records and
+ * geometric values flow out. Geometry asks for properties (pose, view angle, luminous intensity),
+ * never for a kind of device.
  */
 @NullMarked
 package org.maestro.ontology.home;

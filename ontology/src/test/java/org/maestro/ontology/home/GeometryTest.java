@@ -9,6 +9,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Pose;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;

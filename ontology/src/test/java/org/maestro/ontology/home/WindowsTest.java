@@ -8,6 +8,11 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.maestro.ontology.floor.FloorPlan;
+import org.maestro.ontology.floor.Glass;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Polygon;
+import org.maestro.ontology.floor.Segment;
 
 class WindowsTest {
   private static final FloorPlan NOTHING = new FloorPlan(List.of(), List.of());

@@ -8,11 +8,11 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.maestro.hal.Position;
-import org.maestro.ontology.home.FloorPlan;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Polygon;
-import org.maestro.ontology.home.Pose;
-import org.maestro.ontology.home.Segment;
+import org.maestro.ontology.floor.FloorPlan;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Polygon;
+import org.maestro.ontology.floor.Pose;
+import org.maestro.ontology.floor.Segment;
 
 /** Rooms, walls and doors, and what can be seen and lit through them. */
 final class Floor {

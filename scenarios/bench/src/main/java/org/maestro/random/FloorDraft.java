@@ -3,7 +3,7 @@ package org.maestro.random;
 import java.util.ArrayList;
 import java.util.List;
 import org.maestro.hal.Position;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 
 /** Rooms side by side in one or two rows, and doors in the walls between them. */
 final class FloorDraft {

@@ -7,10 +7,10 @@ import java.util.Collection;
 import java.util.Deque;
 import java.util.List;
 import org.maestro.hal.Position;
-import org.maestro.ontology.home.FloorPlan;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Polygon;
-import org.maestro.ontology.home.Segment;
+import org.maestro.ontology.floor.FloorPlan;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Polygon;
+import org.maestro.ontology.floor.Segment;
 
 /**
  * The space that one robot can surely reach: cells of 5 cm flooded from where it stands, with 2 cm

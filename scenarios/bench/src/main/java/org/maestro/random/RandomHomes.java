@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.maestro.hal.Position;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 
 /**
  * Draws homes: one to six rooms, desks, doors of all kinds, cameras, lamps and light sensors in

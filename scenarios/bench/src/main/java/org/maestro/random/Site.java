@@ -6,10 +6,10 @@ import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
 import org.maestro.hal.Position;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Pose;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Pose;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sl.Term;
 

@@ -10,7 +10,7 @@ import org.maestro.experiment.drawing.Bars;
 import org.maestro.experiment.drawing.Figure;
 import org.maestro.experiment.drawing.Heat;
 import org.maestro.experiment.drawing.Ink;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 
 /** The figures of {@link MoveObject}. */
 final class MoveFigures {

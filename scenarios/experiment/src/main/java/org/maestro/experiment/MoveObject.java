@@ -12,7 +12,7 @@ import org.maestro.experiment.measuring.Table;
 import org.maestro.experiment.running.Progress;
 import org.maestro.experiment.setting.Physics;
 import org.maestro.experiment.setting.Setting;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 
 /** The paper's section 5.2: one object is brought to another, first one way, then the other. */
 final class MoveObject implements Experiment {

@@ -6,7 +6,7 @@ import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
-import org.maestro.ontology.home.Segment;
+import org.maestro.ontology.floor.Segment;
 
 /** Windows in a wall, and the shutters that cover them. */
 final class Openings {

@@ -6,8 +6,8 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Polygon;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Polygon;
 
 /** Metres of the floor to pixels of the picture, y upwards, with room for title and legend. */
 record Scale(double left, double top, double pixelsPerMetre, int width, int heightPixels) {

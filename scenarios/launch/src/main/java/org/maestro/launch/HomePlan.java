@@ -161,8 +161,7 @@ final class HomePlan {
   }
 
   private static Formula goal(Home home, String text) {
-    Formula goal =
-SlParser.formula(text, home.vocabulary()::isFluent);
+    Formula goal = SlParser.formula(text, home.vocabulary()::isFluent);
     try {
       new GoalCheck(home).check(goal);
     } catch (InvalidGoalException e) {

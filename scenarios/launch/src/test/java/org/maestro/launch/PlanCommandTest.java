@@ -50,9 +50,7 @@ class PlanCommandTest {
     assertThat(written.exitCode()).isZero();
     assertThat(last(written.out())).startsWith("; cost = ").endsWith("(optimal)");
     assertThat(last(home.out()))
-        .isEqualTo(
-            last(written.out())
-                .replace("(optimal)", "(if what is found out is as hoped)"));
+        .isEqualTo(last(written.out()).replace("(optimal)", "(if what is found out is as hoped)"));
   }
 
   @Test

@@ -17,10 +17,10 @@ import org.maestro.hal.Position;
 import org.maestro.junit.MaestroAssertions;
 import org.maestro.junit.MaestroTest;
 import org.maestro.junit.Stage;
+import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Polygon;
 import org.maestro.ontology.home.Geometry;
 import org.maestro.ontology.home.Home;
-import org.maestro.ontology.home.Point2;
-import org.maestro.ontology.home.Polygon;
 
 class TopViewTest {
 

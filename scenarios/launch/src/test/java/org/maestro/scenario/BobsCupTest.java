@@ -11,7 +11,7 @@ import org.maestro.hal.Position;
 import org.maestro.junit.GoalOutcome;
 import org.maestro.junit.MaestroTest;
 import org.maestro.junit.Stage;
-import org.maestro.ontology.home.Pose;
+import org.maestro.ontology.floor.Pose;
 import org.maestro.sl.Term;
 
 @MaestroTest(home = "bob", scene = "bob-dark")

@@ -3,7 +3,7 @@ package org.maestro.experiment.running;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 import org.maestro.sim.world.PathPoint;
 
 /** A robot's places at even times: between two corners of its path it drove evenly. */

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.maestro.ontology.home.Point2;
+import org.maestro.ontology.floor.Point2;
 
 /** What a heat map shows, besides that it is drawn. */
 class HeatTest {

@@ -1,6 +1,10 @@
-package org.maestro.planning.problem;
+package org.maestro.planning.settings;
 
 import java.util.Optional;
+import org.maestro.planning.problem.Condition;
+import org.maestro.planning.problem.NumberExpression;
+import org.maestro.planning.problem.NumberVariable;
+import org.maestro.planning.problem.Quantity;
 import org.maestro.sl.Formula.Relation;
 
 /**

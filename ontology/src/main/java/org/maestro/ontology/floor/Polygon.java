@@ -1,4 +1,4 @@
-package org.maestro.ontology.home;
+package org.maestro.ontology.floor;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -104,8 +104,8 @@ public final class Polygon {
     return inside;
   }
 
-  /** Whether the rectangles around both touch; polygons of which they do not are apart. */
-  boolean isNear(Polygon other) {
+  /** Whether the rectangles around both touch: polygons of which they do not are apart. */
+  public boolean isNear(Polygon other) {
     return around.touches(other.around);
   }
 

@@ -1,10 +1,17 @@
-package org.maestro.planning.problem;
+package org.maestro.planning.settings;
 
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeSet;
+import org.maestro.planning.problem.Change;
+import org.maestro.planning.problem.Condition;
+import org.maestro.planning.problem.NumberExpression;
+import org.maestro.planning.problem.NumberVariable;
+import org.maestro.planning.problem.NumberVector;
+import org.maestro.planning.problem.Operator;
+import org.maestro.planning.problem.Quantity;
 import org.maestro.sl.Effect.Assignment;
 
 /**

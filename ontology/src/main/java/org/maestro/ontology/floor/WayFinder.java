@@ -1,4 +1,4 @@
-package org.maestro.ontology.home;
+package org.maestro.ontology.floor;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -13,7 +13,7 @@ import java.util.stream.IntStream;
  * Shortest ways on the floor: straight where nothing stands between, else by the openings and
  * around corners. Safe for threads.
  */
-final class WayFinder {
+public final class WayFinder {
 
   /** How far from a wall's corner one turns around it; metres, half the width of a small robot. */
   private static final double CLEARANCE = 0.3;
@@ -28,7 +28,12 @@ final class WayFinder {
   private final AtomicReferenceArray<int[]> seen;
   private final Map<Point2, WaysFrom> latest = new LinkedHashMap<>();
 
-  WayFinder(FloorPlan plan, List<Polygon> solid, List<Segment> openings) {
+  /**
+   * @param plan of those outlines and openings
+   * @param solid outlines around whose corners ways turn
+   * @param openings through whose middles ways lead
+   */
+  public WayFinder(FloorPlan plan, List<Polygon> solid, List<Segment> openings) {
     this.plan = plan;
     for (Segment opening : openings) {
       turns.add(opening.middle());
@@ -49,7 +54,8 @@ final class WayFinder {
     }
   }
 
-  OptionalDouble length(Point2 from, Point2 to) {
+  /** Metres; empty when there is no way. */
+  public OptionalDouble length(Point2 from, Point2 to) {
     return plan.isBlocked(from, to)
         ? waysFrom(from).length(to)
         : OptionalDouble.of(from.distance(to));

@@ -1,4 +1,4 @@
-package org.maestro.ontology.home;
+package org.maestro.ontology.floor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

@@ -1,10 +1,10 @@
-package org.maestro.ontology.home;
+package org.maestro.ontology.floor;
 
 /** A straight piece of the floor plan, such as a wall or a door's opening. */
 public record Segment(Point2 from, Point2 to) {
 
   /** Positions along a wall closer than this are one; metres. */
-  static final double TOLERANCE = 1e-6;
+  public static final double TOLERANCE = 1e-6;
 
   public double length() {
     return from.distance(to);
@@ -52,7 +52,7 @@ public record Segment(Point2 from, Point2 to) {
   }
 
   /** Whether the other lies on the same straight line. */
-  boolean isInLineWith(Segment other) {
+  public boolean isInLineWith(Segment other) {
     double length = length();
     return length > 0
         && Math.abs(Point2.turn(from, to, other.from)) / length <= 10 * TOLERANCE

@@ -1,4 +1,4 @@
-package org.maestro.planning.problem;
+package org.maestro.planning.settings;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

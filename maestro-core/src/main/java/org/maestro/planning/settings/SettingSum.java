@@ -1,4 +1,4 @@
-package org.maestro.planning.problem;
+package org.maestro.planning.settings;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -8,6 +8,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.maestro.planning.problem.Change;
+import org.maestro.planning.problem.Condition;
+import org.maestro.planning.problem.NumberExpression;
+import org.maestro.planning.problem.NumberVariable;
+import org.maestro.planning.problem.NumberVector;
+import org.maestro.planning.problem.Operator;
+import org.maestro.planning.problem.Quantity;
 import org.maestro.sl.Effect.Assignment;
 
 /**

@@ -1,4 +1,4 @@
-package org.maestro.ontology.home;
+package org.maestro.ontology.floor;
 
 /** A point of the floor plan; metres. */
 public record Point2(double x, double y) {
@@ -9,7 +9,7 @@ public record Point2(double x, double y) {
     return Math.sqrt(dx * dx + dy * dy);
   }
 
-  Point2 plus(double dx, double dy) {
+  public Point2 plus(double dx, double dy) {
     return new Point2(x + dx, y + dy);
   }
 

@@ -1,4 +1,4 @@
-package org.maestro.ontology.home;
+package org.maestro.ontology.floor;
 
 /**
  * Upright glass in a wall: a uniformly diffusing area source of light for the room behind it.
@@ -14,7 +14,7 @@ public record Glass(
     Segment base, double sill, double head, double transmittance, double inwardX, double inwardY) {
 
   /** Two clear panes let through about so much (EN 410). */
-  static final double USUAL_TRANSMITTANCE = 0.78;
+  public static final double USUAL_TRANSMITTANCE = 0.78;
 
   /** Into so many upright strips it is divided where something may stand before a part of it. */
   private static final int STRIPS = 8;
@@ -93,7 +93,7 @@ public record Glass(
   }
 
   /** Reads a corner of glass, {@code "x y z"}. */
-  static double[] corner(String text) {
+  public static double[] corner(String text) {
     double[] numbers = Pose.numbers(text);
     if (numbers.length != 3) {
       throw new IllegalArgumentException("A corner of glass is three numbers.");

@@ -1,4 +1,4 @@
-package org.maestro.planning.problem;
+package org.maestro.planning.settings;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -8,6 +8,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.maestro.planning.problem.Change;
+import org.maestro.planning.problem.GroundProblem;
+import org.maestro.planning.problem.NumberVariable;
+import org.maestro.planning.problem.NumberVector;
+import org.maestro.planning.problem.Operator;
 
 /** Finds the settings of a problem and the sums of them. */
 public final class SettingAnalysis {

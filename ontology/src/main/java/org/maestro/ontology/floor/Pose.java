@@ -1,4 +1,4 @@
-package org.maestro.ontology.home;
+package org.maestro.ontology.floor;
 
 import org.maestro.sl.SlPrinter;
 
@@ -60,7 +60,12 @@ public record Pose(double x, double y, double z, double yaw, double pitch, doubl
     return SlPrinter.print(number);
   }
 
-  static double[] numbers(String text) {
+  /**
+   * Reads numbers with blanks between.
+   *
+   * @throws IllegalArgumentException when the text is anything else, or a number is not finite
+   */
+  public static double[] numbers(String text) {
     String[] words = text.strip().split("\\s+");
     double[] numbers = new double[words.length];
     for (int i = 0; i < words.length; i++) {

@@ -1,6 +1,9 @@
-package org.maestro.planning.problem;
+package org.maestro.planning.settings;
 
 import java.util.Collection;
+import org.maestro.planning.problem.NumberVector;
+import org.maestro.planning.problem.Quantity;
+import org.maestro.planning.problem.State;
 
 /**
  * Gives the sums of settings the value that follows from the settings alone, however they came to

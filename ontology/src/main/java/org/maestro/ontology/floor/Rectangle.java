@@ -1,4 +1,4 @@
-package org.maestro.ontology.home;
+package org.maestro.ontology.floor;
 
 import java.util.List;
 

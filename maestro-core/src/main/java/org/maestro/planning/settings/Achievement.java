@@ -1,9 +1,14 @@
-package org.maestro.planning.problem;
+package org.maestro.planning.settings;
 
 import java.util.Optional;
+import org.maestro.planning.problem.Change;
+import org.maestro.planning.problem.Condition;
 import org.maestro.planning.problem.Condition.Constant;
 import org.maestro.planning.problem.Condition.Literal;
 import org.maestro.planning.problem.Condition.Question;
+import org.maestro.planning.problem.NumberExpression;
+import org.maestro.planning.problem.NumberVariable;
+import org.maestro.planning.problem.Quantity;
 import org.maestro.sl.Effect.Assignment;
 
 /**
