@@ -21,13 +21,30 @@ public final class Grounder implements GrowingTask {
 
   private Grounder(LiftedTask task, double cost, GroundingBudget patience) {
     this.task = task;
-    int symbols = task.predicates().size();
-    changing = new boolean[symbols];
+    changing = changing(task);
+    relations = unchanging(task, changing, patience);
+    @Nullable Relation[] statics = new Relation[relations.length];
+    Arrays.setAll(statics, symbol -> changing[symbol] ? null : relations[symbol]);
+    instances =
+        new Instances(
+            task, relations, changing, new RelevantAtoms(task, statics, patience), patience);
+    number(cost, patience);
+  }
+
+  /** The predicates that any step changes. */
+  private static boolean[] changing(LiftedTask task) {
+    boolean[] changing = new boolean[task.predicates().size()];
     for (Schema schema : task.schemas()) {
       schema.additions().forEach(atom -> changing[atom.symbol()] = true);
       schema.deletions().forEach(atom -> changing[atom.symbol()] = true);
     }
-    relations = new Relation[symbols];
+    return changing;
+  }
+
+  /** Of each predicate the tuples, if it does not change; of the others none. */
+  private static Relation[] unchanging(
+      LiftedTask task, boolean[] changing, GroundingBudget patience) {
+    Relation[] relations = new Relation[changing.length];
     Arrays.setAll(relations, symbol -> new Relation(task.objects().size()));
     for (Atom atom : task.initial()) {
       patience.check();
@@ -35,12 +52,20 @@ public final class Grounder implements GrowingTask {
         relations[atom.symbol()].add(atom.terms());
       }
     }
-    @Nullable Relation[] statics = new Relation[symbols];
-    Arrays.setAll(statics, symbol -> changing[symbol] ? null : relations[symbol]);
-    instances =
-        new Instances(
-            task, relations, changing, new RelevantAtoms(task, statics, patience), patience);
-    number(cost, patience);
+    return relations;
+  }
+
+  /**
+   * What may come to hold, whether it matters for the goal or not.
+   *
+   * @throws java.util.concurrent.CancellationException when patience is over before
+   */
+  public static Reach reach(LiftedTask task, GroundingBudget patience) {
+    boolean[] changing = changing(task);
+    Relation[] relations = unchanging(task, changing, patience);
+    Instances instances = new Instances(task, relations, changing, Relevance.OF_ALL, patience);
+    instances.find(Double.POSITIVE_INFINITY, patience);
+    return new FoundReach(task, numbered(relations, changing, instances), instances.found());
   }
 
   /**
@@ -86,13 +111,19 @@ public final class Grounder implements GrowingTask {
 
   private void number(double cost, GroundingBudget patience) {
     instances.find(cost, patience);
+    boolean isWhole = instances.beyond() == Double.POSITIVE_INFINITY;
+    ground =
+        new Numbering(task, numbered(relations, changing, instances), changing, unit, patience)
+            .number(instances.found(), isWhole);
+    unit = ground.unit();
+  }
+
+  private static Relation[] numbered(
+      Relation[] relations, boolean[] changing, Instances instances) {
     Relation[] numbered = new Relation[relations.length];
     Arrays.setAll(
         numbered, symbol -> changing[symbol] ? instances.seen()[symbol] : relations[symbol]);
-    boolean isWhole = instances.beyond() == Double.POSITIVE_INFINITY;
-    ground =
-        new Numbering(task, numbered, changing, unit, patience).number(instances.found(), isWhole);
-    unit = ground.unit();
+    return numbered;
   }
 
   /** How often a unit of the values' last decimal place goes into 1. */

@@ -38,7 +38,7 @@ final class Instances {
   private final LeastCosts costs;
   private final Relation[] relations;
   private final boolean[] changing;
-  private final RelevantAtoms relevant;
+  private final Relevance relevant;
   private final Relation[] seen;
 
   /** Of each predicate what its seen tuples cost at least, or that they were taken. */
@@ -68,7 +68,7 @@ final class Instances {
       LiftedTask task,
       Relation[] relations,
       boolean[] changing,
-      RelevantAtoms relevant,
+      Relevance relevant,
       GroundingBudget patience) {
     this.task = task;
     this.relations = relations;
@@ -337,8 +337,7 @@ final class Instances {
     }
     for (Schema.Increase increase : schema.increases()) {
       Atom function = increase.function();
-      if (relevant.mayHaveToHold(
-          relevant.symbolOfFunction(function.symbol()), function.ground(binding))) {
+      if (relevant.mayHaveToChange(function.symbol(), function.ground(binding))) {
         return true;
       }
     }

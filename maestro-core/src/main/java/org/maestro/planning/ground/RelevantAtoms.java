@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * operators: an object that no condition on the way to the goal can name does not appear. Functions
  * follow the predicates in the numbering of symbols.
  */
-final class RelevantAtoms {
+final class RelevantAtoms implements Relevance {
   /** So many bindings of one condition are told apart. */
   private static final int MOST_SPLITS = 300;
 
@@ -119,18 +119,23 @@ final class RelevantAtoms {
     return null;
   }
 
-  /** Whether it may matter that the ground atom holds. */
-  boolean mayHaveToHold(int symbol, int[] objects) {
+  @Override
+  public boolean mayHaveToHold(int symbol, int[] objects) {
     return holding.matches(symbol, objects);
   }
 
-  /** Whether it may matter that the ground atom does not hold. */
-  boolean mayHaveToLack(int symbol, int[] objects) {
+  @Override
+  public boolean mayHaveToLack(int symbol, int[] objects) {
     return lacking.matches(symbol, objects);
   }
 
+  @Override
+  public boolean mayHaveToChange(int function, int[] objects) {
+    return mayHaveToHold(symbolOfFunction(function), objects);
+  }
+
   /** The symbol of a function's value. */
-  int symbolOfFunction(int function) {
+  private int symbolOfFunction(int function) {
     return task.predicates().size() + function;
   }
 

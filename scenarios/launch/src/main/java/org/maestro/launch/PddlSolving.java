@@ -22,11 +22,16 @@ import org.maestro.planning.pddl.PddlException;
 import org.maestro.planning.pddl.PddlReader;
 import org.maestro.planning.search.AnytimePlanner;
 import org.maestro.planning.search.Solution;
+import org.maestro.planning.unsolvable.Unsolvable;
 
 /** Solves a planning problem in PDDL and prints what comes of it. */
 final class PddlSolving {
   private static final int UNSOLVABLE = 10;
   private static final int NOTHING_FOUND = 12;
+
+  /** It is known by then that there is no plan; why is worth some more of them. */
+  private static final double SECONDS_FOR_REASONS = 10;
+
   private static final String MEMORY_USED_UP =
       "the memory is used up; give Java more (JAVA_TOOL_OPTIONS=-Xmx8g).";
 
@@ -101,7 +106,14 @@ final class PddlSolving {
       long memory = Runtime.getRuntime().maxMemory() / 10 * 6;
       AnytimePlanner planner = new AnytimePlanner(task, memory, this::tell);
       Solution solution = asked.first() ? planner.first(patience) : planner.solve(patience);
-      return print(task.task(), solution);
+      int exit = print(task.task(), solution);
+      if (exit == UNSOLVABLE) {
+        Unsolvable.reasons(lifted, patience.atMost(SECONDS_FOR_REASONS))
+            .forEach(reason -> out.println("; " + reason));
+      }
+      out.flush();
+      tellEffort();
+      return exit;
     } catch (PddlException | GroundingException e) {
       throw CommandException.badInput(e);
     } catch (CancellationException e) {
@@ -154,6 +166,10 @@ final class PddlSolving {
     if (solution.memoryUsedUp() && solution.hasPlan()) {
       err.println("A cheaper plan or a proof may be missing: " + MEMORY_USED_UP);
     }
+    return exit;
+  }
+
+  private void tellEffort() {
     Runtime runtime = Runtime.getRuntime();
     err.printf(
         Locale.ROOT,
@@ -161,7 +177,6 @@ final class PddlSolving {
         sinceStart(),
         (runtime.totalMemory() - runtime.freeMemory()) >> 20);
     err.flush();
-    return exit;
   }
 
   private static String number(long units, GroundTask task) {

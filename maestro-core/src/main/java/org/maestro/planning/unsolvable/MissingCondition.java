@@ -1,0 +1,95 @@
+package org.maestro.planning.unsolvable;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.maestro.planning.ground.Atom;
+import org.maestro.planning.ground.LiftedTask;
+import org.maestro.planning.ground.Literal;
+import org.maestro.planning.ground.Reach;
+import org.maestro.planning.ground.Schema;
+
+/**
+ * Follows a goal that is out of reach back to the condition at which it fails: from what is not
+ * reached to the step that would bring it about and lacks least, to what that lacks, and so on.
+ */
+final class MissingCondition {
+  private static final int MOST_STEPS = 8;
+
+  private final LiftedTask task;
+  private final Reach reach;
+  private final Words words;
+
+  /** A step that would bring something about, and what it lacks. */
+  private record Attempt(Schema schema, int[] binding, List<Literal> lacking) {}
+
+  MissingCondition(LiftedTask task, Reach reach) {
+    this.task = task;
+    this.reach = reach;
+    this.words = new Words(task);
+  }
+
+  /** One for each part of the goal that is out of reach, of itself. */
+  List<String> sentences(Schema goal) {
+    int[] open = Binding.open(goal);
+    return lacking(goal, open).stream()
+        .map(part -> sentence(part, open, List.of()))
+        .distinct()
+        .toList();
+  }
+
+  private List<Literal> lacking(Schema schema, int[] binding) {
+    return schema.conditions().stream().filter(part -> !isInReach(part, binding)).toList();
+  }
+
+  private boolean isInReach(Literal literal, int[] binding) {
+    int symbol = literal.atom().symbol();
+    int[] objects = Binding.objects(literal.atom(), binding);
+    return literal.positive()
+        ? reach.mayHold(symbol, objects)
+        : IntStream.of(objects).anyMatch(object -> object < 0) || reach.mayLack(symbol, objects);
+  }
+
+  /**
+   * @param sofar the steps, from the goal on, for the last of which it is needed
+   */
+  private String sentence(Literal lacking, int[] binding, List<String> sofar) {
+    String condition = words.literal(lacking, binding);
+    Optional<Attempt> attempt =
+        lacking.positive() && sofar.size() < MOST_STEPS
+            ? nearest(lacking.atom().symbol(), Binding.objects(lacking.atom(), binding), sofar)
+            : Optional.empty();
+    if (attempt.isEmpty()) {
+      return "needed: %s%s; nothing brings it about"
+          .formatted(
+              condition, sofar.stream().map(step -> ", for " + step).collect(Collectors.joining()));
+    }
+    Attempt nearest = attempt.get();
+    List<String> longer = new ArrayList<>();
+    longer.add(words.step(nearest.schema(), nearest.binding()));
+    longer.addAll(sofar);
+    return sentence(nearest.lacking().get(0), nearest.binding(), longer);
+  }
+
+  /** None where each step that would do lacks nothing by itself, or is one of those already. */
+  private Optional<Attempt> nearest(int predicate, int[] objects, List<String> sofar) {
+    List<Attempt> attempts = new ArrayList<>();
+    for (Schema schema : task.schemas()) {
+      for (Atom added : schema.additions()) {
+        if (added.symbol() == predicate) {
+          Binding.with(schema, added, objects)
+              .map(binding -> new Attempt(schema, binding, lacking(schema, binding)))
+              .filter(attempt -> !sofar.contains(words.step(schema, attempt.binding())))
+              .ifPresent(attempts::add);
+        }
+      }
+    }
+    boolean isUnexplained = attempts.stream().anyMatch(attempt -> attempt.lacking().isEmpty());
+    return isUnexplained
+        ? Optional.empty()
+        : attempts.stream().min(Comparator.comparingInt(attempt -> attempt.lacking().size()));
+  }
+}
