@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Vector;
+import java.util.stream.LongStream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -24,6 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.fixtures.Share;
 import org.maestro.platform.jade.ContainerEnds;
 import org.maestro.platform.jade.JadeRuntime;
 import org.maestro.platform.jade.Sockets;
@@ -62,7 +64,7 @@ class SteppedAgentsTest {
 
   @Test
   void sameSeedSameEvents() throws Exception {
-    assertSameEvents(20);
+    assertSameEvents(LongStream.range(1, 20));
   }
 
   @Test
@@ -75,7 +77,7 @@ class SteppedAgentsTest {
       load.add(thread);
     }
     try {
-      assertSameEvents(200);
+      assertSameEvents(Share.of(LongStream.range(1, 200)));
     } finally {
       load.forEach(Thread::interrupt);
     }
@@ -86,11 +88,11 @@ class SteppedAgentsTest {
     assertThat(run(1_000, 2)).isNotEqualTo(run(1_001, 1));
   }
 
-  private static void assertSameEvents(int runs) throws Exception {
+  private static void assertSameEvents(LongStream runs) throws Exception {
     List<String> first = run(0, 1);
     assertThat(first).hasSizeGreaterThan(ROUNDS * 8);
-    for (int i = 1; i < runs; i++) {
-      assertThat(run(i, 1)).as("run %d", i).isEqualTo(first);
+    for (long number : runs.toArray()) {
+      assertThat(run((int) number, 1)).as("run %d", number).isEqualTo(first);
     }
   }
 
