@@ -2,6 +2,7 @@ package org.maestro.planning.unsolvable;
 
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.maestro.planning.ground.Atom;
 import org.maestro.planning.ground.Schema;
 
@@ -45,5 +46,18 @@ final class Binding {
       binding[parameter] = objects[i];
     }
     return Optional.of(binding);
+  }
+
+  /** The first parameter that is open and that conditions speak of; below 0 if there is none. */
+  static int firstOpen(Schema schema, int[] binding) {
+    return IntStream.range(0, binding.length)
+        .filter(parameter -> binding[parameter] < 0)
+        .filter(
+            parameter ->
+                schema.conditions().stream()
+                    .flatMapToInt(part -> Arrays.stream(part.atom().terms()))
+                    .anyMatch(term -> term == Atom.parameter(parameter)))
+        .findFirst()
+        .orElse(OPEN);
   }
 }

@@ -2,10 +2,13 @@ package org.maestro.planning.unsolvable;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.maestro.planning.ground.Atom;
 import org.maestro.planning.ground.LiftedTask;
 import org.maestro.planning.ground.Literal;
@@ -18,18 +21,31 @@ import org.maestro.planning.ground.Schema;
  */
 final class MissingCondition {
   private static final int MOST_STEPS = 8;
+  private static final int MOST_ATTEMPTS = 5_000;
+
+  /** What no step changes weighs as much as so many conditions that one could. */
+  private static final int FIXED = 10;
 
   private final LiftedTask task;
   private final Reach reach;
   private final Words words;
+  private final Set<Integer> changing = new HashSet<>();
 
-  /** A step that would bring something about, and what it lacks. */
-  private record Attempt(Schema schema, int[] binding, List<Literal> lacking) {}
+  /**
+   * A step that would bring something about.
+   *
+   * @param lacking what it lacks
+   * @param weight of what it lacks
+   */
+  private record Attempt(Schema schema, int[] binding, List<Literal> lacking, int weight) {}
 
   MissingCondition(LiftedTask task, Reach reach) {
     this.task = task;
     this.reach = reach;
     this.words = new Words(task);
+    task.schemas().stream()
+        .flatMap(schema -> Stream.concat(schema.additions().stream(), schema.deletions().stream()))
+        .forEach(atom -> changing.add(atom.symbol()));
   }
 
   /** One for each part of the goal that is out of reach, of itself. */
@@ -74,22 +90,45 @@ final class MissingCondition {
     return sentence(nearest.lacking().get(0), nearest.binding(), longer);
   }
 
-  /** None where each step that would do lacks nothing by itself, or is one of those already. */
+  /** None where no step would do, or only those that are among these already. */
   private Optional<Attempt> nearest(int predicate, int[] objects, List<String> sofar) {
     List<Attempt> attempts = new ArrayList<>();
     for (Schema schema : task.schemas()) {
       for (Atom added : schema.additions()) {
         if (added.symbol() == predicate) {
           Binding.with(schema, added, objects)
-              .map(binding -> new Attempt(schema, binding, lacking(schema, binding)))
-              .filter(attempt -> !sofar.contains(words.step(schema, attempt.binding())))
-              .ifPresent(attempts::add);
+              .ifPresent(binding -> addLacking(schema, binding, attempts));
         }
       }
     }
-    boolean isUnexplained = attempts.stream().anyMatch(attempt -> attempt.lacking().isEmpty());
-    return isUnexplained
-        ? Optional.empty()
-        : attempts.stream().min(Comparator.comparingInt(attempt -> attempt.lacking().size()));
+    attempts.removeIf(attempt -> sofar.contains(words.step(attempt.schema(), attempt.binding())));
+    return attempts.stream().min(Comparator.comparingInt(Attempt::weight));
+  }
+
+  /**
+   * Adds the attempts that lack something: where no condition does by itself, objects are chosen
+   * for what is open until one does.
+   */
+  private void addLacking(Schema schema, int[] binding, List<Attempt> attempts) {
+    List<Literal> lacking = lacking(schema, binding);
+    int open = lacking.isEmpty() ? Binding.firstOpen(schema, binding) : -1;
+    if (!lacking.isEmpty()) {
+      int weight =
+          lacking.stream().mapToInt(part -> changing.contains(symbol(part)) ? 1 : FIXED).sum();
+      attempts.add(new Attempt(schema, binding, lacking, weight));
+    } else if (open >= 0) {
+      schema.domains().get(open).stream()
+          .takeWhile(object -> attempts.size() < MOST_ATTEMPTS)
+          .forEach(
+              object -> {
+                int[] closer = binding.clone();
+                closer[open] = object;
+                addLacking(schema, closer, attempts);
+              });
+    }
+  }
+
+  private static int symbol(Literal literal) {
+    return literal.atom().symbol();
   }
 }
