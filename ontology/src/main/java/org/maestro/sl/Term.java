@@ -24,9 +24,15 @@ public sealed interface Term {
       return other instanceof Name name && name.text.equals(text);
     }
 
+    /**
+     * Mixed, since names that are numbered through, such as {@code zone-12} and {@code cam-21},
+     * have sums in lists of them that are the same for very many: maps of those became long chains.
+     */
     @Override
     public int hashCode() {
-      return text.hashCode();
+      int hash = text.hashCode() * 0x85ebca6b;
+      hash = (hash ^ hash >>> 15) * 0xc2b2ae35;
+      return hash ^ hash >>> 16;
     }
   }
 

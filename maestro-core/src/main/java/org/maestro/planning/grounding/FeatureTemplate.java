@@ -11,6 +11,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.planning.api.PricedFeature;
@@ -31,6 +32,9 @@ import org.maestro.sl.Term;
  * conditions tie them, and what its effect may change.
  */
 final class FeatureTemplate {
+  /** Instances that are kept; a camera has one for each thing in each of its zones. */
+  private static final int FEW = 256;
+
   private static final List<Term> TRUTHS = List.of(new Term.Truth(true), new Term.Truth(false));
 
   /** The predicate or number that a part of the effect names. */
@@ -43,6 +47,11 @@ final class FeatureTemplate {
   private final List<Target> targets = new ArrayList<>();
   private final IdleParameters idle;
   private final Map<Set<String>, Next> nextOf = new HashMap<>();
+
+  /** All instances, once they were asked for, where they are few. */
+  private @Nullable List<Map<String, Term>> few;
+
+  private boolean many;
 
   /**
    * A static part of the precondition.
@@ -219,7 +228,32 @@ final class FeatureTemplate {
         && conjuncts.stream().allMatch(conjunct -> holds(conjunct, all));
   }
 
+  /** Where nothing is bound but the member the question is always the same, and asked for often. */
   private void forEachInstance(Map<String, Term> bindings, Consumer<Map<String, Term>> consumer) {
+    if (bindings.size() > 1 || many) {
+      enumerate(bindings, consumer);
+      return;
+    }
+    if (few == null) {
+      List<Map<String, Term>> all = new ArrayList<>();
+      enumerate(
+          bindings,
+          instance -> {
+            if (all.size() <= FEW) {
+              all.add(instance);
+            }
+          });
+      if (all.size() > FEW) {
+        many = true;
+        enumerate(bindings, consumer);
+        return;
+      }
+      few = all;
+    }
+    few.forEach(consumer);
+  }
+
+  private void enumerate(Map<String, Term> bindings, Consumer<Map<String, Term>> consumer) {
     Set<String> open = new LinkedHashSet<>(domains.keySet());
     open.removeAll(bindings.keySet());
     for (Conjunct conjunct : conjuncts) {

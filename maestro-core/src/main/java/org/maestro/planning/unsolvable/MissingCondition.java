@@ -90,19 +90,33 @@ final class MissingCondition {
     return sentence(nearest.lacking().get(0), nearest.binding(), longer);
   }
 
-  /** None where no step would do, or only those that are among these already. */
+  /**
+   * Of each step the attempt that lacks least, and of those the one that lacks what can never be;
+   * none where no step would do, or only those that are among these already.
+   */
   private Optional<Attempt> nearest(int predicate, int[] objects, List<String> sofar) {
-    List<Attempt> attempts = new ArrayList<>();
+    List<Attempt> ofSteps = new ArrayList<>();
     for (Schema schema : task.schemas()) {
       for (Atom added : schema.additions()) {
         if (added.symbol() == predicate) {
           Binding.with(schema, added, objects)
-              .ifPresent(binding -> addLacking(schema, binding, attempts));
+              .flatMap(binding -> nearest(schema, binding, sofar))
+              .ifPresent(ofSteps::add);
         }
       }
     }
-    attempts.removeIf(attempt -> sofar.contains(words.step(attempt.schema(), attempt.binding())));
-    return attempts.stream().min(Comparator.comparingInt(Attempt::weight));
+    return ofSteps.stream()
+        .min(
+            Comparator.<Attempt>comparingInt(attempt -> attempt.lacking().size())
+                .thenComparing(Comparator.comparingInt(Attempt::weight).reversed()));
+  }
+
+  private Optional<Attempt> nearest(Schema schema, int[] binding, List<String> sofar) {
+    List<Attempt> attempts = new ArrayList<>();
+    addLacking(schema, binding, attempts);
+    return attempts.stream()
+        .filter(attempt -> !sofar.contains(words.step(schema, attempt.binding())))
+        .min(Comparator.comparingInt(Attempt::weight));
   }
 
   /**

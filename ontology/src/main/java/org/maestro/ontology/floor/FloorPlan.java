@@ -10,13 +10,8 @@ import java.util.List;
  */
 public final class FloorPlan {
 
-  /** Of a box: its least and greatest x, its least and greatest y. */
-  private static final int SIDES = 4;
-
   private final List<Segment> walls;
-
-  /** The boxes around the walls one after the other: nearly all are told apart by them. */
-  private final double[] boxes;
+  private final WallGrid grid;
 
   /**
    * @param openings lie on the outlines' edges and take away their part of the walls
@@ -29,15 +24,7 @@ public final class FloorPlan {
       }
     }
     this.walls = List.copyOf(pieces);
-    this.boxes = new double[SIDES * walls.size()];
-    for (int i = 0; i < walls.size(); i++) {
-      Point2 from = walls.get(i).from();
-      Point2 to = walls.get(i).to();
-      boxes[SIDES * i] = Math.min(from.x(), to.x()) - Segment.TOLERANCE;
-      boxes[SIDES * i + 1] = Math.max(from.x(), to.x()) + Segment.TOLERANCE;
-      boxes[SIDES * i + 2] = Math.min(from.y(), to.y()) - Segment.TOLERANCE;
-      boxes[SIDES * i + 3] = Math.max(from.y(), to.y()) + Segment.TOLERANCE;
-    }
+    this.grid = new WallGrid(walls);
   }
 
   /** The edges without the openings. A wall between two rooms appears once per room. */
@@ -47,21 +34,7 @@ public final class FloorPlan {
 
   /** Whether a wall stands between both points. */
   public boolean isBlocked(Point2 from, Point2 to) {
-    Segment way = new Segment(from, to);
-    double leastX = Math.min(from.x(), to.x());
-    double mostX = Math.max(from.x(), to.x());
-    double leastY = Math.min(from.y(), to.y());
-    double mostY = Math.max(from.y(), to.y());
-    for (int box = 0; box < boxes.length; box += SIDES) {
-      if (boxes[box] <= mostX
-          && boxes[box + 1] >= leastX
-          && boxes[box + 2] <= mostY
-          && boxes[box + 3] >= leastY
-          && way.intersects(walls.get(box / SIDES))) {
-        return true;
-      }
-    }
-    return false;
+    return grid.isCrossed(new Segment(from, to));
   }
 
   private static List<Segment> without(Segment edge, List<Segment> openings) {

@@ -104,6 +104,16 @@ public final class Polygon {
     return inside;
   }
 
+  /** The middle of the rectangle around. */
+  public Point2 middle() {
+    return new Point2((around.left() + around.right()) / 2, (around.bottom() + around.top()) / 2);
+  }
+
+  /** Metres from that middle within which all of it lies. */
+  public double radius() {
+    return Math.hypot(around.width(), around.height()) / 2;
+  }
+
   /** Whether the rectangles around both touch: polygons of which they do not are apart. */
   public boolean isNear(Polygon other) {
     return around.touches(other.around);

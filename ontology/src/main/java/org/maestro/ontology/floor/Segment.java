@@ -20,6 +20,16 @@ public record Segment(Point2 from, Point2 to) {
         from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()));
   }
 
+  /**
+   * Whether the upright rectangles around both touch, as they do where both have a point in common.
+   */
+  boolean mayTouch(Segment other) {
+    return Math.min(from.x(), to.x()) <= Math.max(other.from.x(), other.to.x()) + TOLERANCE
+        && Math.min(other.from.x(), other.to.x()) <= Math.max(from.x(), to.x()) + TOLERANCE
+        && Math.min(from.y(), to.y()) <= Math.max(other.from.y(), other.to.y()) + TOLERANCE
+        && Math.min(other.from.y(), other.to.y()) <= Math.max(from.y(), to.y()) + TOLERANCE;
+  }
+
   /** Whether both have a point in common, ends included. */
   public boolean intersects(Segment other) {
     double ofFrom = Point2.turn(from, to, other.from);
@@ -33,6 +43,24 @@ public record Segment(Point2 from, Point2 to) {
         || distance(other.to) <= TOLERANCE
         || other.distance(from) <= TOLERANCE
         || other.distance(to) <= TOLERANCE;
+  }
+
+  /**
+   * Where it enters, or leaves, an upright strip that it touches.
+   *
+   * @param least x of the strip
+   * @param most x of the strip
+   * @return y
+   */
+  double yWithin(double least, double most, boolean enters) {
+    double width = to.x() - from.x();
+    if (width == 0) {
+      return enters ? from.y() : to.y();
+    }
+    double first = Math.max(0, Math.min(1, (least - from.x()) / width));
+    double second = Math.max(0, Math.min(1, (most - from.x()) / width));
+    double share = enters ? Math.min(first, second) : Math.max(first, second);
+    return from.y() + share * (to.y() - from.y());
   }
 
   /** Shortest distance from a point; metres. */

@@ -2,10 +2,12 @@ package org.maestro.ontology.floor;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.PriorityQueue;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.stream.IntStream;
 
@@ -95,7 +97,13 @@ public final class WayFinder {
    */
   private final class WaysFrom {
     private final double[] lengths = new double[turns.size()];
-    private final boolean[] done = new boolean[turns.size()];
+    private final PriorityQueue<Reached> open =
+        new PriorityQueue<>(
+            Comparator.comparingDouble(Reached::length).thenComparingInt(Reached::turn));
+
+    /** The turns whose shortest way is known, nearest first. */
+    private final List<Reached> done = new ArrayList<>();
+
     private final Point2 start;
     private boolean begun;
 
@@ -106,14 +114,18 @@ public final class WayFinder {
     synchronized OptionalDouble length(Point2 to) {
       begin();
       double shortest = Double.POSITIVE_INFINITY;
-      for (int turn = 0; turn < done.length; turn++) {
-        if (done[turn]) {
-          shortest = Math.min(shortest, overTurn(turn, to, shortest));
+      for (Reached turn : done) {
+        if (turn.length() >= shortest) {
+          break;
         }
+        shortest = Math.min(shortest, over(turn, to, shortest));
       }
-      for (int next = nearest(); next >= 0 && lengths[next] < shortest; next = nearest()) {
-        goOnFrom(next);
-        shortest = Math.min(shortest, overTurn(next, to, shortest));
+      while (!open.isEmpty() && open.element().length() < shortest) {
+        Reached next = open.remove();
+        if (next.length() == lengths[next.turn()]) {
+          goOnFrom(next);
+          shortest = Math.min(shortest, over(next, to, shortest));
+        }
       }
       return Double.isFinite(shortest) ? OptionalDouble.of(shortest) : OptionalDouble.empty();
     }
@@ -122,38 +134,34 @@ public final class WayFinder {
       if (!begun) {
         Arrays.fill(lengths, Double.POSITIVE_INFINITY);
         for (int turn : seenFrom(start)) {
-          lengths[turn] = start.distance(turns.get(turn));
+          reach(turn, start.distance(turns.get(turn)));
         }
         begun = true;
       }
     }
 
-    private double overTurn(int turn, Point2 to, double shortest) {
-      double length = lengths[turn] + turns.get(turn).distance(to);
-      return length < shortest && !plan.isBlocked(turns.get(turn), to)
-          ? length
-          : Double.POSITIVE_INFINITY;
-    }
-
-    private void goOnFrom(int turn) {
-      done[turn] = true;
-      for (int other : seenFromTurn(turn)) {
-        lengths[other] =
-            Math.min(lengths[other], lengths[turn] + turns.get(turn).distance(turns.get(other)));
+    private void reach(int turn, double length) {
+      if (length < lengths[turn]) {
+        lengths[turn] = length;
+        open.add(new Reached(turn, length));
       }
     }
 
-    /** The turn not yet done that is nearest to the start; -1 when none can be reached. */
-    private int nearest() {
-      int nearest = -1;
-      for (int i = 0; i < lengths.length; i++) {
-        if (!done[i]
-            && Double.isFinite(lengths[i])
-            && (nearest < 0 || lengths[i] < lengths[nearest])) {
-          nearest = i;
-        }
+    private double over(Reached turn, Point2 to, double shortest) {
+      Point2 point = turns.get(turn.turn());
+      double length = turn.length() + point.distance(to);
+      return length < shortest && !plan.isBlocked(point, to) ? length : Double.POSITIVE_INFINITY;
+    }
+
+    private void goOnFrom(Reached reached) {
+      done.add(reached);
+      Point2 point = turns.get(reached.turn());
+      for (int other : seenFromTurn(reached.turn())) {
+        reach(other, reached.length() + point.distance(turns.get(other)));
       }
-      return nearest;
     }
   }
+
+  /** A turn, and the length of a way to it; metres. */
+  private record Reached(int turn, double length) {}
 }

@@ -29,6 +29,7 @@ public final class Geometry {
   private static final double SAMPLE_SPACING = 0.1;
 
   private static final double HEMISPHERE_DEGREES = 180;
+  private static final double ROUNDING_DEGREES = 1e-6;
 
   private static final String FLOOR_AREA = "floorArea";
   private static final String ELEVATION = "elevation";
@@ -197,6 +198,9 @@ public final class Geometry {
   }
 
   private double viewShare(Sight sight, Polygon outline) {
+    if (isOutOfView(sight, outline)) {
+      return 0;
+    }
     List<Point2> samples = outline.samples(SAMPLE_SPACING);
     Pose pose = sight.pose();
     long seen =
@@ -205,6 +209,17 @@ public final class Geometry {
             .filter(point -> !closed.isBlocked(pose.floor(), point))
             .count();
     return samples.isEmpty() ? 0 : (double) seen / samples.size();
+  }
+
+  /** Whether even the circle around the outline is outside the angle of view: most zones are. */
+  private static boolean isOutOfView(Sight sight, Polygon outline) {
+    Pose pose = sight.pose();
+    Point2 middle = outline.middle();
+    double distance = Math.hypot(pose.floor().distance(middle), pose.z());
+    return distance > outline.radius()
+        && pose.angleTo(middle.x(), middle.y(), 0)
+                - Math.toDegrees(Math.asin(outline.radius() / distance))
+            > sight.viewAngle() / 2 + ROUNDING_DEGREES;
   }
 
   /**
