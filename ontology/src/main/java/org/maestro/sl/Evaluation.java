@@ -1,11 +1,14 @@
 package org.maestro.sl;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
+import java.util.function.Predicate;
 
 /**
  * Evaluates formulas, numbers and effects over facts, in Kleene's three-valued logic. A comparison
@@ -40,11 +43,10 @@ public final class Evaluation {
           ? Truth.TRUE
           : either(negated(premise), truth(imply.conclusion(), bindings));
     } else if (formula instanceof Formula.Exists exists) {
-      return any(
-          groundings(exists.variables(), bindings), extended -> truth(exists.body(), extended));
+      return any(exists.variables(), bindings, extended -> truth(exists.body(), extended));
     } else if (formula instanceof Formula.Forall forall) {
-      return all(
-          groundings(forall.variables(), bindings), extended -> truth(forall.body(), extended));
+      return negated(
+          any(forall.variables(), bindings, extended -> negated(truth(forall.body(), extended))));
     } else if (formula instanceof Formula.Comparison comparison) {
       return compared(comparison, bindings);
     } else if (formula instanceof Formula.UnknownAtom unknown) {
@@ -119,8 +121,13 @@ public final class Evaluation {
         collect(when.effect(), bindings, truths, numbers);
       }
     } else if (effect instanceof Effect.Forall forall) {
-      groundings(forall.variables(), bindings)
-          .forEach(extended -> collect(forall.effect(), extended, truths, numbers));
+      choose(
+          forall.variables(),
+          new HashMap<>(bindings),
+          extended -> {
+            collect(forall.effect(), extended, truths, numbers);
+            return true;
+          });
     } else if (effect instanceof Effect.Change change) {
       Expression.Fluent fluent = ground(change.fluent(), bindings);
       OptionalDouble before = numbers.getOrDefault(fluent, facts.number(fluent));
@@ -170,21 +177,47 @@ public final class Evaluation {
         && !(ground(ofTerm.term(), bindings) instanceof Term.Number);
   }
 
-  private List<Map<String, Term>> groundings(
-      List<TypedVariable> variables, Map<String, Term> bindings) {
-    List<Map<String, Term>> groundings = List.of(bindings);
-    for (TypedVariable variable : variables) {
-      List<Map<String, Term>> extended = new ArrayList<>();
-      for (Map<String, Term> grounding : groundings) {
-        for (Term.Name individual : facts.individuals(variable.className().orElse(""))) {
-          Map<String, Term> with = new LinkedHashMap<>(grounding);
-          with.put(variable.name(), individual);
-          extended.add(with);
-        }
-      }
-      groundings = extended;
+  private Truth any(
+      List<TypedVariable> variables,
+      Map<String, Term> bindings,
+      Function<Map<String, Term>, Truth> truth) {
+    Truth[] result = {Truth.FALSE};
+    choose(
+        variables,
+        new HashMap<>(bindings),
+        chosen -> {
+          result[0] = either(result[0], truth.apply(chosen));
+          return result[0] != Truth.TRUE;
+        });
+    return result[0];
+  }
+
+  /**
+   * Hands on every choice of individuals for the variables, as long as more are wanted. They are
+   * made in the one map, which is as it was afterwards.
+   *
+   * @return whether more are wanted
+   */
+  private boolean choose(
+      List<TypedVariable> variables,
+      Map<String, Term> bindings,
+      Predicate<Map<String, Term>> visitor) {
+    if (variables.isEmpty()) {
+      return visitor.test(bindings);
     }
-    return groundings;
+    TypedVariable variable = variables.get(0);
+    Optional<Term> outside = Optional.ofNullable(bindings.get(variable.name()));
+    boolean more = true;
+    for (Term.Name individual : facts.individuals(variable.className().orElse(""))) {
+      bindings.put(variable.name(), individual);
+      more = choose(variables.subList(1, variables.size()), bindings, visitor);
+      if (!more) {
+        break;
+      }
+    }
+    outside.ifPresentOrElse(
+        term -> bindings.put(variable.name(), term), () -> bindings.remove(variable.name()));
+    return more;
   }
 
   private static <T> Truth any(List<T> parts, Function<T, Truth> truth) {

@@ -40,7 +40,7 @@ import org.maestro.sl.Term;
  * {@code V} is the expected cost of the rest of the search ({@link SearchOrder}).
  */
 public final class ExpectedCostSearch {
-  /** Plans made at most to weigh one search, those that were in vain among them. */
+  /** Plans made at most to weigh one search. */
   private static final int MOST_PLANS = 6;
 
   private static final double SAME = 1e-9;
@@ -121,7 +121,8 @@ public final class ExpectedCostSearch {
     int first = least(expected, chance, present, candidates.keySet(), open);
     for (int plans = 1; !candidates.containsKey(first); plans++) {
       plan(sought, first, open, candidates, splits);
-      if (plans >= MOST_PLANS) {
+      // A plan that does without it, wherever it is, does so for other places too.
+      if (!candidates.containsKey(first) || plans == MOST_PLANS) {
         open.clear();
       }
       expected = expectedCosts(costs, present, chance, look, splits, rests);
