@@ -5,11 +5,11 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -52,7 +52,7 @@ class HalfCharacterTest {
   private final InProcessBus bus = new InProcessBus(clock);
   private final Topics topics = new Topics("home");
   private final WireFormat wire = new WireFormat();
-  private final List<String> facts = new ArrayList<>();
+  private final List<String> facts = new CopyOnWriteArrayList<>();
   @AutoClose private final LogLines log = LogLines.of("org.maestro.rats");
   private Object value = "whole";
   private RatsMember rose;

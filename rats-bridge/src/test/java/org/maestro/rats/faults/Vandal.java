@@ -3,9 +3,9 @@ package org.maestro.rats.faults;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import org.maestro.rats.protocol.Result;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.protocol.WireFormat;
@@ -17,7 +17,7 @@ import org.maestro.rats.transport.Transport;
 /** A client that says to the bus what nobody should, and the answers that it gets. */
 final class Vandal {
 
-  final List<Result> results = new ArrayList<>();
+  final List<Result> results = new CopyOnWriteArrayList<>();
   private final SteppedClock clock;
   private final Transport transport;
 

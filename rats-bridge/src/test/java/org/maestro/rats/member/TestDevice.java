@@ -1,12 +1,12 @@
 package org.maestro.rats.member;
 
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
 import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.RatsError;
@@ -20,9 +20,9 @@ import org.maestro.rats.time.Clock;
 public final class TestDevice {
 
   /** What its procedures did, with the clock's seconds. */
-  public final List<String> log = new ArrayList<>();
+  public final List<String> log = new CopyOnWriteArrayList<>();
 
-  public final List<String> facts = new ArrayList<>(List.of("(level lamp 0)"));
+  public final List<String> facts = new CopyOnWriteArrayList<>(List.of("(level lamp 0)"));
   boolean gripNeverLetsGo;
   boolean gripBreaksOnExit;
   boolean gripFindsItselfJammed;
