@@ -12,6 +12,7 @@ import java.util.function.Consumer;
 import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.CostAnswer;
+import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.protocol.ReservedFeature;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.protocol.WireFormat;
@@ -32,8 +33,10 @@ import org.maestro.rats.transport.Transport.RetainedMessages;
  */
 public final class MemberCalls {
 
-  /** Wall time in which a broker sends what is retained; who is not known then is not there. */
-  private static final Duration STATUS_LIMIT = Duration.ofSeconds(1);
+  /**
+   * Wall time in which a loaded broker sends what is retained; who is not known then is not there.
+   */
+  private static final Duration STATUS_LIMIT = Duration.ofSeconds(5);
 
   private final String member;
   private final CallIds ids;
@@ -93,9 +96,11 @@ public final class MemberCalls {
             member,
             Optional.empty());
     wire.require(call);
-    whenKnown(called, () -> calls.begin(call, roster.readyBoot(called), listener));
+    Duration limit = clock.ofWall(STATUS_LIMIT);
+    Duration wait = timeout.compareTo(limit) < 0 ? timeout : limit;
+    whenKnown(called, wait, () -> calls.begin(call, roster.readyBoot(called), listener));
     return new Handle(
-        call.id(), () -> whenKnown(called, () -> calls.cancel(call.id(), ids.next())));
+        call.id(), () -> whenKnown(called, wait, () -> calls.cancel(call.id(), ids.next())));
   }
 
   /** What the parameter sets of another's feature would cost; the answers are in their order. */
@@ -109,31 +114,54 @@ public final class MemberCalls {
         called, ReservedFeature.COST.word(), question.parameters(), CostQuestion.TIMEOUT, question);
   }
 
-  private void whenKnown(String called, Runnable action) {
+  /** Acts once it is known whether the other is there, at the latest when it was waited for. */
+  private void whenKnown(String called, Duration wait, Runnable action) {
     clock.perform(
         member,
         () -> {
-          if (roster.member(called).isPresent()) {
+          if (isDecided(called)) {
             action.run();
             return;
           }
-          awaiting.computeIfAbsent(called, unknown -> new ArrayList<>()).add(action);
+          List<Runnable> actions = awaiting.computeIfAbsent(called, unknown -> new ArrayList<>());
+          actions.add(action);
           if (followed.add(called)) {
             subscriptions.subscribe(
                 topics.status(called), RetainedMessages.SEND, roster::statusHeard);
           }
-          clock.schedule(clock.ofWall(STATUS_LIMIT), member, () -> goOn(called));
+          clock.schedule(
+              wait,
+              member,
+              () -> {
+                if (actions.remove(action)) {
+                  action.run();
+                }
+              });
         });
   }
 
+  /** Who only begins is neither there nor gone. */
+  private boolean isDecided(String called) {
+    return roster
+        .member(called)
+        .filter(other -> other.phase() != MemberStatus.Phase.INIT)
+        .isPresent();
+  }
+
   private void goOn(String called) {
-    Optional.ofNullable(awaiting.remove(called)).ifPresent(all -> all.forEach(Runnable::run));
+    List<Runnable> actions = awaiting.getOrDefault(called, new ArrayList<>());
+    List<Runnable> due = List.copyOf(actions);
+    awaiting.remove(called);
+    actions.clear();
+    due.forEach(Runnable::run);
   }
 
   private final class Presence implements Roster.Watcher {
     @Override
     public void changed(RatsLink.Member other) {
-      goOn(other.id());
+      if (isDecided(other.id())) {
+        goOn(other.id());
+      }
     }
 
     @Override

@@ -80,12 +80,32 @@ class MemberCallsTest {
     other.die();
     run(5);
     calls("door", "drive");
-    run(5);
+    run(6);
 
     assertThat(results)
         .hasSize(3)
         .allMatch(result -> result.error().orElseThrow().code() == ErrorCode.MEMBER_LOST);
     assertThatThrownBy(() -> calls("lamp", "echo")).hasMessageContaining("calls itself");
+  }
+
+  @Test
+  void waitsForAStatusThatComesLateAsLongAsTheCallMayTake() {
+    join();
+    TestDevice late = new TestDevice("late", clock);
+    lamps.call("late", "drive", Map.of("to", "b"), LIMIT, results::add);
+    lamps.call("late", "drive", Map.of("to", "b"), Duration.ofSeconds(2), results::add);
+    run(3);
+    assertThat(results)
+        .singleElement()
+        .matches(result -> result.error().orElseThrow().code() == ErrorCode.MEMBER_LOST);
+
+    RatsMember.start(late.profile(), List::of, bus.client("late"), SITE, clock);
+    run(10);
+    assertThat(results)
+        .as("%s", results)
+        .extracting(Result::outcome)
+        .containsExactly(Outcome.FAILED, Outcome.SUCCEEDED);
+    assertThat(late.log).hasSize(2);
   }
 
   private void run(int seconds) {
