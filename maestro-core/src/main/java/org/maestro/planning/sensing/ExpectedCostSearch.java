@@ -43,6 +43,9 @@ public final class ExpectedCostSearch {
   /** Plans made at most to weigh one search. */
   private static final int MOST_PLANS = 6;
 
+  /** Of those that are not found; who cannot get at one place still may at the next. */
+  private static final int MOST_IN_VAIN = 2;
+
   private static final double SAME = 1e-9;
 
   /** Finds a cheapest plan, if there is one within bounds. */
@@ -119,10 +122,12 @@ public final class ExpectedCostSearch {
     Rests rests = new Rests(new State[look.length], new double[look.length]);
     double[] expected = expectedCosts(costs, present, chance, look, splits, rests);
     int first = least(expected, chance, present, candidates.keySet(), open);
+    int inVain = 0;
     for (int plans = 1; !candidates.containsKey(first); plans++) {
-      plan(sought, first, open, candidates, splits);
-      // A plan that does without it, wherever it is, does so for other places too.
-      if (!candidates.containsKey(first) || plans == MOST_PLANS) {
+      boolean without = plan(sought, first, open, candidates, splits);
+      inVain += candidates.containsKey(first) ? 0 : 1;
+      // What is cheaper without it here is so for the like places that the estimates favour next.
+      if (without || inVain == MOST_IN_VAIN || plans == MOST_PLANS) {
         open.clear();
       }
       expected = expectedCosts(costs, present, chance, look, splits, rests);
@@ -137,8 +142,12 @@ public final class ExpectedCostSearch {
     searches.add(described(sought, first, chanceOf, expected, look, splits));
   }
 
-  /** Makes the plan that begins with this place, if there is one. */
-  private void plan(
+  /**
+   * Makes the plan that begins with this place, if there is one.
+   *
+   * @return whether the cheapest plan for it there does without what is sought
+   */
+  private boolean plan(
       Sought sought,
       int place,
       Set<Integer> open,
@@ -146,15 +155,14 @@ public final class ExpectedCostSearch {
       Map<Integer, Split> splits) {
     open.remove(place);
     int value = sought.values().get(place);
-    candidate(sought, value)
-        .ifPresent(
-            found ->
-                split(found, sought, value)
-                    .ifPresent(
-                        split -> {
-                          candidates.put(place, found);
-                          splits.put(place, split);
-                        }));
+    Optional<Candidate> found = candidate(sought, value);
+    Optional<Split> split = found.flatMap(plan -> split(plan, sought, value));
+    split.ifPresent(
+        looks -> {
+          candidates.put(place, found.orElseThrow());
+          splits.put(place, looks);
+        });
+    return found.isPresent() && split.isEmpty();
   }
 
   /** Estimates are not to decide against the place where most would look first. */
