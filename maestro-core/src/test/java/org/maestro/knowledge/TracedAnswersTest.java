@@ -20,6 +20,7 @@ import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
+import org.maestro.sl.Term;
 
 /** An answer that rests on nothing that has changed since is the same answer now. */
 class TracedAnswersTest {
@@ -61,6 +62,8 @@ class TracedAnswersTest {
           "(open lamp-b1)",
           "(handFree rose)",
           "(Item Cup)");
+  private static final List<String> PATTERNS =
+      List.of("(covers ?d zone-a)", "(covers cam-a ?d)", "(open ?d)", "(in Cup ?d)");
   private static final List<String> FLUENTS =
       List.of("(illuminance zone-a)", "(illuminance zone-b)", "(level lamp-b1)");
 
@@ -109,12 +112,33 @@ class TracedAnswersTest {
       answers.put(atom, traced.truth((Formula.Atom) SlParser.formula(atom)));
       grounds.put(atom, Set.copyOf(told));
     }
+    for (String pattern : PATTERNS) {
+      told.clear();
+      answers.put(pattern, traced.candidates((Formula.Atom) SlParser.formula(pattern), "d"));
+      grounds.put(pattern, Set.copyOf(told));
+    }
     for (String fluent : FLUENTS) {
       told.clear();
       answers.put(fluent, traced.number((Expression.Fluent) SlParser.expression(fluent)));
       grounds.put(fluent, Set.copyOf(told));
     }
     return answers;
+  }
+
+  /** What the home says alone is in the index; once members speak of it, all are tried again. */
+  @Test
+  void forWhomAPredicateMayHoldIsReadFromTheHome() {
+    Household household = new Household();
+    try {
+      Formula.Atom pattern = (Formula.Atom) SlParser.formula("(covers ?d zone-a)");
+      Snapshot then = household.knowledge.snapshot();
+      assertThat(then.candidates(pattern, "d")).contains(Set.of(new Term.Name("cam-a")));
+      household.state(Household.CAMERA, "(covers cam-b zone-a)");
+      assertThat(household.knowledge.snapshot().candidates(pattern, "d")).isEmpty();
+      assertThat(then.candidates((Formula.Atom) SlParser.formula("(in Cup ?d)"), "d")).isEmpty();
+    } finally {
+      household.close();
+    }
   }
 
   @Test

@@ -24,6 +24,7 @@ import org.maestro.sl.Fact;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
+import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 import org.maestro.sl.TypedVariable;
@@ -248,6 +249,22 @@ public final class SmallWorld implements Facts {
             && truths.entrySet().stream()
                 .anyMatch(e -> e.getValue() && sameVariable(e.getKey(), atom));
     return word != null && word.observable() && !other ? Truth.UNKNOWN : Truth.FALSE;
+  }
+
+  @Override
+  public Optional<Set<Term>> candidates(Formula.Atom atom, String variable) {
+    PredicateDeclaration word = predicates.get(atom.predicate());
+    if (word == null || word.observable() || word.derivedWhen().isPresent()) {
+      return Optional.empty();
+    }
+    Set<Term> found = new LinkedHashSet<>(everybody);
+    truths.keySet().forEach(known -> found.addAll(known.arguments()));
+    found.removeIf(
+        term -> {
+          Formula ground = new Substitution(Map.of(variable, term)).apply((Formula) atom);
+          return truth((Formula.Atom) ground) == Truth.FALSE;
+        });
+    return Optional.of(found);
   }
 
   @Override

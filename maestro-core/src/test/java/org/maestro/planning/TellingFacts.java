@@ -36,6 +36,12 @@ record TellingFacts(SmallWorld world, Optional<Consumer<Object>> told) implement
   }
 
   @Override
+  public Optional<Set<Term>> candidates(Formula.Atom atom, String variable) {
+    told.ifPresent(reader -> reader.accept(atom.predicate()));
+    return world.candidates(atom, variable);
+  }
+
+  @Override
   public OptionalDouble number(Expression.Fluent fluent) {
     told.ifPresent(reader -> reader.accept(fluent.name()));
     return world.number(fluent);

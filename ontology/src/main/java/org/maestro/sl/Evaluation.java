@@ -1,12 +1,15 @@
 package org.maestro.sl;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.Predicate;
 
@@ -19,10 +22,15 @@ public final class Evaluation {
 
   private static final double TOLERANCE = 1e-9;
 
+  /** So many individuals are tried sooner than it is found out which of them can matter. */
+  private static final int FEW = 4;
+
   private final Facts facts;
+  private final Candidates candidates;
 
   public Evaluation(Facts facts) {
     this.facts = facts;
+    this.candidates = new Candidates(facts::candidates);
   }
 
   /**
@@ -43,10 +51,9 @@ public final class Evaluation {
           ? Truth.TRUE
           : either(negated(premise), truth(imply.conclusion(), bindings));
     } else if (formula instanceof Formula.Exists exists) {
-      return any(exists.variables(), bindings, extended -> truth(exists.body(), extended));
+      return forSome(exists.variables(), exists.body(), true, bindings);
     } else if (formula instanceof Formula.Forall forall) {
-      return negated(
-          any(forall.variables(), bindings, extended -> negated(truth(forall.body(), extended))));
+      return negated(forSome(forall.variables(), forall.body(), false, bindings));
     } else if (formula instanceof Formula.Comparison comparison) {
       return compared(comparison, bindings);
     } else if (formula instanceof Formula.UnknownAtom unknown) {
@@ -124,6 +131,7 @@ public final class Evaluation {
       choose(
           forall.variables(),
           new HashMap<>(bindings),
+          (variable, others) -> Optional.empty(),
           extended -> {
             collect(forall.effect(), extended, truths, numbers);
             return true;
@@ -177,16 +185,21 @@ public final class Evaluation {
         && !(ground(ofTerm.term(), bindings) instanceof Term.Number);
   }
 
-  private Truth any(
-      List<TypedVariable> variables,
-      Map<String, Term> bindings,
-      Function<Map<String, Term>, Truth> truth) {
+  /**
+   * Whether the body is so for some choice of individuals.
+   *
+   * @param holding whether it is to hold; otherwise it is not to
+   */
+  private Truth forSome(
+      List<TypedVariable> variables, Formula body, boolean holding, Map<String, Term> bindings) {
     Truth[] result = {Truth.FALSE};
     choose(
         variables,
         new HashMap<>(bindings),
-        chosen -> {
-          result[0] = either(result[0], truth.apply(chosen));
+        (variable, others) -> candidates.of(body, holding, variable, others),
+        extended -> {
+          Truth truth = truth(body, extended);
+          result[0] = either(result[0], holding ? truth : negated(truth));
           return result[0] != Truth.TRUE;
         });
     return result[0];
@@ -196,21 +209,33 @@ public final class Evaluation {
    * Hands on every choice of individuals for the variables, as long as more are wanted. They are
    * made in the one map, which is as it was afterwards.
    *
+   * @param narrowing those who may stand for a variable, by the values of those before it
    * @return whether more are wanted
    */
   private boolean choose(
       List<TypedVariable> variables,
       Map<String, Term> bindings,
+      BiFunction<String, Map<String, Term>, Optional<Set<Term>>> narrowing,
       Predicate<Map<String, Term>> visitor) {
     if (variables.isEmpty()) {
       return visitor.test(bindings);
     }
     TypedVariable variable = variables.get(0);
     Optional<Term> outside = Optional.ofNullable(bindings.get(variable.name()));
+    Collection<Term.Name> individuals = facts.individuals(variable.className().orElse(""));
+    Optional<Set<Term>> among = Optional.empty();
+    if (individuals.size() > FEW) {
+      Map<String, Term> others = new HashMap<>(bindings);
+      variables.forEach(open -> others.remove(open.name()));
+      among = narrowing.apply(variable.name(), others);
+    }
     boolean more = true;
-    for (Term.Name individual : facts.individuals(variable.className().orElse(""))) {
+    for (Term.Name individual : individuals) {
+      if (among.isPresent() && !among.get().contains(individual)) {
+        continue;
+      }
       bindings.put(variable.name(), individual);
-      more = choose(variables.subList(1, variables.size()), bindings, visitor);
+      more = choose(variables.subList(1, variables.size()), bindings, narrowing, visitor);
       if (!more) {
         break;
       }

@@ -49,6 +49,18 @@ public interface Facts {
   }
 
   /**
+   * The terms with which an atom may hold, where these facts can tell that without trying each.
+   *
+   * @param atom ground but for the variable, which stands in it once
+   * @param variable its name, without question mark
+   * @return at least all with which the atom is not false, numbers and texts too; empty when all
+   *     have to be tried
+   */
+  default Optional<Set<Term>> candidates(Formula.Atom atom, String variable) {
+    return Optional.empty();
+  }
+
+  /**
    * The individuals of a class, subclasses included, in a stable order; of all classes when the
    * name is "".
    */

@@ -1,7 +1,9 @@
 package org.maestro.sl;
 
 import java.util.Collection;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 
 /**
  * The world closed over what is known: what is unknown does not hold. A derived predicate that is
@@ -17,6 +19,11 @@ public record OnlyKnown(Facts facts) implements Facts {
   @Override
   public OptionalDouble number(Expression.Fluent fluent) {
     return facts.number(fluent);
+  }
+
+  @Override
+  public Optional<Set<Term>> candidates(Formula.Atom atom, String variable) {
+    return facts.candidates(atom, variable);
   }
 
   @Override

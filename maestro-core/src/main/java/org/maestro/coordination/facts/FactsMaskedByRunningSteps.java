@@ -128,6 +128,10 @@ public final class FactsMaskedByRunningSteps implements Facts {
     return now;
   }
 
+  private boolean isHandled(String name) {
+    return handled.stream().anyMatch(beside -> beside.spokenOf().containsKey(name));
+  }
+
   /** Each answer rests on what is asked too: steps may begin or cease to change it. */
   @Override
   public Optional<Facts> tracing(Consumer<Object> told) {
@@ -155,6 +159,15 @@ public final class FactsMaskedByRunningSteps implements Facts {
       return source(subject(fluent)).number(fluent);
     }
 
+    /** Once a step changes it, each atom has to be asked for. */
+    @Override
+    public Optional<Set<Term>> candidates(Formula.Atom atom, String variable) {
+      told.accept(new Subject(atom.predicate(), List.of()));
+      return facts.isHandled(atom.predicate())
+          ? Optional.empty()
+          : facts.now.tracing(told).orElseThrow().candidates(atom, variable);
+    }
+
     @Override
     public double chanceStill(Formula.Atom atom) {
       return facts.chanceStill(atom);
@@ -180,7 +193,11 @@ public final class FactsMaskedByRunningSteps implements Facts {
     Stream.concat(
             handled.stream().filter(one -> !before.handled.contains(one)),
             before.handled.stream().filter(one -> !handled.contains(one)))
-        .forEach(one -> all.addAll(one.subjects()));
+        .forEach(
+            one -> {
+              all.addAll(one.subjects());
+              one.subjects().forEach(subject -> all.add(new Subject(subject.name(), List.of())));
+            });
     return all;
   }
 
@@ -196,6 +213,11 @@ public final class FactsMaskedByRunningSteps implements Facts {
   @Override
   public OptionalDouble number(Expression.Fluent fluent) {
     return source(subject(fluent)).number(fluent);
+  }
+
+  @Override
+  public Optional<Set<Term>> candidates(Formula.Atom atom, String variable) {
+    return isHandled(atom.predicate()) ? Optional.empty() : now.candidates(atom, variable);
   }
 
   @Override

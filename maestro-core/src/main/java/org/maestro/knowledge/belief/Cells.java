@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
@@ -42,6 +43,11 @@ public final class Cells {
     return number == null || number >>> shift + BITS != 0
         ? Optional.empty()
         : Optional.ofNullable(at(number));
+  }
+
+  /** Whether anything was ever said of the predicate, in this version or another. */
+  boolean speakOf(String predicate) {
+    return numbers.predicates.contains(predicate);
   }
 
   private @Nullable Cell at(int number) {
@@ -134,6 +140,7 @@ public final class Cells {
   private static final class Numbers {
     private final Map<StateVariable, Integer> byVariable = new ConcurrentHashMap<>();
     private final List<StateVariable> variables = Collections.synchronizedList(new ArrayList<>());
+    private final Set<String> predicates = ConcurrentHashMap.newKeySet();
 
     int of(StateVariable variable) {
       Integer known = byVariable.get(variable);
@@ -141,6 +148,7 @@ public final class Cells {
         return known;
       }
       variables.add(variable);
+      predicates.add(variable.predicate());
       byVariable.put(variable, variables.size() - 1);
       return variables.size() - 1;
     }

@@ -3,12 +3,16 @@ package org.maestro.knowledge.belief;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 import org.maestro.knowledge.api.StateVariable;
 import org.maestro.ontology.home.Home;
@@ -27,6 +31,7 @@ final class Described {
 
   private final Home home;
   private final Map<String, List<Term.Name>> byClass = new LinkedHashMap<>();
+  private final Map<String, Map<Term, Set<Term>>> subjects = new ConcurrentHashMap<>();
 
   Described(Home home) {
     this.home = home;
@@ -88,6 +93,42 @@ final class Described {
     return properties(subject)
         .map(individual -> individual.properties().getOrDefault(property, List.of()))
         .orElse(List.of());
+  }
+
+  /**
+   * The terms for which the atom stands in the home.
+   *
+   * @param atom of one argument or two, ground but for the variable
+   */
+  Set<Term> related(Formula.Atom atom, Term.Variable variable) {
+    List<Term> arguments = atom.arguments();
+    if (arguments.size() == 1) {
+      return subjects(atom.predicate(), new Term.Truth(true));
+    }
+    boolean isSubject = arguments.get(0).equals(variable);
+    Term other = arguments.get(isSubject ? 1 : 0);
+    Set<Term> related = new LinkedHashSet<>();
+    if (isSubject || isSymmetric(atom.predicate())) {
+      related.addAll(subjects(atom.predicate(), other));
+    }
+    if (!isSubject || isSymmetric(atom.predicate())) {
+      related.addAll(values(other, atom.predicate()));
+    }
+    return related;
+  }
+
+  private Set<Term> subjects(String property, Term value) {
+    return subjects.computeIfAbsent(property, this::subjectsByValue).getOrDefault(value, Set.of());
+  }
+
+  private Map<Term, Set<Term>> subjectsByValue(String property) {
+    Map<Term, Set<Term>> byValue = new HashMap<>();
+    for (Term.Name subject : individuals("")) {
+      for (Term value : values(subject, property)) {
+        byValue.computeIfAbsent(value, absent -> new LinkedHashSet<>()).add(subject);
+      }
+    }
+    return byValue;
   }
 
   /** Whether the home says anything of the variable. */

@@ -136,6 +136,29 @@ public final class View implements Snapshot {
         : notKnown(atom);
   }
 
+  /** Tells of what stands in the home alone, which is all of what nobody ever spoke of. */
+  @Override
+  public Optional<Set<Term>> candidates(Formula.Atom atom, String variable) {
+    Optional<PredicateDeclaration> declared = world.declarations().declared(atom.predicate());
+    boolean stated =
+        declared.isPresent()
+            && declared.get().parameters().size() == atom.arguments().size()
+            && atom.arguments().size() <= 2
+            && !declared.get().fluent()
+            && !declared.get().observable()
+            && declared.get().derivedWhen().isEmpty()
+            && declared.get().observedWhen().isEmpty()
+            && declared.get().computedBy().isEmpty()
+            && !world.measures().isTruth(atom.predicate());
+    if (!stated) {
+      return Optional.empty();
+    }
+    told.ifPresent(reader -> reader.accept(new Relation(atom.predicate())));
+    return world.cells().speakOf(atom.predicate())
+        ? Optional.empty()
+        : Optional.of(world.described().related(atom, new Term.Variable(variable)));
+  }
+
   @Override
   public OptionalDouble number(Expression.Fluent fluent) {
     StateVariable variable = new StateVariable(fluent.name(), fluent.arguments());

@@ -55,7 +55,14 @@ public record World(
     Instant later = then.isBefore(now) ? now : then;
     Set<Object> changed = new LinkedHashSet<>();
     boolean comparable =
-        cells.forEachDifference(other.cells, (variable, cell) -> changed.add(variable));
+        cells.forEachDifference(
+            other.cells,
+            (variable, cell) -> {
+              changed.add(variable);
+              if (!declarations.isObservable(variable.predicate())) {
+                changed.add(new Relation(variable.predicate()));
+              }
+            });
     cells.forEach(
         (variable, cell) -> {
           if (cell.expiresWithin(earlier, later)) {

@@ -32,6 +32,9 @@ import org.maestro.sl.Term;
  * conditions tie them, and what its effect may change.
  */
 final class FeatureTemplate {
+  /** So many values are tried sooner than it is found out which of them can matter. */
+  private static final int FEW_VALUES = 4;
+
   /** Instances that are kept; a camera has one for each thing in each of its zones. */
   private static final int FEW = 256;
 
@@ -44,6 +47,7 @@ final class FeatureTemplate {
   private final ConditionCompiler conditions;
   private final Map<String, List<Term>> domains = new LinkedHashMap<>();
   private final List<Conjunct> conjuncts = new ArrayList<>();
+  private final List<Formula> required = new ArrayList<>();
   private final List<Target> targets = new ArrayList<>();
   private final IdleParameters idle;
   private final Map<Set<String>, Next> nextOf = new HashMap<>();
@@ -71,8 +75,10 @@ final class FeatureTemplate {
    *
    * @param rest those that are open then
    * @param decided static conditions that are decided then
+   * @param narrowing conditions that may tell with which values alone they can hold
    */
-  private record Next(String parameter, Set<String> rest, List<Conjunct> decided) {}
+  private record Next(
+      String parameter, Set<String> rest, List<Conjunct> decided, List<Formula> narrowing) {}
 
   /**
    * @param staticAnswers what static conditions were found to be, shared between templates
@@ -132,7 +138,10 @@ final class FeatureTemplate {
       Formula formula, Signature signature, Map<Formula, Map<List<Term>, Boolean>> staticAnswers) {
     if (formula instanceof Formula.And and) {
       and.operands().forEach(operand -> collectStatic(operand, signature, staticAnswers));
-    } else if (!signature.isDynamic(formula)) {
+      return;
+    }
+    required.add(formula);
+    if (!signature.isDynamic(formula)) {
       Set<String> variables = new LinkedHashSet<>(FreeVariables.of(formula));
       boolean speaksOfSelf = variables.remove(Self.NAME);
       conjuncts.add(
@@ -283,13 +292,29 @@ final class FeatureTemplate {
       }
     }
     Next next = nextOf.computeIfAbsent(open, this::next);
-    for (Term value : domain(next.parameter())) {
+    for (Term value : values(next, bindings)) {
       bindings.put(next.parameter(), value);
       if (allHold(next.decided(), bindings)) {
         choose(next.rest(), bindings, consumer);
       }
     }
     bindings.remove(next.parameter());
+  }
+
+  /** Those of the domain with which what is required can hold, as far as that is told. */
+  private List<Term> values(Next next, Map<String, Term> bindings) {
+    List<Term> domain = domain(next.parameter());
+    if (domain.size() <= FEW_VALUES) {
+      return domain;
+    }
+    Optional<Set<Term>> narrowest = Optional.empty();
+    for (Formula formula : next.narrowing()) {
+      Optional<Set<Term>> own = conditions.candidates(formula, next.parameter(), bindings);
+      if (own.isPresent() && (narrowest.isEmpty() || own.get().size() < narrowest.get().size())) {
+        narrowest = own;
+      }
+    }
+    return narrowest.map(among -> domain.stream().filter(among::contains).toList()).orElse(domain);
   }
 
   private List<Term> domain(String parameter) {
@@ -315,7 +340,8 @@ final class FeatureTemplate {
         conjuncts.stream()
             .filter(c -> c.variables().contains(next))
             .filter(c -> Collections.disjoint(c.variables(), rest))
-            .toList());
+            .toList(),
+        required.stream().filter(formula -> FreeVariables.of(formula).contains(next)).toList());
   }
 
   /**

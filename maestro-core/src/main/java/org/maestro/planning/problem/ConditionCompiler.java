@@ -4,11 +4,15 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import org.maestro.ontology.home.Geometry;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.planning.problem.Condition.Constant;
 import org.maestro.planning.problem.Condition.Question;
+import org.maestro.sl.Candidates;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Substitution;
@@ -22,6 +26,9 @@ import org.maestro.sl.TypedVariable;
  */
 public final class ConditionCompiler {
   private static final int DEEPEST_DERIVATION = 50;
+
+  /** So many individuals are tried sooner than it is found out which of them can matter. */
+  private static final int FEW = 4;
 
   private final Signature signature;
   private final StaticFacts facts;
@@ -193,8 +200,12 @@ public final class ConditionCompiler {
       int depth,
       boolean conjunction) {
     List<Condition> parts = new ArrayList<>();
-    forEachGrounding(
-        quantified, bindings, extended -> parts.add(compiled(body, extended, positive, depth)));
+    choose(
+        quantified,
+        0,
+        new HashMap<>(bindings),
+        (variable, others) -> candidates(body, positive != conjunction, variable, others, depth),
+        extended -> parts.add(compiled(body, extended, positive, depth)));
     return conjunction ? Condition.all(parts) : Condition.any(parts);
   }
 
@@ -203,23 +214,70 @@ public final class ConditionCompiler {
       List<TypedVariable> quantified,
       Map<String, Term> bindings,
       Consumer<Map<String, Term>> consumer) {
-    choose(quantified, 0, new HashMap<>(bindings), consumer);
+    choose(
+        quantified, 0, new HashMap<>(bindings), (variable, others) -> Optional.empty(), consumer);
   }
 
   private void choose(
       List<TypedVariable> quantified,
       int next,
       Map<String, Term> bindings,
+      BiFunction<String, Map<String, Term>, Optional<Set<Term>>> narrowing,
       Consumer<Map<String, Term>> consumer) {
     if (next == quantified.size()) {
       consumer.accept(bindings);
       return;
     }
     TypedVariable variable = quantified.get(next);
-    for (Term individual : facts.individuals(variable.className().orElse(""))) {
-      bindings.put(variable.name(), individual);
-      choose(quantified, next + 1, bindings, consumer);
+    List<Term> individuals = facts.individuals(variable.className().orElse(""));
+    Optional<Set<Term>> among = Optional.empty();
+    if (individuals.size() > FEW) {
+      Map<String, Term> others = new HashMap<>(bindings);
+      quantified.subList(next, quantified.size()).forEach(open -> others.remove(open.name()));
+      among = narrowing.apply(variable.name(), others);
     }
+    for (Term individual : individuals) {
+      if (among.isEmpty() || among.get().contains(individual)) {
+        bindings.put(variable.name(), individual);
+        choose(quantified, next + 1, bindings, narrowing, consumer);
+      }
+    }
+  }
+
+  /**
+   * The individuals for which the formula is not false whatever is done, where that can be told
+   * without trying each.
+   *
+   * @param bindings values of the other variables; those of which nothing stands here are open
+   */
+  public Optional<Set<Term>> candidates(
+      Formula formula, String variable, Map<String, Term> bindings) {
+    return candidates(formula, true, variable, bindings, 0);
+  }
+
+  /** What fails is of interest where it is to be named. */
+  private Optional<Set<Term>> candidates(
+      Formula formula, boolean holding, String variable, Map<String, Term> bindings, int depth) {
+    return keepingFailed
+        ? Optional.empty()
+        : new Candidates((atom, open) -> candidates(atom, open, depth))
+            .of(formula, holding, variable, bindings);
+  }
+
+  private Optional<Set<Term>> candidates(Formula.Atom atom, String variable, int depth) {
+    boolean dynamic = signature.isDynamic(atom.predicate());
+    Optional<Set<Term>> told = dynamic ? Optional.empty() : facts.candidates(atom, variable);
+    Optional<Formula> definition = signature.definition(atom.predicate());
+    if (told.isPresent() || definition.isEmpty() || depth > DEEPEST_DERIVATION) {
+      return told;
+    }
+    Map<String, Term> bindings = parameterBindings(atom);
+    String inside = "";
+    for (Map.Entry<String, Term> binding : bindings.entrySet()) {
+      inside = binding.getValue().isGround() ? inside : binding.getKey();
+    }
+    bindings.remove(inside);
+    return candidates(definition.get(), true, inside, bindings, depth + 1);
   }
 
   private Condition comparison(

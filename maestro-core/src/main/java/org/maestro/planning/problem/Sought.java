@@ -7,6 +7,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.maestro.sl.Term;
 
 /**
@@ -62,13 +63,13 @@ public record Sought(Variable variable, List<Integer> values) {
   }
 
   public boolean looksAt(Operator operator, int value) {
-    for (Change change : operator.changes()) {
-      if (change instanceof Change.Find find
-          && find.variable() == variable
-          && find.value() == value) {
-        return true;
-      }
-    }
-    return false;
+    return lookedAt(operator).anyMatch(found -> found == value);
+  }
+
+  /** The values that the operator can find. */
+  public IntStream lookedAt(Operator operator) {
+    return operator.changes().stream()
+        .filter(change -> change instanceof Change.Find find && find.variable() == variable)
+        .mapToInt(change -> ((Change.Find) change).value());
   }
 }

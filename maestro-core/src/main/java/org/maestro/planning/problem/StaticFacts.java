@@ -23,12 +23,16 @@ public final class StaticFacts {
   private boolean tracing;
   private final Map<Formula.Atom, Truth> truths = new HashMap<>();
   private final Map<Expression.Fluent, Double> numbers = new HashMap<>();
+  private final Map<Whom, Optional<Set<Term>>> candidates = new HashMap<>();
   private final Map<String, List<Term>> individuals = new HashMap<>();
 
   /** The questions whose answers rest on something. */
   private final Map<Object, Set<Object>> restingOn = new HashMap<>();
 
   private final Set<Object> told = new LinkedHashSet<>();
+
+  /** The question for whom an atom may hold. */
+  private record Whom(Formula.Atom atom, String variable) {}
 
   /**
    * The differences of other facts from these, in what was asked.
@@ -91,6 +95,7 @@ public final class StaticFacts {
   private Set<Object> all() {
     Set<Object> questions = new LinkedHashSet<>(truths.keySet());
     questions.addAll(numbers.keySet());
+    questions.addAll(candidates.keySet());
     return questions;
   }
 
@@ -103,6 +108,10 @@ public final class StaticFacts {
       if (question instanceof Formula.Atom atom) {
         name = atom.predicate();
         same = truths.put(atom, askedTruth(atom)) == truths.get(atom);
+      } else if (question instanceof Whom whom) {
+        name = whom.atom().predicate();
+        Optional<Set<Term>> before = candidates.put(whom, askedCandidates(whom));
+        same = candidates.get(whom).equals(before);
       } else {
         Expression.Fluent fluent = (Expression.Fluent) question;
         name = fluent.name();
@@ -135,6 +144,24 @@ public final class StaticFacts {
 
   private void rest(Object ground, Object question) {
     restingOn.computeIfAbsent(ground, absent -> new LinkedHashSet<>()).add(question);
+  }
+
+  /** As {@link Facts#candidates}. */
+  public Optional<Set<Term>> candidates(Formula.Atom atom, String variable) {
+    Whom whom = new Whom(atom, variable);
+    Optional<Set<Term>> known = candidates.get(whom);
+    if (known == null) {
+      known = askedCandidates(whom);
+      candidates.put(whom, known);
+    }
+    return known;
+  }
+
+  private Optional<Set<Term>> askedCandidates(Whom whom) {
+    told.clear();
+    Optional<Set<Term>> found = asked.candidates(whom.atom(), whom.variable());
+    told.forEach(ground -> rest(ground, whom));
+    return found;
   }
 
   /** The number, or {@link Quantity#UNKNOWN}. */

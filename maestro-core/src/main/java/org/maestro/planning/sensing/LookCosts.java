@@ -37,7 +37,14 @@ final class LookCosts {
   private final int[] supporter;
   private final double[] sums;
   private final int[] open;
+  private final int[] allOpen;
   private final PropositionQueue queue = new PropositionQueue();
+
+  /** For each operator the indices of the values at which it looks. */
+  private final int[][] looksOf;
+
+  /** For each value the first operator that looks at it. */
+  private final int[] firstLook;
 
   /**
    * The problem's variables are placed for it, and have to stay so while it is asked.
@@ -53,6 +60,25 @@ final class LookCosts {
     this.supporter = new int[value.length];
     this.sums = new double[relaxed.actions().size()];
     this.open = new int[sums.length];
+    this.allOpen =
+        relaxed.actions().stream().mapToInt(action -> action.preconditions().length).toArray();
+    this.looksOf = looksOf(problem, sought);
+    this.firstLook = new int[sought.values().size()];
+    for (int operator = looksOf.length - 1; operator >= 0; operator--) {
+      for (int value : looksOf[operator]) {
+        firstLook[value] = operator;
+      }
+    }
+  }
+
+  private static int[][] looksOf(GroundProblem problem, Sought sought) {
+    Map<Integer, Integer> indices = new HashMap<>();
+    sought.values().forEach(value -> indices.put(value, indices.size()));
+    return problem.operators().stream()
+        .map(
+            operator ->
+                sought.lookedAt(operator).filter(indices::containsKey).map(indices::get).toArray())
+        .toArray(int[][]::new);
   }
 
   Sought sought() {
@@ -78,18 +104,16 @@ final class LookCosts {
   /** The costs of looks at all values; infinite where there is no way. */
   double[] looks(State state) {
     double[] costs = relaxed.costs(state);
-    computeSums(relaxed.truths(state), costs);
+    computeSums(relaxed.truths(state), costs, NONE);
     double[] least = new double[sought.values().size()];
     Arrays.fill(least, Double.POSITIVE_INFINITY);
     for (RelaxedProblem.Action action : relaxed.actions()) {
       if (action.payer() >= 0 && action.payer() < problem.operators().size()) {
         Operator operator = problem.operators().get(action.payer());
-        for (int i = 0; i < least.length; i++) {
-          if (sought.looksAt(operator, sought.values().get(i))) {
-            double sum = sum(action.preconditions(), costs);
-            double cost = sum + operator.price().cost(state.numbers());
-            least[i] = Double.isNaN(cost) ? least[i] : Math.min(least[i], cost);
-          }
+        for (int i : looksOf[action.payer()]) {
+          double sum = sum(action.preconditions(), costs);
+          double cost = sum + operator.price().cost(state.numbers());
+          least[i] = Double.isNaN(cost) ? least[i] : Math.min(least[i], cost);
         }
       }
     }
@@ -111,9 +135,8 @@ final class LookCosts {
   /** Whether the goal may be reached without any of the looks. */
   boolean isInReachWithoutLooks() {
     double[] costs = relaxed.costs(problem.initial());
-    for (int i = 0; i < problem.operators().size(); i++) {
-      Operator operator = problem.operators().get(i);
-      if (sought.values().stream().anyMatch(found -> sought.looksAt(operator, found))) {
+    for (int i = 0; i < looksOf.length; i++) {
+      if (looksOf[i].length > 0) {
         costs[i] = Double.POSITIVE_INFINITY;
       }
     }
@@ -127,16 +150,16 @@ final class LookCosts {
    * @param look the state after a successful look that began at first, which shows what it changes
    */
   double rest(State before, State look, int found) {
-    State state = joined(before, look, sought.values().get(found));
+    State state = joined(before, look, found);
     double[] costs = relaxed.costs(state);
-    computeSums(relaxed.truths(state), costs);
+    computeSums(relaxed.truths(state), costs, relaxed.goal());
     return sum(new int[] {relaxed.goal()}, costs);
   }
 
   /**
    * What the look changed and brings about, and where the one who looks is, upon the state before.
    */
-  private State joined(State before, State look, int value) {
+  private State joined(State before, State look, int found) {
     State first = problem.initial();
     int[] codes = before.copyOfCodes();
     for (Variable variable : problem.variables()) {
@@ -144,25 +167,21 @@ final class LookCosts {
         codes[variable.index()] = look.code(variable);
       }
     }
-    for (Operator operator : problem.operators()) {
-      if (sought.looksAt(operator, value)) {
-        for (Condition condition : operator.precondition().conjuncts()) {
-          if (condition instanceof Condition.Literal literal
-              && literal.question() == Condition.Question.IS) {
-            codes[literal.variable().index()] = literal.value();
-          }
-        }
-        for (Change change : operator.changes()) {
-          if (change instanceof Change.Put put
-              && put.condition() == Condition.Constant.TRUE
-              && !put.variable().functional()) {
-            codes[put.variable().index()] = put.value();
-          }
-        }
-        break;
+    Operator operator = problem.operators().get(firstLook[found]);
+    for (Condition condition : operator.precondition().conjuncts()) {
+      if (condition instanceof Condition.Literal literal
+          && literal.question() == Condition.Question.IS) {
+        codes[literal.variable().index()] = literal.value();
       }
     }
-    codes[sought.variable().index()] = value;
+    for (Change change : operator.changes()) {
+      if (change instanceof Change.Put put
+          && put.condition() == Condition.Constant.TRUE
+          && !put.variable().functional()) {
+        codes[put.variable().index()] = put.value();
+      }
+    }
+    codes[sought.variable().index()] = sought.values().get(found);
     double[] numbers = before.numbers().copy();
     for (NumberVariable number : problem.numbers()) {
       double changed = look.number(number);
@@ -213,14 +232,16 @@ final class LookCosts {
     return true;
   }
 
-  /** For each proposition the cheapest way by the sum of what its conditions cost. */
-  private void computeSums(boolean[] truths, double[] costs) {
+  /**
+   * For each proposition the cheapest way by the sum of what its conditions cost.
+   *
+   * @param last the only one that is asked for, with what it rests on; none: all are
+   */
+  private void computeSums(boolean[] truths, double[] costs, int last) {
     Arrays.fill(value, Double.POSITIVE_INFINITY);
     Arrays.fill(supporter, NONE);
     Arrays.fill(sums, 0);
-    for (int i = 0; i < open.length; i++) {
-      open[i] = relaxed.actions().get(i).preconditions().length;
-    }
+    System.arraycopy(allOpen, 0, open, 0, open.length);
     queue.clear();
     for (int i = 0; i < value.length; i++) {
       if (truths[i]) {
@@ -232,6 +253,9 @@ final class LookCosts {
       int proposition = queue.removeLeast();
       if (now > value[proposition]) {
         continue;
+      }
+      if (proposition == last) {
+        return;
       }
       for (int index : relaxed.consumers()[proposition]) {
         sums[index] += now;
