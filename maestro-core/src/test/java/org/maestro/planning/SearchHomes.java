@@ -10,13 +10,14 @@ import java.util.TreeMap;
  * Small homes by chance: zones at places on a plan, looks and ways of different costs, dark zones
  * with a lamp or without, cameras at the ceiling and on a robot, things that are usually somewhere.
  */
-final class SearchHomes {
+public final class SearchHomes {
   /** A home and who is sought in it. */
-  record SearchHome(SmallWorld world, List<String> zones, List<String> sought, String goal) {}
+  public record SearchHome(
+      SmallWorld world, List<String> zones, List<String> sought, String goal) {}
 
   private SearchHomes() {}
 
-  static SearchHome home(Random random, int zoneCount, int soughtCount) {
+  public static SearchHome home(Random random, int zoneCount, int soughtCount) {
     List<String> zones = new ArrayList<>();
     SmallWorld world = words();
     for (int i = 1; i <= zoneCount; i++) {

@@ -274,7 +274,7 @@ public final class RelaxedProblem {
   }
 
   /** The condition a proposition stands for; false for a disjunction. */
-  Condition leaf(int proposition) {
+  public Condition leaf(int proposition) {
     return leaves.get(proposition);
   }
 

@@ -223,12 +223,11 @@ public final class ExpectedCostSearch {
     void estimate(LookCosts costs, int place, @Nullable Split split) {
       if (split != null) {
         after[place] = costs.after(split.prefix());
+        rest[place] = costs.rest(costs.initial(), after[place], place).cost();
       } else if (after[place] == null) {
         after[place] = costs.initial();
-      } else {
-        return;
+        rest[place] = costs.restAtOnce(place).cost();
       }
-      rest[place] = costs.rest(costs.initial(), after[place], place);
     }
   }
 
@@ -264,7 +263,7 @@ public final class ExpectedCostSearch {
           next[i][j] =
               new SearchOrder.Cost(
                   changed(first[j].look(), look[j], looks[j]),
-                  changed(first[j].rest(), rest[j], costs.rest(after[i], after[j], j)));
+                  changed(first[j].rest(), rest[j], costs.rest(after[i], after[j], j).cost()));
         }
       }
     }

@@ -1,13 +1,15 @@
 package org.maestro.planning.sensing;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.LinkedHashSet;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.maestro.planning.api.StepKey;
-import org.maestro.planning.optimal.PropositionQueue;
 import org.maestro.planning.optimal.RelaxedProblem;
 import org.maestro.planning.problem.Change;
 import org.maestro.planning.problem.Condition;
@@ -26,25 +28,23 @@ import org.maestro.planning.problem.Variable;
  * other looks were made in vain: the robot has moved, the lamps are on that those looks needed.
  */
 final class LookCosts {
-  private static final int INITIAL = -1;
-  private static final int NONE = -2;
-
   private final GroundProblem problem;
   private final Sought sought;
   private final RelaxedProblem relaxed;
   private final Map<StepKey, Operator> operatorByKey = new HashMap<>();
-  private final double[] value;
-  private final int[] supporter;
-  private final double[] sums;
-  private final int[] open;
-  private final int[] allOpen;
-  private final PropositionQueue queue = new PropositionQueue();
+  private final RelaxedSums sums;
 
   /** For each operator the indices of the values at which it looks. */
   private final int[][] looksOf;
 
   /** For each value the first operator that looks at it. */
   private final int[] firstLook;
+
+  /** Propositions of which a look at first may make others true. */
+  private final List<Integer> decided = new ArrayList<>();
+
+  /** From what is true whatever a look finds; null until it is asked for. */
+  private @Nullable RelaxedSums whateverIsFound;
 
   /**
    * The problem's variables are placed for it, and have to stay so while it is asked.
@@ -56,12 +56,7 @@ final class LookCosts {
     this.sought = sought;
     this.relaxed = relaxed;
     problem.operators().forEach(operator -> operatorByKey.putIfAbsent(operator.key(), operator));
-    this.value = new double[relaxed.propositionCount()];
-    this.supporter = new int[value.length];
-    this.sums = new double[relaxed.actions().size()];
-    this.open = new int[sums.length];
-    this.allOpen =
-        relaxed.actions().stream().mapToInt(action -> action.preconditions().length).toArray();
+    this.sums = new RelaxedSums(relaxed);
     this.looksOf = looksOf(problem, sought);
     this.firstLook = new int[sought.values().size()];
     for (int operator = looksOf.length - 1; operator >= 0; operator--) {
@@ -104,14 +99,14 @@ final class LookCosts {
   /** The costs of looks at all values; infinite where there is no way. */
   double[] looks(State state) {
     double[] costs = relaxed.costs(state);
-    computeSums(relaxed.truths(state), costs, NONE);
+    sums.from(relaxed.truths(state), costs, RelaxedSums.ALL);
     double[] least = new double[sought.values().size()];
     Arrays.fill(least, Double.POSITIVE_INFINITY);
     for (RelaxedProblem.Action action : relaxed.actions()) {
       if (action.payer() >= 0 && action.payer() < problem.operators().size()) {
         Operator operator = problem.operators().get(action.payer());
         for (int i : looksOf[action.payer()]) {
-          double sum = sum(action.preconditions(), costs);
+          double sum = sums.of(action.preconditions());
           double cost = sum + operator.price().cost(state.numbers());
           least[i] = Double.isNaN(cost) ? least[i] : Math.min(least[i], cost);
         }
@@ -144,16 +139,47 @@ final class LookCosts {
   }
 
   /**
-   * The cost from a successful look on to the goal.
+   * The way from a successful look on to the goal.
    *
    * @param before the state before all that the look needs
    * @param look the state after a successful look that began at first, which shows what it changes
    */
-  double rest(State before, State look, int found) {
+  RelaxedSums.Way rest(State before, State look, int found) {
     State state = joined(before, look, found);
     double[] costs = relaxed.costs(state);
-    computeSums(relaxed.truths(state), costs, relaxed.goal());
-    return sum(new int[] {relaxed.goal()}, costs);
+    return sums.from(relaxed.truths(state), costs, relaxed.goal()).toGoal();
+  }
+
+  /**
+   * The way from a successful look on to the goal, where nothing else was done before: as {@link
+   * #rest} with the initial state for both, but among ways of the same sum it may be another.
+   */
+  RelaxedSums.Way restAtOnce(int found) {
+    if (whateverIsFound == null) {
+      whateverIsFound = whateverIsFound();
+    }
+    State state = joined(problem.initial(), problem.initial(), found);
+    return whateverIsFound.toGoalWith(
+        decided.stream().filter(i -> relaxed.leaf(i).holds(state)).toList());
+  }
+
+  private RelaxedSums whateverIsFound() {
+    Set<Variable> touched = new HashSet<>(Set.of(sought.variable()));
+    for (int look : firstLook) {
+      Operator operator = problem.operators().get(look);
+      literals(operator).forEach(literal -> touched.add(literal.variable()));
+      puts(operator).forEach(put -> touched.add(put.variable()));
+    }
+    State initial = problem.initial();
+    boolean[] truths = relaxed.truths(initial);
+    for (int i = 0; i < truths.length; i++) {
+      if (relaxed.leaf(i) instanceof Condition.Literal literal
+          && touched.contains(literal.variable())) {
+        decided.add(i);
+        truths[i] = false;
+      }
+    }
+    return new RelaxedSums(relaxed).from(truths, relaxed.costs(initial), RelaxedSums.ALL);
   }
 
   /**
@@ -168,19 +194,8 @@ final class LookCosts {
       }
     }
     Operator operator = problem.operators().get(firstLook[found]);
-    for (Condition condition : operator.precondition().conjuncts()) {
-      if (condition instanceof Condition.Literal literal
-          && literal.question() == Condition.Question.IS) {
-        codes[literal.variable().index()] = literal.value();
-      }
-    }
-    for (Change change : operator.changes()) {
-      if (change instanceof Change.Put put
-          && put.condition() == Condition.Constant.TRUE
-          && !put.variable().functional()) {
-        codes[put.variable().index()] = put.value();
-      }
-    }
+    literals(operator).forEach(literal -> codes[literal.variable().index()] = literal.value());
+    puts(operator).forEach(put -> codes[put.variable().index()] = put.value());
     codes[sought.variable().index()] = sought.values().get(found);
     double[] numbers = before.numbers().copy();
     for (NumberVariable number : problem.numbers()) {
@@ -197,84 +212,19 @@ final class LookCosts {
     return new State(codes, new NumberVector(numbers));
   }
 
-  private double sum(int[] propositions, double[] costs) {
-    Set<Integer> payers = new LinkedHashSet<>();
-    Set<Integer> seen = new LinkedHashSet<>();
-    for (int needed : propositions) {
-      if (!collect(needed, payers, seen)) {
-        return Double.POSITIVE_INFINITY;
-      }
-    }
-    double sum = 0;
-    for (int payer : payers) {
-      sum += costs[payer];
-    }
-    return sum;
+  /** What the operator needs to be so. */
+  private static Stream<Condition.Literal> literals(Operator operator) {
+    return operator.precondition().conjuncts().stream()
+        .filter(Condition.Literal.class::isInstance)
+        .map(Condition.Literal.class::cast)
+        .filter(literal -> literal.question() == Condition.Question.IS);
   }
 
-  /** Whoever has to be paid for the proposition; each once. False when it is out of reach. */
-  private boolean collect(int proposition, Set<Integer> payers, Set<Integer> seen) {
-    if (supporter[proposition] == INITIAL || !seen.add(proposition)) {
-      return true;
-    }
-    if (supporter[proposition] == NONE) {
-      return false;
-    }
-    RelaxedProblem.Action action = relaxed.actions().get(supporter[proposition]);
-    if (action.payer() != RelaxedProblem.FREE) {
-      payers.add(action.payer());
-    }
-    for (int needed : action.preconditions()) {
-      if (!collect(needed, payers, seen)) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /**
-   * For each proposition the cheapest way by the sum of what its conditions cost.
-   *
-   * @param last the only one that is asked for, with what it rests on; none: all are
-   */
-  private void computeSums(boolean[] truths, double[] costs, int last) {
-    Arrays.fill(value, Double.POSITIVE_INFINITY);
-    Arrays.fill(supporter, NONE);
-    Arrays.fill(sums, 0);
-    System.arraycopy(allOpen, 0, open, 0, open.length);
-    queue.clear();
-    for (int i = 0; i < value.length; i++) {
-      if (truths[i]) {
-        reach(i, 0, INITIAL);
-      }
-    }
-    while (!queue.isEmpty()) {
-      double now = queue.leastKey();
-      int proposition = queue.removeLeast();
-      if (now > value[proposition]) {
-        continue;
-      }
-      if (proposition == last) {
-        return;
-      }
-      for (int index : relaxed.consumers()[proposition]) {
-        sums[index] += now;
-        if (--open[index] == 0) {
-          RelaxedProblem.Action action = relaxed.actions().get(index);
-          double own = action.payer() == RelaxedProblem.FREE ? 0 : costs[action.payer()];
-          for (int added : action.additions()) {
-            reach(added, sums[index] + own, index);
-          }
-        }
-      }
-    }
-  }
-
-  private void reach(int proposition, double sum, int by) {
-    if (sum < value[proposition]) {
-      value[proposition] = sum;
-      supporter[proposition] = by;
-      queue.add(sum, proposition);
-    }
+  /** What the operator makes so in any case. */
+  private static Stream<Change.Put> puts(Operator operator) {
+    return operator.changes().stream()
+        .filter(Change.Put.class::isInstance)
+        .map(Change.Put.class::cast)
+        .filter(put -> put.condition() == Condition.Constant.TRUE && !put.variable().functional());
   }
 }
