@@ -31,6 +31,25 @@ class SearchRegretTest {
     measure(Share.of(LongStream.rangeClosed(1, 240)), 5);
   }
 
+  /** With so many places not all orders can be tried; optimism alone is the measure then. */
+  @Test
+  void amongManyPlacesTheyCostLessThanByOptimism() {
+    double sum = 0;
+    double optimists = 0;
+    for (long seed = 1; seed <= 12; seed++) {
+      Random random = new Random(seed);
+      SearchHome home = SearchHomes.home(random, 9 + random.nextInt(4), 1);
+      SearchPolicy policy = new SearchPolicy(home, trueLux(home, random));
+      Optional<Double> ours = policy.ofPlanner();
+      if (ours.isPresent()) {
+        sum += ours.get();
+        optimists += policy.ofOptimist();
+      }
+    }
+    System.out.printf("search among many places: %.3f of by optimism alone%n", sum / optimists);
+    assertThat(sum / optimists).isLessThan(1);
+  }
+
   private static void measure(LongStream seeds, int mostZones) {
     double sum = 0;
     double sumOfOptimist = 0;
