@@ -31,12 +31,22 @@ class SearchRegretTest {
     measure(Share.of(LongStream.rangeClosed(1, 240)), 5);
   }
 
-  /** With so many places not all orders can be tried; optimism alone is the measure then. */
   @Test
   void amongManyPlacesTheyCostLessThanByOptimism() {
+    compareWithOptimism(LongStream.rangeClosed(1, 3));
+  }
+
+  @Test
+  @Tag("full")
+  void amongManyPlacesTheyDoInManyHomes() {
+    compareWithOptimism(Share.of(LongStream.rangeClosed(4, 30)));
+  }
+
+  /** With so many places not all orders can be tried; optimism alone is the measure then. */
+  private static void compareWithOptimism(LongStream seeds) {
     double sum = 0;
     double optimists = 0;
-    for (long seed = 1; seed <= 12; seed++) {
+    for (long seed : seeds.toArray()) {
       Random random = new Random(seed);
       SearchHome home = SearchHomes.home(random, 9 + random.nextInt(4), 1);
       SearchPolicy policy = new SearchPolicy(home, trueLux(home, random));
