@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
  * 6; M93, M94, M96, M98).
  */
 @Tag("full")
+@Tag("once")
 class WholeSessionsTest {
   private static final String PAPER = "cameras do not notice, as in the paper: ";
   private static final String NOTICING = "cameras notice: ";

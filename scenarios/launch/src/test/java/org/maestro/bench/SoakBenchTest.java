@@ -15,6 +15,7 @@ import org.maestro.launch.JavaProcess;
 
 /** Memory stands still, however many goals a platform has pursued. */
 @Tag("full")
+@Tag("once")
 class SoakBenchTest {
   private static final Duration LIMIT = Duration.ofMinutes(40);
   private static final double MOST_MIB_FOR_100_GOALS = 0.5;

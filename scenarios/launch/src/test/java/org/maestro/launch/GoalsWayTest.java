@@ -38,6 +38,7 @@ import org.junit.jupiter.api.parallel.Isolated;
  */
 @Isolated("a debugger slows a whole platform down")
 @Tag("full")
+@Tag("once")
 class GoalsWayTest {
   private static final List<String> ROOMS = List.of("coordination", "agents", "members");
 

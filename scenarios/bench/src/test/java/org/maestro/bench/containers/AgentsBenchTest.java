@@ -26,6 +26,7 @@ class AgentsBenchTest {
 
   @Test
   @Tag("full")
+  @Tag("once")
   void tenThousandAgentsFitIntoAProcess() {
     Map<String, BenchReport.Row> rows = rows(10_000);
     assertThat(rows).containsKey("10000 devices described and in use");

@@ -23,6 +23,7 @@ class ContainersBenchTest {
   }
 
   @Test
+  @Tag("once")
   void aThousandGoalsEndThoughTwoOfTwentyProcessesAreKilled() {
     Map<String, Double> figures = figures(20, 200, 1_000);
     assertThat(figures).containsEntry("agents in other processes", 200.0);
