@@ -107,6 +107,7 @@ final class LivingMembers {
       leaving = new ArrayList<>(running.values());
       running.clear();
     }
+    leaving.forEach(RatsMember::leave);
     leaving.forEach(RatsMember::close);
   }
 }

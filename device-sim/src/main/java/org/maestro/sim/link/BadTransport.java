@@ -68,6 +68,11 @@ final class BadTransport implements Transport {
   }
 
   @Override
+  public void leave() {
+    transport.leave();
+  }
+
+  @Override
   public void close() {
     transport.close();
   }

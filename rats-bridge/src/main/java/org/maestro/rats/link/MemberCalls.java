@@ -255,9 +255,15 @@ public final class MemberCalls {
     }
 
     @Override
-    public void close() {
+    public void leave() {
       clock.schedule(Duration.ZERO, member, calls::closeAll);
       clock.schedule(Duration.ZERO, member, lifeQuestions::end);
+      transport.leave();
+    }
+
+    @Override
+    public void close() {
+      leave();
       transport.close();
     }
 

@@ -23,8 +23,8 @@ import org.slf4j.LoggerFactory;
  * executes calls, answers them. All of it happens on the clock's thread. The transport is its own:
  * opened here, closed with it.
  *
- * <p>Any thread may {@link #close} it, or let it {@link #die}; the other methods belong to the
- * clock's thread.
+ * <p>Any thread may {@link #close} it, or let it {@link #leave} or {@link #die}; the other methods
+ * belong to the clock's thread.
  */
 public final class RatsMember implements AutoCloseable {
 
@@ -204,17 +204,23 @@ public final class RatsMember implements AutoCloseable {
     stateChanged();
   }
 
+  /** Begins to leave as {@link #close} does, and does not wait until the broker has taken it. */
+  public void leave() {
+    if (namesake.isAway()) {
+      voice.silence();
+    } else {
+      voice.leave();
+    }
+    transport.leave();
+  }
+
   /**
    * Leaves for good: clears what is retained of it, and closes the transport. Running calls stay
    * without an answer.
    */
   @Override
   public void close() {
-    if (namesake.isAway()) {
-      voice.silence();
-    } else {
-      voice.leave();
-    }
+    leave();
     transport.close();
   }
 

@@ -110,8 +110,13 @@ final class InProcessTransport implements Transport {
   }
 
   @Override
-  public void close() {
+  public void leave() {
     leave(Optional.empty());
+  }
+
+  @Override
+  public void close() {
+    leave();
   }
 
   @Override

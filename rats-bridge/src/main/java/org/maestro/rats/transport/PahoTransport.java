@@ -34,6 +34,7 @@ public final class PahoTransport implements Transport {
   private final String clientId;
   private final Optional<Credentials> credentials;
   private final Duration keepAlive;
+  private final Admission admission;
   private final ScheduledThreadPoolExecutor timers;
   private final SerialExecutor work = new SerialExecutor();
   private final Events events = new Events();
@@ -49,6 +50,11 @@ public final class PahoTransport implements Transport {
 
   private boolean ready;
   private boolean leaving;
+
+  /** It waits to be admitted, or is admitted and not ready yet. */
+  private boolean queued;
+
+  private boolean admitted;
   private int attempts;
   private long awayUntil = System.nanoTime();
   private long lastSignOfLife = System.nanoTime();
@@ -57,7 +63,16 @@ public final class PahoTransport implements Transport {
    * @param broker such as {@code tcp://127.0.0.1:1883}
    */
   public PahoTransport(URI broker, String clientId) {
-    this(broker, clientId, Optional.empty(), KEEP_ALIVE);
+    this(broker, clientId, new Admission());
+  }
+
+  /**
+   * As one of many in this process.
+   *
+   * @param admission the same for all of them
+   */
+  public PahoTransport(URI broker, String clientId, Admission admission) {
+    this(broker, clientId, Optional.empty(), KEEP_ALIVE, admission);
   }
 
   /**
@@ -67,7 +82,7 @@ public final class PahoTransport implements Transport {
    * @param keepAlive whole seconds, from 1; usual are 15
    */
   public PahoTransport(URI broker, String clientId, Duration keepAlive) {
-    this(broker, clientId, Optional.empty(), keepAlive);
+    this(broker, clientId, Optional.empty(), keepAlive, new Admission());
   }
 
   /**
@@ -76,11 +91,24 @@ public final class PahoTransport implements Transport {
    * @param broker such as {@code ssl://127.0.0.1:8883}
    */
   public PahoTransport(URI broker, Credentials credentials) {
-    this(broker, credentials.user(), Optional.of(credentials), KEEP_ALIVE);
+    this(broker, credentials, new Admission());
+  }
+
+  /**
+   * The same as one of many in this process.
+   *
+   * @param admission the same for all of them
+   */
+  public PahoTransport(URI broker, Credentials credentials, Admission admission) {
+    this(broker, credentials.user(), Optional.of(credentials), KEEP_ALIVE, admission);
   }
 
   private PahoTransport(
-      URI broker, String clientId, Optional<Credentials> credentials, Duration keepAlive) {
+      URI broker,
+      String clientId,
+      Optional<Credentials> credentials,
+      Duration keepAlive,
+      Admission admission) {
     if (keepAlive.toSeconds() < 1) {
       throw new IllegalArgumentException(
           "A keep-alive is one second or more, not " + keepAlive + ".");
@@ -89,6 +117,7 @@ public final class PahoTransport implements Transport {
     this.broker = broker;
     this.clientId = clientId;
     this.credentials = credentials;
+    this.admission = admission;
     timers =
         new ScheduledThreadPoolExecutor(
             1,
@@ -187,12 +216,17 @@ public final class PahoTransport implements Transport {
   }
 
   @Override
-  public void close() {
+  public void leave() {
     perform(
         () -> {
           leaving = true;
           sayGoodbyeWhenDone();
         });
+  }
+
+  @Override
+  public void close() {
+    leave();
     if (!work.isWithin()) {
       awaitGoodbye();
       end();
@@ -243,12 +277,34 @@ public final class PahoTransport implements Transport {
   }
 
   private void attempt() {
-    if (!leaving && connection == null && System.nanoTime() - awayUntil >= 0) {
-      PahoConnection tried =
-          new PahoConnection(broker, clientId, keepAlive, will, credentials, events);
-      connection = tried;
-      tried.connect();
-      later(() -> giveUp(tried), ATTEMPT_SECONDS * 1_000);
+    if (mayConnect() && !queued) {
+      queued = true;
+      admission.enter(() -> perform(this::connect));
+    }
+  }
+
+  private boolean mayConnect() {
+    return !leaving && connection == null && System.nanoTime() - awayUntil >= 0;
+  }
+
+  private void connect() {
+    queued = false;
+    admitted = true;
+    if (!mayConnect()) {
+      makeRoom();
+      return;
+    }
+    PahoConnection tried =
+        new PahoConnection(broker, clientId, keepAlive, will, credentials, events);
+    connection = tried;
+    tried.connect();
+    later(() -> giveUp(tried), ATTEMPT_SECONDS * 1_000);
+  }
+
+  private void makeRoom() {
+    if (admitted) {
+      admitted = false;
+      admission.leave();
     }
   }
 
@@ -278,6 +334,7 @@ public final class PahoTransport implements Transport {
           } else if (!ready) {
             ready = true;
             attempts = 0;
+            makeRoom();
             listener().connected();
             List<Message> waiting = List.copyOf(early);
             early.clear();
@@ -307,6 +364,7 @@ public final class PahoTransport implements Transport {
       connection = null;
     }
     ready = false;
+    makeRoom();
     early.clear();
     queue.failAll(reason);
   }

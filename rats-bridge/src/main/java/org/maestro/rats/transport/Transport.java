@@ -56,6 +56,9 @@ public interface Transport extends AutoCloseable {
    */
   void publish(Publication publication, Completion completion);
 
+  /** Begins to say goodbye as {@link #close} does, and does not wait for it. */
+  void leave();
+
   /**
    * Says goodbye: what was published before still leaves, the will does not. Waits at most about
    * two seconds.

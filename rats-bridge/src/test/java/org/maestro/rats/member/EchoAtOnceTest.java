@@ -69,6 +69,11 @@ class EchoAtOnceTest {
     }
 
     @Override
+    public void leave() {
+      handlers.clear();
+    }
+
+    @Override
     public void close() {
       handlers.clear();
     }

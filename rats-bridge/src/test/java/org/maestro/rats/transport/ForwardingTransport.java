@@ -48,6 +48,11 @@ public abstract class ForwardingTransport implements Transport {
   }
 
   @Override
+  public void leave() {
+    transport.leave();
+  }
+
+  @Override
   public void close() {
     transport.close();
   }

@@ -8,6 +8,7 @@ import org.maestro.rats.broker.EmbeddedBroker;
 import org.maestro.rats.link.SiteKind;
 import org.maestro.rats.member.CallPolicy;
 import org.maestro.rats.security.SiteSecurity;
+import org.maestro.rats.transport.Admission;
 import org.maestro.rats.transport.ConnectionTester;
 import org.maestro.rats.transport.PahoTransport;
 import org.maestro.rats.transport.Transport;
@@ -27,6 +28,7 @@ public final class SiteBus {
   private final URI broker;
   private final String site;
   private final Optional<SiteSecurity> security;
+  private final Admission admission = new Admission();
 
   /**
    * @throws SiteException when the security files are of another site, or the broker's scheme is
@@ -87,8 +89,8 @@ public final class SiteBus {
   public Function<String, Transport> transports() {
     return id ->
         security
-            .map(files -> new PahoTransport(broker, files.password(id)))
-            .orElseGet(() -> new PahoTransport(broker, site + "-" + id));
+            .map(files -> new PahoTransport(broker, files.password(id), admission))
+            .orElseGet(() -> new PahoTransport(broker, site + "-" + id, admission));
   }
 
   public CallPolicy policy() {

@@ -42,6 +42,7 @@ import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.member.RatsMember;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.time.PacedClock;
+import org.maestro.rats.transport.Admission;
 import org.maestro.rats.transport.PahoTransport;
 import org.maestro.sl.SlParser;
 
@@ -127,9 +128,10 @@ public final class ContainersBench {
             "s");
         begin = System.nanoTime();
         List<Dial> dials = IntStream.range(0, containers).mapToObj(Dial::new).toList();
+        Admission admission = new Admission();
         for (Dial dial : dials) {
-          members.add(
-              dial.join(new PahoTransport(broker.uri(), dial.id()), site, clock, containers));
+          PahoTransport transport = new PahoTransport(broker.uri(), dial.id(), admission);
+          members.add(dial.join(transport, site, clock, containers));
         }
         await(platform);
         row(
@@ -139,6 +141,7 @@ public final class ContainersBench {
         row("agents in other processes", elsewhere(platform), "agents");
         pursue(platform, hosts, dials);
       } finally {
+        members.forEach(RatsMember::leave);
         members.forEach(RatsMember::close);
       }
     }
