@@ -51,6 +51,9 @@ public final class PahoTransport implements Transport {
   private boolean ready;
   private boolean leaving;
 
+  /** A second goodbye would cut the connection before the first is out, as if it had died. */
+  private boolean saidGoodbye;
+
   /** It waits to be admitted, or is admitted and not ready yet. */
   private boolean queued;
 
@@ -264,9 +267,10 @@ public final class PahoTransport implements Transport {
   }
 
   private void sayGoodbyeWhenDone() {
-    if (!leaving || !queue.isEmpty() || goodbye.getCount() == 0) {
+    if (!leaving || !queue.isEmpty() || saidGoodbye) {
       return;
     }
+    saidGoodbye = true;
     if (connection == null || !ready) {
       goodbye.countDown();
     } else {

@@ -163,6 +163,23 @@ abstract class TransportContract {
   }
 
   @Test
+  void whoLeavesAndIsClosedAtOnceHasNotDied() {
+    Inbox inbox = new Inbox();
+    Transport reader = client("reader");
+    reader.subscribe("m/+/status", RetainedMessages.SEND, inbox);
+    open(reader, Optional.empty());
+    for (int number = 0; number < 20; number++) {
+      Transport guest = client("guest-" + number);
+      open(guest, Optional.of(new Transport.Will("m/guest-" + number + "/status", bytes("lost"))));
+      guest.leave();
+      guest.close();
+    }
+    publish(reader, Publication.retained("m/end/status", bytes("end")));
+    await(() -> inbox.size() >= 1);
+    assertThat(inbox.messages).hasSize(1);
+  }
+
+  @Test
   void staysAwayForAWhileAndSaysGoodbyeBefore() {
     Inbox wills = new Inbox();
     open("reader", wills, "m/+/status", RetainedMessages.SEND);
