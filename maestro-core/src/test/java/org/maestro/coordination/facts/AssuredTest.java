@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.PretendHouse;
@@ -51,6 +52,48 @@ class AssuredTest {
             "(forall (?x - Item) (and (not (in ?x zone-a)) (not (unknown (in ?x zone-a)))))");
     assertThat(assured("(imply (not (in Cup zone-a)) (in Bob zone-a))"))
         .isEqualTo("(or (in Cup zone-a) (in Bob zone-a))");
+  }
+
+  @Test
+  void eachComparisonHasItsOpposite() {
+    assertThat(assured("(not (< (illuminance zone-a) 1))"))
+        .isEqualTo("(>= (illuminance zone-a) 1)");
+    assertThat(assured("(not (<= (illuminance zone-a) 1))"))
+        .isEqualTo("(> (illuminance zone-a) 1)");
+    assertThat(assured("(not (> (illuminance zone-a) 1))"))
+        .isEqualTo("(<= (illuminance zone-a) 1)");
+    assertThat(assured("(not (= (illuminance zone-a) 1))"))
+        .isEqualTo("(or (< (illuminance zone-a) 1) (> (illuminance zone-a) 1))");
+    assertThat(assured("(not (= Cup Bob))")).as("of no numbers").isEqualTo("(not (= Cup Bob))");
+  }
+
+  @Test
+  void eachKindOfFormulaIsTurnedRound() {
+    assertThat(assured("(not (and (open door-ab) (locked door-ab)))"))
+        .isEqualTo("(or (not (open door-ab)) (not (locked door-ab)))");
+    assertThat(assured("(not (or (open door-ab) (locked door-ab)))"))
+        .isEqualTo("(and (not (open door-ab)) (not (locked door-ab)))");
+    assertThat(assured("(not (not (in Cup zone-a)))")).isEqualTo("(in Cup zone-a)");
+    assertThat(assured("(not (imply (in Cup zone-a) (open door-ab)))"))
+        .isEqualTo("(and (in Cup zone-a) (not (open door-ab)))");
+    assertThat(assured("(not (forall (?d - Door) (open ?d)))"))
+        .isEqualTo("(exists (?d - Door) (not (open ?d)))");
+  }
+
+  @Test
+  void partsOfEachKindOfFormulaAreAssured() {
+    String not = "(not (in Cup zone-a))";
+    String known = "(and (not (in Cup zone-a)) (not (unknown (in Cup zone-a))))";
+
+    for (String whole :
+        List.of(
+            "(and %s (open door-ab))",
+            "(or %s (open door-ab))",
+            "(exists (?d - Door) %s)",
+            "(forall (?d - Door) %s)",
+            "(keep %s)")) {
+      assertThat(assured(whole.formatted(not))).isEqualTo(whole.formatted(known));
+    }
   }
 
   @Test
