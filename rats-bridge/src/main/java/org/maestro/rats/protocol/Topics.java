@@ -1,5 +1,6 @@
 package org.maestro.rats.protocol;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 
@@ -129,6 +130,16 @@ public record Topics(String site) {
         .or(() -> controllerOf(topic))
         .or(() -> senderOf(topic))
         .orElse(topic);
+  }
+
+  /** Filter: all of the site. */
+  public String everything() {
+    return root() + "#";
+  }
+
+  /** Filters: the topics on which all that is published is retained. */
+  public List<String> retained() {
+    return List.of(statuses(), descriptions(), states(), controllerStatuses());
   }
 
   private String member(String id) {

@@ -30,8 +30,12 @@ record TopicFilter(String text, List<String> levels, int firstWildcard, String b
     return plus < 0 || hash < 0 ? Math.max(plus, hash) : Math.min(plus, hash);
   }
 
+  boolean hasWildcard() {
+    return firstWildcard >= 0;
+  }
+
   boolean matches(String topic) {
-    if (firstWildcard < 0) {
+    if (!hasWildcard()) {
       return text.equals(topic);
     }
     if (!topic.startsWith(before)) {

@@ -12,6 +12,7 @@ import java.util.TreeSet;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.KnowledgeSettings;
@@ -36,6 +37,7 @@ import org.maestro.rats.time.Clock;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.rats.transport.InProcessBus;
+import org.maestro.rats.transport.SharedConnection;
 import org.maestro.rats.transport.Transport;
 import org.maestro.sim.SimulatedHome;
 import org.maestro.sim.world.World;
@@ -49,6 +51,11 @@ public final class LocalSite implements AutoCloseable {
 
   /** Wall time, which is what the opening of a site on the real bus takes. */
   private static final Duration PACED_OPENING = Duration.ofSeconds(20);
+
+  private static final Duration OPENING_OF_A_DEVICE = Duration.ofMillis(50);
+
+  /** More names than these say no more. */
+  private static final int MOST_NAMES = 10;
 
   private static final int BROKER_ANSWERS_WITHIN_MILLIS = 2_000;
   private static final String CONTROLLER = "maestro";
@@ -66,6 +73,7 @@ public final class LocalSite implements AutoCloseable {
   private final Driver driver;
   private final Optional<URI> broker;
   private final Function<String, Transport> transports;
+  private final Function<String, Transport> membersTransports;
   private Optional<SimulatedHome> simulated = Optional.empty();
   private Optional<InProcessBus> bus = Optional.empty();
   private CallPolicy policy = CallPolicy.OPEN;
@@ -77,12 +85,14 @@ public final class LocalSite implements AutoCloseable {
       Clock clock,
       Driver driver,
       Optional<URI> broker,
-      Function<String, Transport> transports) {
+      Function<String, Transport> transports,
+      Function<String, Transport> membersTransports) {
     this.settings = settings;
     this.clock = clock;
     this.driver = driver;
     this.broker = broker;
     this.transports = transports;
+    this.membersTransports = membersTransports;
   }
 
   /** On the stepped clock, over the bus within the process: the same seed gives the same run. */
@@ -93,7 +103,8 @@ public final class LocalSite implements AutoCloseable {
   /** The same on a clock of one's own, such as a shuffled one, that nobody has used yet. */
   public static LocalSite stepped(SiteSettings settings, SteppedClock clock) {
     InProcessBus bus = new InProcessBus(clock);
-    LocalSite site = new LocalSite(settings, clock, clock::runUntil, Optional.empty(), bus::client);
+    LocalSite site =
+        new LocalSite(settings, clock, clock::runUntil, Optional.empty(), bus::client, bus::client);
     site.bus = Optional.of(bus);
     return site.opened(DECISION_ON_STEPPED_CLOCK, STEPPED_OPENING);
   }
@@ -112,8 +123,12 @@ public final class LocalSite implements AutoCloseable {
             ? Optional.empty()
             : Optional.of(SiteBus.ownBroker(settings.security()));
     URI uri = settings.broker().orElseGet(() -> own.orElseThrow().uri());
-    SiteBus shared = new SiteBus(uri, settings.name(), settings.security());
-    settings.broker().ifPresent(external -> shared.requireLetIn(CONTROLLER));
+    SiteBus bus = new SiteBus(uri, settings.name(), settings.security());
+    settings.broker().ifPresent(external -> bus.requireLetIn(CONTROLLER));
+    Optional<SharedConnection> members =
+        own.isPresent() && settings.security().isEmpty()
+            ? Optional.of(bus.sharedByMembers())
+            : Optional.empty();
     PacedClock clock = new PacedClock(speed);
     LocalSite site =
         new LocalSite(
@@ -121,12 +136,18 @@ public final class LocalSite implements AutoCloseable {
             clock,
             (condition, limit) -> poll(clock, condition, limit),
             Optional.of(uri),
-            shared.transports());
-    site.policy = shared.policy();
-    site.kind = shared.kind();
+            bus.transports(),
+            members
+                .<Function<String, Transport>>map(shared -> shared::client)
+                .orElseGet(bus::transports));
+    site.policy = bus.policy();
+    site.kind = bus.kind();
     own.ifPresent(site.parts::opened);
     site.parts.opened(clock);
-    return site.opened(Duration.ZERO, Duration.ofMillis((long) (PACED_OPENING.toMillis() * speed)));
+    members.ifPresent(site.parts::opened);
+    Duration opening =
+        PACED_OPENING.plus(OPENING_OF_A_DEVICE.multipliedBy(settings.home().devices().size()));
+    return site.opened(Duration.ZERO, Duration.ofMillis((long) (opening.toMillis() * speed)));
   }
 
   /** A transport tries for ever, as it should in a site that runs. */
@@ -163,7 +184,7 @@ public final class LocalSite implements AutoCloseable {
                               scene,
                               clock,
                               settings.seed(),
-                              transports,
+                              membersTransports,
                               settings.name(),
                               new DescriptionWriter(settings.home())::write)
                           .with(settings.physics())
@@ -230,20 +251,28 @@ public final class LocalSite implements AutoCloseable {
             .flatMap(home -> home.devices().stream().filter(home.world()::isAlive))
             .toList();
     if (!runUntil(() -> isThereOrHomeless(expected), opening)) {
+      Set<String> settled = settled();
+      List<String> missing = expected.stream().filter(id -> !settled.contains(id)).toList();
       throw new SiteException(
-          "Within %d simulated seconds only these devices came: %s; expected were %s."
+          "Within %d simulated seconds %d of %d devices did not come: %s%s."
               .formatted(
                   opening.toSeconds(),
-                  String.join(", ", platform().presentMembers()),
-                  String.join(", ", expected)));
+                  missing.size(),
+                  expected.size(),
+                  missing.stream().limit(MOST_NAMES).collect(Collectors.joining(", ")),
+                  missing.size() > MOST_NAMES ? " and others" : ""));
     }
   }
 
   /** One whose agent needs another host than this process comes when such a host does. */
   private boolean isThereOrHomeless(List<String> expected) {
+    return settled().containsAll(expected);
+  }
+
+  private Set<String> settled() {
     Set<String> settled = new TreeSet<>(platform().presentMembers());
     settled.addAll(platform().homeless());
-    return settled.containsAll(expected);
+    return settled;
   }
 
   /**
@@ -253,7 +282,7 @@ public final class LocalSite implements AutoCloseable {
   public RatsMember join(MemberProfile profile, MemberProfile.Values values) {
     RatsMember member =
         RatsMember.start(
-            profile, values, transports.apply(profile.id()), settings.name(), policy, clock);
+            profile, values, membersTransports.apply(profile.id()), settings.name(), policy, clock);
     parts.opened(member);
     return member;
   }

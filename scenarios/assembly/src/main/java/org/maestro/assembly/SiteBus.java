@@ -7,10 +7,12 @@ import java.util.function.Function;
 import org.maestro.rats.broker.EmbeddedBroker;
 import org.maestro.rats.link.SiteKind;
 import org.maestro.rats.member.CallPolicy;
+import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.security.SiteSecurity;
 import org.maestro.rats.transport.Admission;
 import org.maestro.rats.transport.ConnectionTester;
 import org.maestro.rats.transport.PahoTransport;
+import org.maestro.rats.transport.SharedConnection;
 import org.maestro.rats.transport.Transport;
 
 /**
@@ -91,6 +93,22 @@ public final class SiteBus {
         security
             .map(files -> new PahoTransport(broker, files.password(id), admission))
             .orElseGet(() -> new PahoTransport(broker, site + "-" + id, admission));
+  }
+
+  /**
+   * The connection of all members of this process that have their broker in it too.
+   *
+   * @throws SiteException when the site is secured, where each connects as itself
+   */
+  SharedConnection sharedByMembers() {
+    if (security.isPresent()) {
+      throw new SiteException("On a secured site each member connects as itself.");
+    }
+    Topics topics = new Topics(site);
+    return new SharedConnection(
+        new PahoTransport(broker, site + "-members", admission),
+        topics.everything(),
+        topics.retained());
   }
 
   public CallPolicy policy() {
