@@ -9,7 +9,6 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -17,7 +16,6 @@ import org.maestro.agents.content.GoalReport;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteException;
 import org.maestro.assembly.SiteSettings;
-import org.maestro.coordination.api.StoryEntry;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.sl.SlParser;
@@ -25,15 +23,11 @@ import org.maestro.sl.SlParser;
 /**
  * Coordination under load, on a whole site: JADE agents, MQTT broker and simulated devices in one
  * process. First goals one after the other, warm, for the time from a goal's arrival to its first
- * call; then many goals stated within a second, for the time until each is awarded (its plan is
- * found and its agents have it) and starts or queues. For one thread.
+ * call; then many goals stated within a second ({@link GoalBurst}). For one thread.
  */
 public final class CoordinationBench {
   private static final int SPEED = 20;
   private static final Pattern QUESTIONS = Pattern.compile("Exact prices asked: (\\d+)");
-
-  /** Then the story names what the goal waits for, and who has it. */
-  private static final String QUEUED = "Waits: ";
 
   /** As many as it takes until the times no longer fall. */
   private static final int WARM_UP = 160;
@@ -42,8 +36,6 @@ public final class CoordinationBench {
   private static final int WARM_UP_ROUNDS = 5_000;
   private static final Duration MEASURED_TIME = Duration.ofSeconds(5);
   private static final long PATIENCE_SECONDS = 120;
-  private static final double BURST_LIMIT_SECONDS = 5;
-  private static final long BURST_PATIENCE_SECONDS = 30;
 
   private final LargeHome large;
   private final int goals;
@@ -156,53 +148,8 @@ public final class CoordinationBench {
   }
 
   private void burst(LocalSite site) {
-    Map<String, Long> awardedNanos = new ConcurrentHashMap<>();
-    site.platform()
-        .onStory(
-            entry -> {
-              if (entry.kind() == StoryEntry.Kind.PLAN
-                  || entry.kind() == StoryEntry.Kind.END
-                  || entry.text().startsWith(QUEUED)) {
-                awardedNanos.putIfAbsent(entry.goalId(), System.nanoTime());
-              }
-            });
-    Map<String, Boolean> accepted = new ConcurrentHashMap<>();
-    progress.accept("%d goals stated within one second.".formatted(goals));
-    long begin = System.nanoTime();
-    for (int i = 0; i < goals; i++) {
-      pause(begin + i * 1_000_000_000L / goals);
-      site.platform()
-          .desk()
-          .pursue(
-              SlParser.formula(goal(i), site.platform().knowledge().home().vocabulary()::isFluent),
-              id -> accepted.put(id, true),
-              report -> {});
-    }
-    long limit = begin + BURST_PATIENCE_SECONDS * 1_000_000_000L;
-    while (awardedNanos.size() < goals && System.nanoTime() < limit) {
-      LockSupport.parkNanos(5_000_000);
-    }
-    List<Double> seconds =
-        awardedNanos.values().stream().map(at -> (at - begin) / 1e9).sorted().toList();
-    rows.add(
-        BenchReport.Row.of(
-            "burst: goals awarded or queued within 5 s",
-            (double) seconds.stream().filter(s -> s <= BURST_LIMIT_SECONDS).count(),
-            "goals"));
-    rows.add(BenchReport.Row.of("burst: goals stated", accepted.size(), "goals"));
-    if (!seconds.isEmpty()) {
-      rows.add(
-          BenchReport.Row.of(
-              "burst: last of %d awarded or queued after".formatted(seconds.size()),
-              seconds.get(seconds.size() - 1),
-              "s"));
-    }
-  }
-
-  private static void pause(long untilNanos) {
-    while (System.nanoTime() < untilNanos) {
-      LockSupport.parkNanos(500_000);
-    }
+    progress.accept("%d goals stated within one second, by two.".formatted(goals));
+    rows.addAll(new GoalBurst(site, goals, this::goal).measure());
   }
 
   private String goal(int number) {

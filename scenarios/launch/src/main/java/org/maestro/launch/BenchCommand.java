@@ -19,6 +19,7 @@ import org.maestro.bench.BenchReport;
 import org.maestro.bench.ChaosBench;
 import org.maestro.bench.CoordinationBench;
 import org.maestro.bench.LargeHome;
+import org.maestro.bench.RunningBench;
 import org.maestro.bench.SimulationBench;
 import org.maestro.bench.SoakBench;
 import org.maestro.bench.bus.BusBench;
@@ -43,7 +44,7 @@ import picocli.CommandLine.Spec;
     name = "bench",
     description =
         "Run a benchmark: agents, building, bus, cancel, chaos, containers, coordination, growth, losses, "
-            + "openings, planner, sim or soak.")
+            + "openings, planner, running, sim or soak.")
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
   private static final int LEAST_GOALS = 250;
@@ -110,7 +111,8 @@ final class BenchCommand implements Callable<Integer> {
       paramLabel = "N",
       split = ",",
       description =
-          "About how many devices each building has; 40,100,200,400,1000,4000 unless it is said.")
+          "About how many devices each building has; 40,100,200,400,1000,4000 unless it is said, and"
+              + " 40,200,400,1000 of running ones.")
   private List<Integer> devices = BuildingBench.DEVICES;
 
   @Option(
@@ -207,6 +209,15 @@ final class BenchCommand implements Callable<Integer> {
     benches.put(
         "openings", (wanted, progress) -> new OpeningsBench(OPENED, wanted.runs(), progress).run());
     benches.put("planner", (wanted, progress) -> new PlannerBench(20, progress).run());
+    benches.put(
+        "running",
+        (wanted, progress) ->
+            new RunningBench(
+                    wanted.devices().equals(BuildingBench.DEVICES)
+                        ? RunningBench.DEVICES
+                        : wanted.devices(),
+                    progress)
+                .run());
     benches.put("sim", (wanted, progress) -> simulation(progress));
     benches.put("soak", (wanted, progress) -> soak(wanted.goals(), progress));
     return Collections.unmodifiableMap(benches);
