@@ -61,6 +61,9 @@ final class KeptPlanning {
 
   private Optional<Proven> proven = Optional.empty();
 
+  /** Of the last plan, proven or not. */
+  private double lastCost;
+
   /** For those who were there at different times, the newest first. */
   private final Deque<KeptGround> grounds = new ArrayDeque<>();
 
@@ -114,6 +117,7 @@ final class KeptPlanning {
     PlanningResult result = search.run(budget);
     changed.clear();
     proven = Optional.empty();
+    lastCost = result instanceof PlanningResult.Found found ? found.plan().cost() : 0;
     if (result instanceof PlanningResult.Found found && isProof(found, search)) {
       search.kept(found.plan().cost()).ifPresent(grounds::addFirst);
       if (grounds.size() > MOST_GROUNDS) {
@@ -127,7 +131,7 @@ final class KeptPlanning {
   /** Where the old plan is of no use, one is likely to cost some more than what was searched. */
   private double withoutRest() {
     return grounds.isEmpty() || grounds.getFirst().beyond() == Double.POSITIVE_INFINITY
-        ? proven.map(before -> before.plan().cost()).orElse(0.0)
+        ? proven.map(before -> before.plan().cost()).orElse(lastCost)
         : MORE * grounds.getFirst().beyond();
   }
 

@@ -20,7 +20,6 @@ import org.maestro.planning.problem.ConditionCompiler;
 import org.maestro.planning.problem.EffectCompiler;
 import org.maestro.planning.problem.Signature;
 import org.maestro.planning.problem.StaticFacts;
-import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
@@ -40,15 +39,12 @@ final class FeatureTemplate {
 
   private static final List<Term> TRUTHS = List.of(new Term.Truth(true), new Term.Truth(false));
 
-  /** The predicate or number that a part of the effect names. */
-  private record Target(String name, List<Term> arguments) {}
-
   private final PricedFeature feature;
   private final ConditionCompiler conditions;
   private final Map<String, List<Term>> domains = new LinkedHashMap<>();
   private final List<Conjunct> conjuncts = new ArrayList<>();
   private final List<Formula> required = new ArrayList<>();
-  private final List<Target> targets = new ArrayList<>();
+  private final List<EffectTarget> targets;
   private final IdleParameters idle;
   private final Map<Set<String>, Next> nextOf = new HashMap<>();
 
@@ -102,7 +98,7 @@ final class FeatureTemplate {
       }
     }
     collectStatic(feature.type().precondition(), signature, staticAnswers);
-    collectTargets(feature.type().effect());
+    this.targets = EffectTarget.of(feature.type().effect());
   }
 
   PricedFeature feature() {
@@ -153,26 +149,6 @@ final class FeatureTemplate {
     }
   }
 
-  private void collectTargets(Effect effect) {
-    if (effect instanceof Effect.All all) {
-      all.effects().forEach(this::collectTargets);
-    } else if (effect instanceof Effect.When when) {
-      collectTargets(when.effect());
-    } else if (effect instanceof Effect.Forall forall) {
-      collectTargets(forall.effect());
-    } else if (effect instanceof Effect.Add add) {
-      targets.add(new Target(add.atom().predicate(), add.atom().arguments()));
-    } else if (effect instanceof Effect.Delete delete) {
-      targets.add(new Target(delete.atom().predicate(), delete.atom().arguments()));
-    } else if (effect instanceof Effect.SenseAtom sense) {
-      targets.add(new Target(sense.atom().predicate(), sense.atom().arguments()));
-    } else if (effect instanceof Effect.SenseNumber sense) {
-      targets.add(new Target(sense.fluent().name(), sense.fluent().arguments()));
-    } else if (effect instanceof Effect.Change change) {
-      targets.add(new Target(change.fluent().name(), change.fluent().arguments()));
-    }
-  }
-
   /**
    * Hands on the bindings under which the effect may change what is named, as far as the static
    * conditions allow.
@@ -182,7 +158,7 @@ final class FeatureTemplate {
    */
   void forEachInstanceChanging(
       String name, List<Term> arguments, boolean symmetric, Consumer<Map<String, Term>> consumer) {
-    for (Target target : targets) {
+    for (EffectTarget target : targets) {
       if (target.name().equals(name)) {
         bindAndEnumerate(target, arguments, consumer);
         if (symmetric && arguments.size() == 2) {
@@ -193,7 +169,7 @@ final class FeatureTemplate {
   }
 
   private void bindAndEnumerate(
-      Target target, List<Term> arguments, Consumer<Map<String, Term>> consumer) {
+      EffectTarget target, List<Term> arguments, Consumer<Map<String, Term>> consumer) {
     Map<String, Term> bindings = selfOnly();
     for (int i = 0; i < Math.min(arguments.size(), target.arguments().size()); i++) {
       Term pattern = target.arguments().get(i);

@@ -153,7 +153,7 @@ public final class Grounder {
 
   private Map<Integer, Double> settingPrices(VariableValue aim) {
     Map<Integer, Double> prices = new TreeMap<>();
-    for (int template : work.offers().changing(aim.variable().predicate())) {
+    for (int template : work.mayChange(aim)) {
       if (work.offers().mayBringAbout(work.offers().feature(template).type(), aim)) {
         OptionalDouble least = work.settingPrice(aim, template);
         least.ifPresent(price -> prices.put(template, price));
@@ -172,7 +172,7 @@ public final class Grounder {
   private double changing(Object want, double left, List<Operator> into) {
     double cheapestLeftOut = Double.POSITIVE_INFINITY;
     Offers offers = work.offers();
-    for (int template : offers.changing(GroundingCache.name(want))) {
+    for (int template : work.mayChange(want)) {
       PricedFeature feature = offers.feature(template);
       if (want instanceof VariableValue aim && !offers.mayBringAbout(feature.type(), aim)) {
         continue;

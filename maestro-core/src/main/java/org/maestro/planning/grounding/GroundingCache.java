@@ -92,7 +92,7 @@ public final class GroundingCache {
     this.origin = task;
     this.finish = finish;
     this.signature = new Signature(task.vocabulary(), changing);
-    this.offers = new Offers(offered);
+    this.offers = new Offers(offered, this::isSymmetric);
     this.facts = new StaticFacts(task.facts());
     this.variables = new Variables(signature, facts);
     this.conditions = new ConditionCompiler(signature, facts, variables);
@@ -322,17 +322,27 @@ public final class GroundingCache {
 
   /** The instances that may bring about or change what is wanted. */
   private void forEachInstance(int template, Object want, Consumer<Map<String, Term>> consumer) {
+    String name = name(want);
+    template(template).forEachInstanceChanging(name, arguments(want), isSymmetric(name), consumer);
+  }
+
+  /** The numbers of the features that may bring about or change what is wanted. */
+  List<Integer> mayChange(Object want) {
+    return offers.changing(name(want), arguments(want));
+  }
+
+  /** The arguments of what is wanted, with the value if that is wanted. */
+  private static List<Term> arguments(Object want) {
     Object target = target(want);
-    String name = name(target);
-    List<Term> arguments =
-        new ArrayList<>(
-            target instanceof Variable variable
-                ? variable.arguments()
-                : ((NumberVariable) target).fluent().arguments());
-    if (want instanceof VariableValue aim && aim.variable().functional()) {
-      arguments.add(aim.variable().value(aim.value()));
+    if (!(target instanceof Variable variable)) {
+      return ((NumberVariable) target).fluent().arguments();
     }
-    template(template).forEachInstanceChanging(name, arguments, isSymmetric(name), consumer);
+    if (!(want instanceof VariableValue aim) || !variable.functional()) {
+      return variable.arguments();
+    }
+    List<Term> arguments = new ArrayList<>(variable.arguments());
+    arguments.add(variable.value(aim.value()));
+    return arguments;
   }
 
   private static Object target(Object want) {

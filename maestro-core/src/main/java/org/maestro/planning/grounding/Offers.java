@@ -1,18 +1,25 @@
 package org.maestro.planning.grounding;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.planning.api.PricedFeature;
 import org.maestro.planning.problem.Signature;
 import org.maestro.planning.problem.VariableValue;
+import org.maestro.sl.Self;
+import org.maestro.sl.Term;
 
 /** The features of a task by number. A feature keeps its number while others come and go. */
 final class Offers {
@@ -21,11 +28,25 @@ final class Offers {
   private final List<PricedFeature> features = new ArrayList<>();
   private final List<OptionalInt> kin = new ArrayList<>();
   private final IdentityHashMap<FeatureType, Set<String>> addedBy = new IdentityHashMap<>();
-  private final Map<String, List<Integer>> changing = new HashMap<>();
+  private final Predicate<String> isSymmetric;
+  private final Map<String, Changing> changing = new HashMap<>();
   private final Map<Integer, Integer> ranks = new HashMap<>();
   private final Set<String> removed = new HashSet<>();
 
-  Offers(List<PricedFeature> features) {
+  /**
+   * The features that may change one predicate or number, each in the task's order.
+   *
+   * @param ofItself those that change only what names their member itself, such as where it is: by
+   *     the place of that argument, and by the member
+   */
+  private record Changing(
+      List<Integer> ofAnything, Map<Integer, Map<String, List<Integer>>> ofItself) {}
+
+  /**
+   * @param isSymmetric tells whether the arguments of a predicate may be swapped
+   */
+  Offers(List<PricedFeature> features, Predicate<String> isSymmetric) {
+    this.isSymmetric = isSymmetric;
     become(features);
   }
 
@@ -38,16 +59,50 @@ final class Offers {
     changing.clear();
     ranks.clear();
     removed.clear();
-    IdentityHashMap<FeatureType, Set<String>> changedBy = new IdentityHashMap<>();
+    IdentityHashMap<FeatureType, Map<String, OptionalInt>> changedBy = new IdentityHashMap<>();
     for (PricedFeature feature : next) {
       int number = number(feature, known.getOrDefault(name(feature), List.of()));
       ranks.put(number, ranks.size());
-      for (String name :
-          changedBy.computeIfAbsent(feature.type(), type -> Signature.changedBy(type.effect()))) {
-        changing.computeIfAbsent(name, absent -> new ArrayList<>()).add(number);
-      }
+      changedBy
+          .computeIfAbsent(feature.type(), this::changedBy)
+          .forEach((name, ownPlace) -> add(name, ownPlace, feature.member(), number));
     }
     changedBy.keySet().forEach(type -> removed.addAll(Signature.removedBy(type.effect())));
+  }
+
+  /** What a feature may change, and which argument is always the member itself, if any is. */
+  private Map<String, OptionalInt> changedBy(FeatureType type) {
+    Map<String, List<EffectTarget>> targets = new LinkedHashMap<>();
+    for (EffectTarget target : EffectTarget.of(type.effect())) {
+      targets.computeIfAbsent(target.name(), absent -> new ArrayList<>()).add(target);
+    }
+    Map<String, OptionalInt> ownPlaces = new LinkedHashMap<>();
+    targets.forEach(
+        (name, all) ->
+            ownPlaces.put(
+                name,
+                isSymmetric.test(name)
+                    ? OptionalInt.empty()
+                    : IntStream.range(0, all.get(0).arguments().size())
+                        .filter(place -> all.stream().allMatch(t -> isOwn(t, place)))
+                        .findFirst()));
+    return ownPlaces;
+  }
+
+  private static boolean isOwn(EffectTarget target, int place) {
+    return place < target.arguments().size() && target.arguments().get(place).equals(Self.VARIABLE);
+  }
+
+  private void add(String name, OptionalInt ownPlace, String member, int number) {
+    Changing all =
+        changing.computeIfAbsent(name, absent -> new Changing(new ArrayList<>(), new TreeMap<>()));
+    List<Integer> numbers =
+        ownPlace.isEmpty()
+            ? all.ofAnything()
+            : all.ofItself()
+                .computeIfAbsent(ownPlace.getAsInt(), absent -> new HashMap<>())
+                .computeIfAbsent(member, absent -> new ArrayList<>());
+    numbers.add(number);
   }
 
   private static Name name(PricedFeature feature) {
@@ -100,9 +155,30 @@ final class Offers {
     return Objects.requireNonNull(ranks.get(number));
   }
 
-  /** Numbers of the features that may change a predicate or fluent, in the task's order. */
-  List<Integer> changing(String name) {
-    return changing.getOrDefault(name, List.of());
+  /**
+   * Numbers of the features that may bring about or change what is wanted, in the task's order. Who
+   * changes only what names itself is none of them where another is named.
+   *
+   * @param name of the predicate or number
+   * @param arguments as far as they are known
+   */
+  List<Integer> changing(String name, List<Term> arguments) {
+    Changing all = changing.get(name);
+    if (all == null) {
+      return List.of();
+    }
+    List<Integer> numbers = new ArrayList<>(all.ofAnything());
+    all.ofItself()
+        .forEach(
+            (place, byMember) -> {
+              if (place >= arguments.size()) {
+                byMember.values().forEach(numbers::addAll);
+              } else if (arguments.get(place) instanceof Term.Name member) {
+                numbers.addAll(byMember.getOrDefault(member.text(), List.of()));
+              }
+            });
+    numbers.sort(Comparator.comparingInt(this::rank));
+    return numbers;
   }
 
   /** Only what is not known can be found. */

@@ -254,10 +254,14 @@ public final class ExpectedCostSearch {
               ? new SearchOrder.Cost(splits.get(i).look(), splits.get(i).rest())
               : new SearchOrder.Cost(look[i], changed(restAtPresent, rest[present], rest[i]));
     }
+    if (costs.sought().isInManyPlaces()) {
+      SearchOrder order = new SearchOrder(chance, first);
+      return IntStream.range(0, size).mapToDouble(order::expectedCost).toArray();
+    }
     SearchOrder.Cost[][] next = new SearchOrder.Cost[size][];
     for (int i = 0; i < size; i++) {
       next[i] = first.clone();
-      if (!costs.sought().isInManyPlaces() && splits.containsKey(i)) {
+      if (splits.containsKey(i)) {
         double[] looks = costs.looksAfterVainLook(after[i], i);
         for (int j = 0; j < size; j++) {
           next[i][j] =

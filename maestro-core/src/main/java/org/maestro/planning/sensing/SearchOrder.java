@@ -1,12 +1,14 @@
 package org.maestro.planning.sensing;
 
 import java.util.Arrays;
+import java.util.Comparator;
+import java.util.stream.IntStream;
 
 /**
  * The expected cost of looking into one box after another until the thing is found. For boxes that
- * do not depend on each other the best order is by chance over cost of the look; where a look makes
- * others cheaper or dearer (a robot has come nearer, a lamp shines into two rooms), all orders are
- * weighed against each other while they are few.
+ * do not depend on each other the best order is by chance over cost of the look, the same wherever
+ * it begins; where a look makes others cheaper or dearer (a robot has come nearer, a lamp shines
+ * into two rooms), all orders are weighed against each other while they are few.
  *
  * <p>The chances sum up to 1: what no box holds is no part of the decision.
  */
@@ -27,6 +29,25 @@ final class SearchOrder {
   private final Cost[][] next;
   private final double[][] known;
 
+  /** All boxes in the best order, where they do not depend on each other; else none. */
+  private final int[] order;
+
+  /** For boxes that cost the same whatever was looked into before. */
+  SearchOrder(double[] chance, Cost[] cost) {
+    this.chance = chance;
+    this.first = cost;
+    this.next = new Cost[chance.length][];
+    Arrays.fill(next, cost);
+    this.known = new double[0][];
+    // Stable: of equally good ones the first comes first.
+    this.order =
+        IntStream.range(0, chance.length)
+            .boxed()
+            .sorted(Comparator.comparingDouble(box -> -chance[box] / cost[box].look()))
+            .mapToInt(box -> box)
+            .toArray();
+  }
+
   /**
    * @param chance of each box
    * @param first what each box costs when it is the first
@@ -40,6 +61,7 @@ final class SearchOrder {
         chance.length <= MOST_WEIGHED
             ? new double[chance.length][1 << chance.length]
             : new double[0][];
+    this.order = new int[0];
     Arrays.stream(known).forEach(row -> Arrays.fill(row, Double.NaN));
   }
 
@@ -60,7 +82,9 @@ final class SearchOrder {
   }
 
   private double after(int box, boolean[] open, double left) {
-    return known.length > 0 ? weighed(box, open, left) : greedy(box, open, left);
+    return known.length > 0
+        ? weighed(box, open, left)
+        : order.length > 0 ? inOrder(open, left) : greedy(box, open, left);
   }
 
   private double weighed(int last, boolean[] open, double left) {
@@ -83,6 +107,18 @@ final class SearchOrder {
       key |= open[i] ? 1 << i : 0;
     }
     return key;
+  }
+
+  private double inOrder(boolean[] open, double left) {
+    double total = 0;
+    double remaining = left;
+    for (int box : order) {
+      if (open[box]) {
+        total += remaining * first[box].look() + chance[box] * first[box].rest();
+        remaining -= chance[box];
+      }
+    }
+    return left > 0 ? total / left : 0;
   }
 
   /** Always the box with the greatest chance for the cost of the look. */

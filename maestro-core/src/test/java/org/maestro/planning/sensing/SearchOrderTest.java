@@ -72,6 +72,26 @@ class SearchOrderTest {
   }
 
   @Test
+  void boxesThatDoNotDependOnEachOtherCostTheSameInOneOrder() {
+    Random random = new Random(7);
+    for (int trial = 0; trial < 100; trial++) {
+      int size = 2 + random.nextInt(15);
+      double[] chance = random.doubles(size, 0.05, 1).toArray();
+      double sum = Arrays.stream(chance).sum();
+      SearchOrder.Cost[] boxes = new SearchOrder.Cost[size];
+      for (int i = 0; i < size; i++) {
+        chance[i] /= sum;
+        boxes[i] = cost(random.nextInt(9), 10 * random.nextDouble());
+      }
+      SearchOrder inOneOrder = new SearchOrder(chance, boxes);
+      SearchOrder weighed = independent(chance, boxes);
+      for (int box = 0; box < size; box++) {
+        assertThat(inOneOrder.expectedCost(box)).isCloseTo(weighed.expectedCost(box), within(1e-9));
+      }
+    }
+  }
+
+  @Test
   void noOrderIsBetterThanTheOneFound() {
     Random random = new Random(4);
     for (int trial = 0; trial < 200; trial++) {
