@@ -85,7 +85,7 @@ public final class Coordinator {
         new JournaledDispatcher(
             ports.dispatcher(), ports.journal(), roster, ports.clock().instant());
     this.ports = ports.with(dispatcher);
-    this.activeGoals = new ActiveGoals(ports.clock(), ports.owner());
+    this.activeGoals = new ActiveGoals();
   }
 
   /** Takes a goal on, of which only the end is wanted to be known. */
