@@ -378,6 +378,11 @@ final class GoalMonitor {
         ports.knowledge().home().vocabulary());
   }
 
+  /** How many places were looked at in vain, each counted once. */
+  int placesLookedAt() {
+    return searches.places();
+  }
+
   /** What became of the goal's searches. */
   SearchReview searchReview(Roster roster) {
     return SearchReview.of(goal, ports, roster, features, barred().keySet(), searches);

@@ -18,6 +18,7 @@ import org.maestro.planning.api.PlanningResult;
  * coordinator's thread only.
  */
 final class GoalPlanning {
+  /** Since another place was found not to be the one: a search comes to its end by itself. */
   private static final int MOST_PLANS = 60;
 
   /** Looks that do not show it, again and again, show nothing either. */
@@ -29,6 +30,8 @@ final class GoalPlanning {
   private final Decisions decisions = new Decisions();
   private FactFilter changedMeanwhile;
   private KnowledgeVersion begunWith;
+  private int placesLookedAt;
+  private int plansBefore;
 
   GoalPlanning(PursuitParts parts, GoalTransitions course) {
     this.parts = parts;
@@ -67,7 +70,11 @@ final class GoalPlanning {
       lookedInVain();
       return;
     }
-    if (life.plans() >= MOST_PLANS) {
+    if (parts.monitor().placesLookedAt() > placesLookedAt) {
+      placesLookedAt = parts.monitor().placesLookedAt();
+      plansBefore = life.plans();
+    }
+    if (life.plans() - plansBefore >= MOST_PLANS) {
       course.giveUp(
           List.of("It was planned " + life.plans() + " times without getting there; given up."));
       return;

@@ -96,6 +96,11 @@ public final class SearchLog {
     return spent;
   }
 
+  /** How many places were looked at, for each thing that was looked for. */
+  int places() {
+    return (int) looks.stream().map(JournalEntry.LookedInVain::atom).distinct().count();
+  }
+
   /** The latest look at the place that the atom names. */
   Optional<SearchReport.Look> latest(Formula.Atom atom) {
     return looks.stream()
