@@ -17,7 +17,8 @@ class OffersTest {
   private final SmallWorld world =
       BobsHome.dark().individuals("Thing Device Place", "tulip").offer("tulip", "move", "5");
   private final Offers offers =
-      new Offers(world.offer("tulip", "pick", "4").task("(in Cup zone-a)").features(), "nextTo"::equals);
+      new Offers(
+          world.offer("tulip", "pick", "4").task("(in Cup zone-a)").features(), "nextTo"::equals);
 
   @Test
   void whereAThingIsWhoeverCarriesChanges() {
@@ -67,10 +68,7 @@ class OffersTest {
     List<PricedFeature> features = world.task("(in Cup zone-a)").features();
     PricedFeature dearer =
         new PricedFeature(
-            "cam-a",
-            features.get(0).type(),
-            new Price.Stated(SlParser.expression("9")),
-            Map.of());
+            "cam-a", features.get(0).type(), new Price.Stated(SlParser.expression("9")), Map.of());
     List<PricedFeature> next =
         features.stream().map(f -> f.equals(features.get(0)) ? dearer : f).toList();
     offers.become(next);
@@ -87,7 +85,6 @@ class OffersTest {
   }
 
   private static List<Integer> numbers(Offers offers, String name, String... arguments) {
-    return offers.changing(
-        name, List.of(arguments).stream().<Term>map(Term.Name::new).toList());
+    return offers.changing(name, List.of(arguments).stream().<Term>map(Term.Name::new).toList());
   }
 }
