@@ -126,7 +126,7 @@ final class BudgetedSearch {
           return result.get();
         }
       } else if (round.outcome() instanceof OptimalSearch.Outcome.BoundReached) {
-        return somePlan(ground.bounds().map(CostBounds::least).orElse(0.0));
+        return somePlan(round.problem(), ground.bounds().map(CostBounds::least).orElse(0.0));
       } else if (round.outcome() instanceof OptimalSearch.Outcome.TooDear tooDear) {
         double soon = Math.max(tooDear.atLeast(), Math.min(next, Math.nextDown(ground.beyond())));
         next = soon > budget ? soon : next;
@@ -150,27 +150,40 @@ final class BudgetedSearch {
         new Explanation(List.of(ObstacleText.ofGoal(task)), false));
   }
 
-  /** Where the cheapest plan is too hard to find, any is better than none. */
-  private PlanningResult somePlan(double atLeast) {
+  /**
+   * Where the cheapest plan is too hard to find, any is better than none: first among the steps
+   * that were tried, which are far fewer than all that matter.
+   */
+  private PlanningResult somePlan(GroundProblem tried, double atLeast) {
     if (!weighingSearches || task.objective() != Objective.CHEAPEST) {
       return givenUp();
+    }
+    if (hasty(tried, Effort.forBestPlan(mostStates)) instanceof OptimalSearch.Outcome.Found found) {
+      return some(tried, found, atLeast);
     }
     Pruning.Pruned pruned =
         Pruning.pruned(grounder.ground(Double.POSITIVE_INFINITY).problem().placed());
     if (!pruned.isSolvable()) {
       return impossible();
     }
-    GroundProblem problem = pruned.problem().placed();
-    LandmarkCut cuts = new LandmarkCut(new RelaxedProblem(problem));
-    OptimalSearch.Outcome outcome =
-        OptimalSearch.hasty(problem, cuts, Effort.forAnyPlan(mostStates), HASTE).run();
+    OptimalSearch.Outcome outcome = hasty(pruned.problem(), Effort.forAnyPlan(mostStates));
     if (outcome instanceof OptimalSearch.Outcome.Exhausted) {
       return impossible();
-    } else if (outcome instanceof OptimalSearch.Outcome.Found found) {
-      Plan plan = PlanBuilder.plan(problem, found.operators());
-      return new PlanningResult.Found(plan, OptionalDouble.of(atLeast), plan.members());
     }
-    return givenUp();
+    return outcome instanceof OptimalSearch.Outcome.Found found
+        ? some(pruned.problem(), found, atLeast)
+        : givenUp();
+  }
+
+  private static OptimalSearch.Outcome hasty(GroundProblem problem, Effort effort) {
+    LandmarkCut cuts = new LandmarkCut(new RelaxedProblem(problem.placed()));
+    return OptimalSearch.hasty(problem, cuts, effort, HASTE).run();
+  }
+
+  private static PlanningResult some(
+      GroundProblem problem, OptimalSearch.Outcome.Found found, double atLeast) {
+    Plan plan = PlanBuilder.plan(problem.placed(), found.operators());
+    return new PlanningResult.Found(plan, OptionalDouble.of(atLeast), plan.members());
   }
 
   private Ground ground(double budget) {
