@@ -85,7 +85,7 @@ public final class Coordinator {
         new JournaledDispatcher(
             ports.dispatcher(), ports.journal(), roster, ports.clock().instant());
     this.ports = ports.with(dispatcher);
-    this.activeGoals = new ActiveGoals();
+    this.activeGoals = new ActiveGoals(ports.clock(), ports.owner());
   }
 
   /** Takes a goal on, of which only the end is wanted to be known. */

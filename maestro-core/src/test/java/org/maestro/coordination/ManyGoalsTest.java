@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -48,23 +49,25 @@ class ManyGoalsTest {
   }
 
   @Test
-  void whoHasAPlanBeginsThoughOthersHaveNoneYet() {
+  void allArePlannedBeforeAnyIsBegunButOneThatGoesFirst() {
     NarrowHouse house = new NarrowHouse(home(), 1, planner);
     for (int i = 0; i < A_CROWD; i++) {
       house.with("robot-" + i, "zone-" + i % ZONES);
       house.with("Item" + i, "zone-" + (i + 1) % ZONES);
     }
-    for (int i = 0; i < A_CROWD; i++) {
+    String first = house.wish("(in Item0 zone-0)", 1, Optional.empty());
+    for (int i = 1; i < A_CROWD; i++) {
       house.wish("(in Item%d zone-%d)".formatted(i, i % ZONES));
     }
     assertThat(house.run(A_CROWD, Duration.ofMinutes(30))).as(house.told()).isTrue();
 
     List<String> told = house.story;
     int planned = lastOf(told, entry -> entry.contains(" PLAN Plan 1 "));
-    assertThat(told.subList(0, planned))
-        .as(house.told())
-        .anyMatch(entry -> entry.contains(" STEP "));
+    List<String> before =
+        told.subList(0, planned).stream().filter(entry -> entry.contains(" STEP ")).toList();
+    assertThat(before).as(house.told()).allMatch(entry -> entry.contains(" " + first + " "));
     assertThat(house.outcomes.values()).allMatch(GoalOutcome::reached);
+    assertThat(told).anyMatch(entry -> entry.contains("Begins when the many goals"));
   }
 
   private static int lastOf(List<String> told, Predicate<String> wanted) {

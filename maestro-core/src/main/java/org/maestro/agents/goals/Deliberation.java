@@ -115,7 +115,7 @@ public final class Deliberation {
         mind.planner(),
         contractNet,
         orders,
-        new BesideTheAgent(clock, "", Duration.ZERO),
+        new BesideTheAgent(clock, Duration.ZERO),
         action -> agent.tell(() -> unlessEnded(action)),
         clock,
         story,
@@ -266,23 +266,16 @@ public final class Deliberation {
   /** Plans beside the agent, and hands the result back through the clock. */
   private final class BesideTheAgent implements Thinking {
     private final Clock clock;
-    private final String requester;
     private final Duration patience;
 
-    private BesideTheAgent(Clock clock, String requester, Duration patience) {
+    private BesideTheAgent(Clock clock, Duration patience) {
       this.clock = clock;
-      this.requester = requester;
       this.patience = patience;
     }
 
     @Override
     public Thinking patient() {
-      return new BesideTheAgent(clock, requester, PATIENCE);
-    }
-
-    @Override
-    public Thinking inTurnOf(String other) {
-      return new BesideTheAgent(clock, other, patience);
+      return new BesideTheAgent(clock, PATIENCE);
     }
 
     @Override
@@ -308,7 +301,6 @@ public final class Deliberation {
               ticket.close();
             }
           },
-          requester,
           patience);
     }
   }

@@ -1,19 +1,36 @@
 package org.maestro.agents.runtime;
 
 import java.time.Duration;
-import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.PriorityBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Does one thing after the other on a thread of its own, for all who ask in turn: see {@link
- * PlanningTurns}. Any thread may hand work over.
+ * Does one thing after the other on a thread of its own, what is due first before the rest: what
+ * can wait is overtaken by what cannot, and by nothing once its time has come. Any thread may hand
+ * work over.
  */
 public final class PlanningThread {
-  private final PlanningTurns turns = new PlanningTurns();
+
+  private record Turn(long dueNanos, long sequence, Runnable work)
+      implements Runnable, Comparable<Turn> {
+    @Override
+    public void run() {
+      work.run();
+    }
+
+    @Override
+    public int compareTo(Turn other) {
+      int byTime = Long.signum(dueNanos - other.dueNanos);
+      return byTime != 0 ? byTime : Long.compare(sequence, other.sequence);
+    }
+  }
+
+  private final AtomicLong sequence = new AtomicLong();
   private final ThreadPoolExecutor thread =
       new ThreadPoolExecutor(
-          1, 1, 0, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), PlanningThread::thread);
+          1, 1, 0, TimeUnit.SECONDS, new PriorityBlockingQueue<>(), PlanningThread::thread);
 
   private static Thread thread(Runnable work) {
     Thread thread = new Thread(work, "planning");
@@ -24,12 +41,11 @@ public final class PlanningThread {
   /**
    * Has it done.
    *
-   * @param requester for whom
-   * @param patience for so long it may be overtaken by what cannot wait; real time
+   * @param patience for so long it may be overtaken; real time
    */
-  public void execute(Runnable work, String requester, Duration patience) {
-    turns.add(work, requester, System.nanoTime() + patience.toNanos());
-    thread.execute(() -> turns.next(System.nanoTime()).run());
+  public void execute(Runnable work, Duration patience) {
+    long due = System.nanoTime() + patience.toNanos();
+    thread.execute(new Turn(due, sequence.getAndIncrement(), work));
   }
 
   /** What has not begun is not done any more, and what has begun is interrupted. */

@@ -54,9 +54,7 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
       Consumer<GoalOutcome> ended) {
     GoalStory story = new GoalStory(id, ports.story(), ports.clock(), ports.knowledge());
     this.life = new GoalLife(id, request, ports, story, ended);
-    this.parts =
-        PursuitParts.of(
-            life, story, ports.inTurnOf(request.requester()), roster, activeGoals, exactPrices);
+    this.parts = PursuitParts.of(life, story, ports, roster, activeGoals, exactPrices);
     this.planning = new GoalPlanning(parts, this);
     this.following = new PlanFollowing(parts, this);
     this.ending = new GoalEnding(parts, following::release, this);

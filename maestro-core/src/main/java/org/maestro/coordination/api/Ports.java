@@ -87,16 +87,16 @@ public record Ports(
 
   /** For work that can wait a moment. */
   public Ports patient() {
-    return thinking(thinking.patient());
-  }
-
-  /** For the goals of one who asks. */
-  public Ports inTurnOf(String requester) {
-    return thinking(thinking.inTurnOf(requester));
-  }
-
-  private Ports thinking(Thinking other) {
     return new Ports(
-        knowledge, planner, contractNet, dispatcher, other, owner, clock, story, journal, comeback);
+        knowledge,
+        planner,
+        contractNet,
+        dispatcher,
+        thinking.patient(),
+        owner,
+        clock,
+        story,
+        journal,
+        comeback);
   }
 }

@@ -17,9 +17,4 @@ public interface Thinking {
   default Thinking patient() {
     return this;
   }
-
-  /** For work that somebody's goals ask for: who asks for much does not keep others waiting. */
-  default Thinking inTurnOf(String requester) {
-    return this;
-  }
 }

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.concurrent.Executor;
 import java.util.stream.Collectors;
 import org.maestro.coordination.api.GoalPriority;
 import org.maestro.coordination.api.Resource;
@@ -18,6 +19,7 @@ import org.maestro.coordination.facts.FactsMaskedByRunningSteps;
 import org.maestro.coordination.lessons.Experience;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.rats.time.Clock;
 
 /**
  * The goals under way beside each other, what they have of what all of them want, and whose turn it
@@ -29,11 +31,20 @@ public final class ActiveGoals {
   private final Map<String, ActiveGoal> pursuits = new LinkedHashMap<>();
   private final Deque<Runnable> errands = new ArrayDeque<>();
   private final Set<String> woken = new LinkedHashSet<>();
+  private final Rush rush;
   private final Experience experience = new Experience();
   private boolean atWork;
 
+  public ActiveGoals(Clock clock, Executor owner) {
+    rush = new Rush(clock, owner, this::wake);
+  }
+
   public Leases leases() {
     return leases;
+  }
+
+  public Rush rush() {
+    return rush;
   }
 
   /** What the steps of all of them have shown of members. */

@@ -23,6 +23,7 @@ public enum GoalPhase {
   HALTING("Another has what the next steps need; those under way come to their end."),
   WAITING_FOR_TURN(GoalState.WAITING, "Another has what its plan needs."),
   WAITING_FOR_STEP(GoalState.WAITING, "A step needs a thing in use, or would spoil a fact."),
+  WAITING_FOR_PLANS(GoalState.WAITING, "The goals stated with it are planned first."),
   WAITING_FOR_STEPS(GoalState.WAITING, "There is no plan; its own steps have to end first."),
   WAITING_FOR_CERTAINTY(GoalState.WAITING, "There is no plan; it is in doubt who is there."),
   WAITING_FOR_MEMBERS(GoalState.WAITING, "There is no plan; who was lost just now may come back."),
@@ -85,17 +86,19 @@ public enum GoalPhase {
               HALTING,
               WAITING_FOR_TURN,
               WAITING_FOR_STEP,
+              WAITING_FOR_PLANS,
               LISTENING,
               SUSPENDED,
               ENDING);
       case HALTING, WAITING_FOR_TURN ->
           EnumSet.of(
               RUNNING, LOOKING, WAITING_FOR_TURN, REPLANNING, PLANNING_TO_SEE, SUSPENDED, ENDING);
-      case WAITING_FOR_STEP ->
+      case WAITING_FOR_STEP, WAITING_FOR_PLANS ->
           EnumSet.of(
               RUNNING,
               LOOKING,
               WAITING_FOR_STEP,
+              WAITING_FOR_PLANS,
               HALTING,
               WAITING_FOR_TURN,
               REPLANNING,
