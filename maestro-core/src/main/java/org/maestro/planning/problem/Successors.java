@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Applies operators to states. What is on the right of a change is read before the step; what is
- * added wins over what is removed.
+ * added wins over what is removed, and what is removed twice is removed once.
  */
 public final class Successors {
   private Successors() {}
@@ -24,7 +24,11 @@ public final class Successors {
       if (change instanceof Change.Remove remove && remove.condition().holds(state)) {
         codes = codes == null ? state.copyOfCodes() : codes;
         int at = remove.variable().index();
-        codes[at] = remove.variable().without(codes[at], remove.value());
+        boolean isRemovedAlready =
+            state.code(remove.variable()) == remove.value() && codes[at] != remove.value();
+        if (!isRemovedAlready) {
+          codes[at] = remove.variable().without(codes[at], remove.value());
+        }
       }
     }
     for (int i = 0; i < changes.size(); i++) {

@@ -59,6 +59,33 @@ class PddlWriterTest {
     assertThat(check(world.task("(< (n a) 0)")).domain()).contains("(:action f__agent__a__a");
   }
 
+  /**
+   * Where a thing is was known and is not known any more: said twice, it does not mean that the
+   * thing is no longer there.
+   */
+  @Test
+  void aStepThatForgetsTheSameTwice() {
+    SmallWorld world =
+        new SmallWorld()
+            .individuals("Thing", "a", "b")
+            .individuals("Agent", "agent")
+            .word("at", "observable functional", "?x - Thing", "?y - Thing")
+            .word("seen", "", "?x - Thing")
+            .feature(
+                "forget",
+                "x:Thing ; y:Thing",
+                "(at ?x ?y)",
+                "(and (not (at ?x ?y)) (not (at ?x ?y)))")
+            .feature("look", "x:Thing ; y:Thing", "(unknown (at ?x ?y))", "(seen ?x)")
+            .offer("agent", "forget", "1")
+            .offer("agent", "look", "1")
+            .facts("(at a b)");
+    PlanningTask task = world.task("(and (seen a) (unknown (at a b)))");
+
+    assertThat(planner.optimistic(task)).isInstanceOf(PlanningResult.Found.class);
+    check(task);
+  }
+
   @Test
   void bobsCupInTheDark() {
     PddlWriter.Texts texts = check(BobsHome.dark().task("(nextTo Cup Bob)"));
