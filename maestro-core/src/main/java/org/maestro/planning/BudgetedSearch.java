@@ -125,8 +125,10 @@ final class BudgetedSearch {
           solved = Optional.of(ground);
           return result.get();
         }
+      } else if (round.outcome() instanceof OptimalSearch.Outcome.Unproven unproven) {
+        return some(round.problem(), unproven.operators(), least(ground));
       } else if (round.outcome() instanceof OptimalSearch.Outcome.BoundReached) {
-        return somePlan(round.problem(), ground.bounds().map(CostBounds::least).orElse(0.0));
+        return somePlan(round.problem(), least(ground));
       } else if (round.outcome() instanceof OptimalSearch.Outcome.TooDear tooDear) {
         double soon = Math.max(tooDear.atLeast(), Math.min(next, Math.nextDown(ground.beyond())));
         next = soon > budget ? soon : next;
@@ -136,6 +138,10 @@ final class BudgetedSearch {
       budget = next;
       ground = budget >= ground.beyond() ? ground(budget) : ground;
     }
+  }
+
+  private static double least(Ground ground) {
+    return ground.bounds().map(CostBounds::least).orElse(0.0);
   }
 
   private PlanningResult givenUp() {
@@ -155,11 +161,11 @@ final class BudgetedSearch {
    * that were tried, which are far fewer than all that matter.
    */
   private PlanningResult somePlan(GroundProblem tried, double atLeast) {
-    if (!weighingSearches || task.objective() != Objective.CHEAPEST) {
+    if (!mayBeUnproven()) {
       return givenUp();
     }
     if (hasty(tried, Effort.forBestPlan(mostStates)) instanceof OptimalSearch.Outcome.Found found) {
-      return some(tried, found, atLeast);
+      return some(tried, found.operators(), atLeast);
     }
     Pruning.Pruned pruned =
         Pruning.pruned(grounder.ground(Double.POSITIVE_INFINITY).problem().placed());
@@ -171,7 +177,7 @@ final class BudgetedSearch {
       return impossible();
     }
     return outcome instanceof OptimalSearch.Outcome.Found found
-        ? some(pruned.problem(), found, atLeast)
+        ? some(pruned.problem(), found.operators(), atLeast)
         : givenUp();
   }
 
@@ -181,8 +187,8 @@ final class BudgetedSearch {
   }
 
   private static PlanningResult some(
-      GroundProblem problem, OptimalSearch.Outcome.Found found, double atLeast) {
-    Plan plan = PlanBuilder.plan(problem.placed(), found.operators());
+      GroundProblem problem, List<Operator> operators, double atLeast) {
+    Plan plan = PlanBuilder.plan(problem.placed(), operators);
     return new PlanningResult.Found(plan, OptionalDouble.of(atLeast), plan.members());
   }
 
@@ -242,11 +248,36 @@ final class BudgetedSearch {
     return none && !mayWait ? search(pruned, effort, budget) : outcome;
   }
 
-  private static OptimalSearch.Outcome search(
+  /**
+   * Most plans are found at once; where states of many robots multiply, the search over cases finds
+   * them, and without either of both it is gone on with until the effort is spent.
+   */
+  private OptimalSearch.Outcome search(Pruning.Pruned pruned, Effort whole, double mostCost) {
+    if (!pruned.isSolvable()) {
+      return new OptimalSearch.Outcome.Exhausted(0);
+    }
+    OptimalSearch.Outcome soon =
+        overStates(pruned, Effort.forSoonFoundPlan(whole.mostStates()), mostCost);
+    if (!(soon instanceof OptimalSearch.Outcome.BoundReached)) {
+      return soon;
+    }
+    OptimalSearch.Outcome overCases =
+        new SearchOverCases(pruned.problem().placed(), whole.mostStates()).run(mostCost);
+    boolean isEnough =
+        overCases instanceof OptimalSearch.Outcome.Unproven
+            ? mayBeUnproven()
+            : !(overCases instanceof OptimalSearch.Outcome.BoundReached);
+    return isEnough ? overCases : overStates(pruned, whole, mostCost);
+  }
+
+  private static OptimalSearch.Outcome overStates(
       Pruning.Pruned pruned, Effort effort, double mostCost) {
-    return pruned.isSolvable()
-        ? new LimitedSearch(pruned.problem(), pruned.relaxed(), effort, mostCost).run()
-        : new OptimalSearch.Outcome.Exhausted(0);
+    return new LimitedSearch(pruned.problem(), pruned.relaxed(), effort, mostCost).run();
+  }
+
+  /** Whether a plan will do that is not proven to be the best. */
+  private boolean mayBeUnproven() {
+    return weighingSearches && task.objective() == Objective.CHEAPEST;
   }
 
   /** Empty where it may be better to look first at places that are beyond the budget. */
@@ -305,11 +336,10 @@ final class BudgetedSearch {
     if (effort.isSpent()) {
       return Optional.empty();
     }
-    return search(
-                Pruning.pruned(problem),
-                effort.within(MOST_STATES_BESIDE),
-                Double.POSITIVE_INFINITY)
-            instanceof OptimalSearch.Outcome.Found found
+    Pruning.Pruned pruned = Pruning.pruned(problem);
+    return pruned.isSolvable()
+            && overStates(pruned, effort.within(MOST_STATES_BESIDE), Double.POSITIVE_INFINITY)
+                instanceof OptimalSearch.Outcome.Found found
         ? Optional.of(found.operators())
         : Optional.empty();
   }

@@ -8,6 +8,9 @@ public final class Effort {
   /** Some seconds; a plan that comes later than that helps nobody, however cheap it is. */
   private static final long FOR_ONE_PLAN = 2_000_000;
 
+  /** About a tenth of a second. */
+  private static final long FOR_SOON_FOUND_PLAN = FOR_ONE_PLAN / 8;
+
   /** Without any plan the goal is given up: that is worth more than a proof. */
   private static final long FOR_ANY_PLAN = 4 * FOR_ONE_PLAN;
 
@@ -45,6 +48,11 @@ public final class Effort {
   /** For some plan, or the proof that there is none. */
   public static Effort forAnyPlan(int mostStates) {
     return new Effort(mostStates, FOR_ANY_PLAN);
+  }
+
+  /** For a plan that is soon found, where another search is there for all others. */
+  public static Effort forSoonFoundPlan(int mostStates) {
+    return new Effort(mostStates, FOR_SOON_FOUND_PLAN);
   }
 
   /** Out of the same effort, for a search that is worth no more states than these. */

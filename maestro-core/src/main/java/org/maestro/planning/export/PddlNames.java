@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.maestro.planning.cases.Clause;
 import org.maestro.planning.problem.NumberVariable;
 import org.maestro.planning.problem.Quantity;
 import org.maestro.sl.Expression;

@@ -12,6 +12,11 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.maestro.planning.api.Objective;
 import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.cases.Clause;
+import org.maestro.planning.cases.ClauseCompiler;
+import org.maestro.planning.cases.NotCarriedException;
+import org.maestro.planning.cases.NumberRanges;
+import org.maestro.planning.cases.StepCases;
 import org.maestro.planning.grounding.Grounder;
 import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.NumberVariable;
@@ -121,7 +126,7 @@ public final class PddlWriter {
     String name = String.join("__", words);
     for (StepCases.Case one : new StepCases(operator, ranges, conditions).all()) {
       List<String> effects = new ArrayList<>();
-      one.effects().forEach((fact, holds) -> effects.add(literal(fact, holds)));
+      one.allEffects().forEach((fact, holds) -> effects.add(literal(fact, holds)));
       one.increases()
           .forEach(
               (variable, amount) ->

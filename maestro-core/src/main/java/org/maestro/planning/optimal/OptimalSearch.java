@@ -42,6 +42,9 @@ public final class OptimalSearch {
 
     record BoundReached(int states) implements Outcome {}
 
+    /** A plan than which there may be cheaper ones. */
+    record Unproven(List<Operator> operators) implements Outcome {}
+
     /** No plan is cheaper than this, and this is more than allowed. */
     record TooDear(double atLeast) implements Outcome {}
   }

@@ -57,6 +57,11 @@ public final class AnytimePlanner {
   private Optional<SettledTask> settled = Optional.empty();
   private Solution best = Solution.without(Verdict.OUT_OF_TIME, 0);
 
+  /** Of one search: its states, each times the operators that an estimate of it looks at. */
+  private long mostWork = Long.MAX_VALUE;
+
+  private int mostStates = Integer.MAX_VALUE;
+
   /**
    * @param memory how many bytes searches may use, about
    * @param progress is told, for people, how far planning came; only who asks has it put in words,
@@ -101,6 +106,28 @@ public final class AnytimePlanner {
     } catch (OutOfMemoryError e) {
       // What the searches held is free again by now; what was found before is as good as ever.
       best = best.afterMemoryWasUsedUp();
+    }
+    return best;
+  }
+
+  /**
+   * Solves the task with searches each of which ends with so much work, however long that takes:
+   * equal tasks have equal solutions on any machine.
+   *
+   * @param work states, each times the operators that an estimate of it looks at
+   * @param states kept at once, whatever work they are
+   */
+  public Solution within(long work, int states) {
+    mostWork = work;
+    mostStates = states;
+    GroundingBudget endless = GroundingBudget.endless();
+    if (growing.task().unreachable()
+        || greedy(MOST_STATES_OF_A_PART, endless) == Attempt.EXHAUSTED) {
+      best = Solution.without(Verdict.UNSOLVABLE, 0);
+      return best;
+    }
+    if (best.hasPlan() || !star(WEIGHT, endless) || best.hasPlan()) {
+      star(1, endless);
     }
     return best;
   }
@@ -183,7 +210,7 @@ public final class AnytimePlanner {
     return settled.get();
   }
 
-  private Attempt greedy(int mostStates, GroundingBudget patience) {
+  private Attempt greedy(int states, GroundingBudget patience) {
     try {
       GroundTask task = Reduction.reduced(settled(patience).task(), patience);
       SearchTask reduced = new SearchTask(task, task.operators(), patience);
@@ -196,7 +223,7 @@ public final class AnytimePlanner {
           return Attempt.FOUND;
         }
       }
-      return greedy(reduced, heuristic, mostStates, patience);
+      return greedy(reduced, heuristic, states, patience);
     } catch (CancellationException e) {
       progress.accept(() -> "greedy search was stopped");
       return Attempt.STOPPED;
@@ -209,8 +236,9 @@ public final class AnytimePlanner {
   }
 
   private Attempt greedy(
-      SearchTask task, RelaxedPlan heuristic, int mostStates, GroundingBudget patience) {
-    LazyGreedySearch search = new LazyGreedySearch(task, heuristic, patience, memory, mostStates);
+      SearchTask task, RelaxedPlan heuristic, int states, GroundingBudget patience) {
+    LazyGreedySearch search =
+        new LazyGreedySearch(task, heuristic, patience, memory, Math.min(states, affordable(task)));
     Optional<List<Integer>> plan = search.run(0, Long.MAX_VALUE);
     plan.ifPresent(found -> keep(task, found));
     if (plan.isPresent()) {
@@ -247,11 +275,22 @@ public final class AnytimePlanner {
                       leaves.stream().map(leaf -> leaf.space.size()).toList()));
       return star(
           new DecoupledSearch(
-              reduced, leaves, below, weight, memory, patience, plan -> keep(reduced, plan)));
+              reduced,
+              leaves,
+              below,
+              weight,
+              memory,
+              affordable(reduced),
+              patience,
+              plan -> keep(reduced, plan)));
     } catch (CancellationException e) {
       progress.accept(() -> "weight %d: stopped".formatted(weight));
       return false;
     }
+  }
+
+  private int affordable(SearchTask task) {
+    return (int) Math.min(mostStates, 1 + mostWork / (1 + task.operators.size()));
   }
 
   private boolean star(DecoupledSearch search) {

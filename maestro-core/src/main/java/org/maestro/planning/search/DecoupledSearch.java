@@ -19,6 +19,7 @@ final class DecoupledSearch {
   enum End {
     /** Nothing is cheaper than the bound or the best plan found: proven. */
     EXHAUSTED,
+    /** The memory, or the number of states, that was allowed did not suffice. */
     OUT_OF_MEMORY
   }
 
@@ -38,6 +39,7 @@ final class DecoupledSearch {
   private final LandmarkCuts cuts;
   private final GroundingBudget patience;
   private final long memory;
+  private final int mostStates;
   private final int weight;
   private final Consumer<List<Integer>> found;
   private final StateTable centres;
@@ -58,6 +60,8 @@ final class DecoupledSearch {
    * @param below plans that cost this much or more are not looked for
    * @param weight of the estimate against the cost so far; with 1 the first plan is the cheapest,
    *     with more there is one sooner
+   * @param memory how many bytes may be used, about
+   * @param mostStates with more the search ends too, as if memory was used up
    * @param found is told each better plan
    */
   DecoupledSearch(
@@ -66,6 +70,7 @@ final class DecoupledSearch {
       long below,
       int weight,
       long memory,
+      int mostStates,
       GroundingBudget patience,
       Consumer<List<Integer>> found) {
     this.task = task;
@@ -74,6 +79,7 @@ final class DecoupledSearch {
     this.operators = new CentreOperators(task, this.leaves, patience);
     this.below = below;
     this.memory = memory;
+    this.mostStates = mostStates;
     this.patience = patience;
     this.found = found;
     this.cuts = new LandmarkCuts(task, task.cost, patience);
@@ -121,7 +127,7 @@ final class DecoupledSearch {
         evaluate(node, total);
         continue;
       }
-      if (isMemoryUsedUp()) {
+      if (table.size() > mostStates || isMemoryUsedUp()) {
         return End.OUT_OF_MEMORY;
       }
       closed[node] = true;

@@ -15,6 +15,7 @@ import org.maestro.planning.OptimalityPropertyTest;
 import org.maestro.planning.SmallWorld;
 import org.maestro.planning.api.PlanningResult;
 import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.cases.NotCarriedException;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.ground.GroundingBudget;
 import org.maestro.planning.pddl.PddlReader;

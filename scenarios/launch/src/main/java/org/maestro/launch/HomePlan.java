@@ -24,7 +24,7 @@ import org.maestro.planning.api.PlanningResult;
 import org.maestro.planning.api.PlanningTask;
 import org.maestro.planning.api.PricedFeature;
 import org.maestro.planning.api.Step;
-import org.maestro.planning.export.NotCarriedException;
+import org.maestro.planning.cases.NotCarriedException;
 import org.maestro.planning.export.PddlWriter;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.sl.Formula;

@@ -1,4 +1,4 @@
-package org.maestro.planning.export;
+package org.maestro.planning.cases;
 
 /** PDDL has no words for a part of a task; the message says for which. */
 public final class NotCarriedException extends RuntimeException {

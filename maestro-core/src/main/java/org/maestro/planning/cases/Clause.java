@@ -1,4 +1,4 @@
-package org.maestro.planning.export;
+package org.maestro.planning.cases;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -13,30 +13,30 @@ import org.maestro.planning.problem.Variable;
  * Facts that hold or do not, and bounds of sums: all of them together are one alternative of a
  * condition.
  */
-record Clause(Map<Fact, Boolean> facts, List<Bound> bounds) {
+public record Clause(Map<Fact, Boolean> facts, List<Bound> bounds) {
   static final Clause EMPTY = new Clause(Map.of(), List.of());
 
   /** A proposition about a state, without numeric fluents. */
-  sealed interface Fact {}
+  public sealed interface Fact {}
 
   /** A variable has a value. */
-  record Is(Variable variable, int value) implements Fact {}
+  public record Is(Variable variable, int value) implements Fact {}
 
   /** It is neither known nor excluded that the variable has the value. */
-  record Open(Variable variable, int value) implements Fact {}
+  public record Open(Variable variable, int value) implements Fact {}
 
   /** A number has a value, perhaps {@link Quantity#UNKNOWN} or {@link Quantity#ANY}. */
-  record Has(NumberVariable variable, double value) implements Fact {}
+  public record Has(NumberVariable variable, double value) implements Fact {}
 
   /** A word that stands for nothing but itself. */
-  record Said(String word) implements Fact {}
+  public record Said(String word) implements Fact {}
 
   /**
    * A bound on a sum.
    *
    * @param relation as PDDL writes it
    */
-  record Bound(NumberVariable variable, String relation, double number) {}
+  public record Bound(NumberVariable variable, String relation, double number) {}
 
   static Clause of(Fact fact, boolean holds) {
     return new Clause(Map.of(fact, holds), List.of());
@@ -72,7 +72,8 @@ record Clause(Map<Fact, Boolean> facts, List<Bound> bounds) {
         && !(fact instanceof Open && other.getKey() instanceof Open);
   }
 
-  private static Optional<Variable> variable(Fact fact) {
+  /** The state variable of which a fact says something, if it is one. */
+  static Optional<Variable> variable(Fact fact) {
     if (fact instanceof Is is) {
       return Optional.of(is.variable());
     }

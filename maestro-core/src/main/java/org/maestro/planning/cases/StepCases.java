@@ -1,4 +1,4 @@
-package org.maestro.planning.export;
+package org.maestro.planning.cases;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -19,7 +19,7 @@ import org.maestro.sl.SlPrinter;
  * The ways in which a step can go, each with the condition under which it does, and with effects
  * that then need no condition of their own.
  */
-final class StepCases {
+public final class StepCases {
   private static final int MOST_CASES = 2000;
 
   private final Operator operator;
@@ -29,23 +29,43 @@ final class StepCases {
   /**
    * One way.
    *
-   * @param effects facts that hold afterwards, or do not; all others stay as they are
+   * @param values of variables that have one afterwards
+   * @param effects other facts that hold afterwards, or do not; all others stay as they are
    * @param increases what is added to sums
    */
-  record Case(
+  public record Case(
       Clause condition,
+      Map<Variable, Integer> values,
       Map<Clause.Fact, Boolean> effects,
       Map<NumberVariable, Double> increases,
       double cost) {
 
-    private Case with(Clause stricter) {
-      return new Case(stricter, effects, increases, cost);
+    /** Whether all stays as it is. */
+    public boolean isIdle() {
+      return values.isEmpty() && effects.isEmpty() && increases.isEmpty();
     }
 
-    private Case and(Map<Clause.Fact, Boolean> more) {
+    /** With values spelled out: that no other one holds, and that none is open. */
+    public Map<Clause.Fact, Boolean> allEffects() {
       Map<Clause.Fact, Boolean> all = new LinkedHashMap<>(effects);
-      all.putAll(more);
-      return new Case(condition, all, increases, cost);
+      values.forEach(
+          (variable, value) -> {
+            for (int other = 0; other < variable.valueCount(); other++) {
+              if (variable.observable()) {
+                all.put(new Clause.Open(variable, other), false);
+              }
+              all.put(new Clause.Is(variable, other), other == value);
+            }
+          });
+      return all;
+    }
+
+    private Case with(Clause stricter, Way way) {
+      Map<Variable, Integer> allValues = new LinkedHashMap<>(values);
+      allValues.putAll(way.values());
+      Map<Clause.Fact, Boolean> all = new LinkedHashMap<>(effects);
+      all.putAll(way.effects());
+      return new Case(stricter, allValues, all, increases, cost);
     }
   }
 
@@ -53,9 +73,10 @@ final class StepCases {
   private record Happening(Clause condition, List<Change> changes) {}
 
   /** A conditional effect on a variable: what becomes of it under a condition. */
-  private record Way(Clause condition, Map<Clause.Fact, Boolean> effects) {}
+  private record Way(
+      Clause condition, Map<Variable, Integer> values, Map<Clause.Fact, Boolean> effects) {}
 
-  StepCases(Operator operator, NumberRanges ranges, ClauseCompiler conditions) {
+  public StepCases(Operator operator, NumberRanges ranges, ClauseCompiler conditions) {
     this.operator = operator;
     this.ranges = ranges;
     this.conditions = conditions;
@@ -66,7 +87,7 @@ final class StepCases {
    *
    * @throws NotCarriedException when there are too many
    */
-  List<Case> all() {
+  public List<Case> all() {
     List<Happening> happenings = new ArrayList<>();
     for (Clause clause : conditions.clauses(operator.precondition())) {
       happenings.add(new Happening(clause, List.of()));
@@ -188,7 +209,7 @@ final class StepCases {
         }
       }
     }
-    return new Case(clause, effects, increases, cost);
+    return new Case(clause, Map.of(), effects, increases, cost);
   }
 
   private static List<Case> withChanges(List<Case> cases, Variable variable, List<Change> changes) {
@@ -197,9 +218,7 @@ final class StepCases {
     List<Case> split = new ArrayList<>();
     for (Case one : cases) {
       for (Way way : ways) {
-        one.condition()
-            .and(way.condition())
-            .ifPresent(clause -> split.add(one.with(clause).and(way.effects())));
+        one.condition().and(way.condition()).ifPresent(clause -> split.add(one.with(clause, way)));
       }
     }
     return split;
@@ -214,29 +233,18 @@ final class StepCases {
     }
     Change change = changes.get(last);
     if (change instanceof Change.Put put) {
-      ways.add(new Way(condition, having(variable, put.value())));
+      ways.add(new Way(condition, Map.of(variable, put.value()), Map.of()));
     } else if (change instanceof Change.Find find) {
       Clause.Open open = new Clause.Open(variable, find.value());
       condition
           .and(Clause.of(open, true))
-          .ifPresent(clause -> ways.add(new Way(clause, having(variable, find.value()))));
+          .ifPresent(clause -> ways.add(new Way(clause, Map.of(variable, find.value()), Map.of())));
       condition
           .and(Clause.of(open, false))
           .ifPresent(clause -> collect(variable, changes, last - 1, clause, ways));
     } else {
       collect(variable, changes, last - 1, condition, ways);
     }
-  }
-
-  private static Map<Clause.Fact, Boolean> having(Variable variable, int value) {
-    Map<Clause.Fact, Boolean> effects = new LinkedHashMap<>();
-    for (int other = 0; other < variable.valueCount(); other++) {
-      if (variable.observable()) {
-        effects.put(new Clause.Open(variable, other), false);
-      }
-      effects.put(new Clause.Is(variable, other), other == value);
-    }
-    return effects;
   }
 
   private static void collectRemovals(
@@ -258,7 +266,7 @@ final class StepCases {
         List<Integer> later = removed.subList(i + 1, removed.size());
         condition
             .and(Clause.of(is, true))
-            .ifPresent(clause -> ways.add(new Way(clause, unknownBut(variable, later))));
+            .ifPresent(clause -> ways.add(new Way(clause, Map.of(), unknownBut(variable, later))));
         var without = otherwise.and(Clause.of(is, false));
         possible &= without.isPresent();
         otherwise = without.orElse(otherwise);
@@ -268,7 +276,7 @@ final class StepCases {
       }
     }
     if (possible) {
-      ways.add(new Way(otherwise, none));
+      ways.add(new Way(otherwise, Map.of(), none));
     }
   }
 

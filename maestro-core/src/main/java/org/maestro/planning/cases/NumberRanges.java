@@ -1,4 +1,4 @@
-package org.maestro.planning.export;
+package org.maestro.planning.cases;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -24,7 +24,7 @@ import org.maestro.sl.SlPrinter;
  * The values that the numbers of a problem can have. Those with few are told one by one; a number
  * that is known and only has amounts added that depend on such numbers is a sum.
  */
-final class NumberRanges {
+public final class NumberRanges {
   private static final int MOST_VALUES = 40;
 
   private final GroundProblem problem;
@@ -40,7 +40,7 @@ final class NumberRanges {
    *
    * @throws NotCarriedException when a number has too many, and is no sum
    */
-  static NumberRanges of(GroundProblem problem) {
+  public static NumberRanges of(GroundProblem problem) {
     NumberRanges ranges = new NumberRanges(problem);
     for (NumberVariable variable : problem.numbers()) {
       ranges.values.put(variable, new TreeSet<>(List.of(variable.initial())));
@@ -50,7 +50,7 @@ final class NumberRanges {
     return ranges;
   }
 
-  boolean isSum(NumberVariable variable) {
+  public boolean isSum(NumberVariable variable) {
     return !values.containsKey(variable);
   }
 

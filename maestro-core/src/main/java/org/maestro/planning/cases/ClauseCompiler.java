@@ -1,4 +1,4 @@
-package org.maestro.planning.export;
+package org.maestro.planning.cases;
 
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -15,12 +15,12 @@ import org.maestro.sl.Formula.Relation;
 import org.maestro.sl.SlPrinter;
 
 /** Writes conditions as alternatives of facts and bounds. */
-final class ClauseCompiler {
+public final class ClauseCompiler {
   private static final int MOST_CLAUSES = 2000;
 
   private final NumberRanges ranges;
 
-  ClauseCompiler(NumberRanges ranges) {
+  public ClauseCompiler(NumberRanges ranges) {
     this.ranges = ranges;
   }
 
@@ -30,7 +30,7 @@ final class ClauseCompiler {
    *
    * @throws NotCarriedException when there are too many, or sums are compared with each other
    */
-  List<Clause> clauses(Condition condition) {
+  public List<Clause> clauses(Condition condition) {
     return clauses(condition, true);
   }
 
