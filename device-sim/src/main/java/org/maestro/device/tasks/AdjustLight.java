@@ -3,7 +3,6 @@ package org.maestro.device.tasks;
 import java.util.OptionalInt;
 import org.maestro.hal.DimmableLamp;
 import org.maestro.rats.member.Execution;
-import org.maestro.rats.protocol.CostAnswer;
 
 /** Turns a lamp to a level, and to a shade of white where one is given. */
 final class AdjustLight extends DeviceProcedure {
@@ -25,7 +24,7 @@ final class AdjustLight extends DeviceProcedure {
   }
 
   @Override
-  CostAnswer cost(CallParameters parameters) {
+  Estimate cost(CallParameters parameters) {
     parameters.share("level");
     return price(SECONDS, 0);
   }

@@ -2,7 +2,6 @@ package org.maestro.device.tasks;
 
 import org.maestro.hal.ShutterDrive;
 import org.maestro.rats.member.Execution;
-import org.maestro.rats.protocol.CostAnswer;
 
 /** Moves a shutter to an opening. */
 final class AdjustShutter extends DeviceProcedure {
@@ -21,7 +20,7 @@ final class AdjustShutter extends DeviceProcedure {
   }
 
   @Override
-  CostAnswer cost(CallParameters parameters) {
+  Estimate cost(CallParameters parameters) {
     double way = Math.abs(parameters.share("opening") - shutter.opening());
     return price(way * SECONDS_FOR_WHOLE_WAY, 0);
   }

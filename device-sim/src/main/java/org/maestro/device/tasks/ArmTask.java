@@ -9,7 +9,6 @@ import org.maestro.hal.GripperArm;
 import org.maestro.hal.Position;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.rats.member.Execution;
-import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.RatsError;
 
 /** The common part of picking and placing: the robot, its arm, and the way out on cancel. */
@@ -64,11 +63,11 @@ abstract class ArmTask extends DeviceProcedure {
   }
 
   /** The price of a task of the arm, with what of the way counts for it. */
-  final CostAnswer price(
+  final Estimate price(
       Function<Reach, Optional<Reach.Approach>> plan, double armSeconds, String doing) {
     Optional<Reach.Approach> approach = plan.apply(reach);
     if (approach.isEmpty()) {
-      return impossible(inTheWay(plan).sentence("for " + doing));
+      return impossible(() -> inTheWay(plan).sentence("for " + doing));
     }
     double metres = Math.min(approach.get().route().length(), Prices.LONGEST_APPROACH_METRES);
     double driving = metres / robot.base().speed();
@@ -80,7 +79,7 @@ abstract class ArmTask extends DeviceProcedure {
         robot, amid -> plan.apply(new Reach(amid, arm.reach())).map(Reach.Approach::route));
   }
 
-  final CostAnswer price(double armSeconds) {
+  final Estimate price(double armSeconds) {
     return price(armSeconds, armSeconds * arm.power());
   }
 

@@ -3,6 +3,7 @@ package org.maestro.device.tasks;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.maestro.hal.Completion;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.rats.member.Execution;
@@ -17,7 +18,7 @@ abstract class DeviceProcedure implements Procedure {
 
   abstract void start(Execution execution, CallParameters parameters);
 
-  abstract CostAnswer cost(CallParameters parameters);
+  abstract Estimate cost(CallParameters parameters);
 
   @Override
   public final void start(Execution execution) {
@@ -30,11 +31,40 @@ abstract class DeviceProcedure implements Procedure {
 
   @Override
   public final CostAnswer cost(Map<String, Object> parameters) {
+    Estimate estimate = estimate(parameters);
+    return amount(estimate).orElseGet(() -> none(estimate));
+  }
+
+  @Override
+  public final Optional<CostAnswer> costIfAble(Map<String, Object> parameters) {
+    return amount(estimate(parameters));
+  }
+
+  private Estimate estimate(Map<String, Object> parameters) {
     try {
       return cost(new CallParameters(parameters));
     } catch (InvalidCallException e) {
-      return impossible(reason(e));
+      return impossible(() -> reason(e));
     }
+  }
+
+  private static Optional<CostAnswer> amount(Estimate estimate) {
+    return estimate instanceof Estimate.Possible possible
+        ? Optional.of(
+            new CostAnswer(
+                Optional.of(possible.seconds() + Prices.UNITS_PER_JOULE * possible.joules()),
+                Optional.of(possible.seconds()),
+                Optional.empty()))
+        : Optional.empty();
+  }
+
+  private static CostAnswer none(Estimate estimate) {
+    return new CostAnswer(
+        Optional.empty(),
+        Optional.empty(),
+        estimate instanceof Estimate.Impossible impossible
+            ? Optional.of(impossible.reason().get())
+            : Optional.empty());
   }
 
   private static String reason(InvalidCallException e) {
@@ -55,15 +85,12 @@ abstract class DeviceProcedure implements Procedure {
     }
   }
 
-  static CostAnswer price(double seconds, double joules) {
-    return new CostAnswer(
-        Optional.of(seconds + Prices.UNITS_PER_JOULE * joules),
-        Optional.of(seconds),
-        Optional.empty());
+  static Estimate price(double seconds, double joules) {
+    return new Estimate.Possible(seconds, joules);
   }
 
-  static CostAnswer impossible(String reason) {
-    return new CostAnswer(Optional.empty(), Optional.empty(), Optional.of(reason));
+  static Estimate impossible(Supplier<String> reason) {
+    return new Estimate.Impossible(reason);
   }
 
   /** Ends the call as the driver's command ends. */

@@ -8,7 +8,6 @@ import org.maestro.hal.Area;
 import org.maestro.hal.Camera;
 import org.maestro.hal.Position;
 import org.maestro.rats.member.Execution;
-import org.maestro.rats.protocol.CostAnswer;
 
 /**
  * Turns around on the spot once and looks for an object. Not found is said with the share of the
@@ -80,7 +79,7 @@ final class LookAround extends DeviceProcedure {
   }
 
   @Override
-  CostAnswer cost(CallParameters parameters) {
+  Estimate cost(CallParameters parameters) {
     return price(SECONDS, SECONDS * JOULES_PER_SECOND);
   }
 }

@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.util.Map;
 import org.maestro.hal.IlluminationSensor;
 import org.maestro.rats.member.Execution;
-import org.maestro.rats.protocol.CostAnswer;
 
 /**
  * Measures the light at the sensor, and goes on until ended: the first value establishes, the
@@ -50,7 +49,7 @@ final class MeasureIllumination extends DeviceProcedure {
   }
 
   @Override
-  CostAnswer cost(CallParameters parameters) {
+  Estimate cost(CallParameters parameters) {
     return price(SECONDS, 0);
   }
 }

@@ -8,7 +8,6 @@ import org.maestro.hal.Completion;
 import org.maestro.hal.Position;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.rats.member.Execution;
-import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.RatsError;
 
 /**
@@ -81,7 +80,7 @@ final class MoveTask extends DeviceProcedure {
   }
 
   @Override
-  CostAnswer cost(CallParameters parameters) {
+  Estimate cost(CallParameters parameters) {
     List<Point2> goals = robot.standsIn(area(parameters));
     return robot
         .routeToNearest(goals)
@@ -89,7 +88,8 @@ final class MoveTask extends DeviceProcedure {
         .orElseGet(
             () ->
                 impossible(
-                    new InTheWay(robot, amid -> amid.routeToNearest(goals))
-                        .sentence("to " + parameters.pointer("to").name())));
+                    () ->
+                        new InTheWay(robot, amid -> amid.routeToNearest(goals))
+                            .sentence("to " + parameters.pointer("to").name())));
   }
 }

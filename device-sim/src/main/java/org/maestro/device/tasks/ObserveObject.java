@@ -7,7 +7,6 @@ import java.util.Map;
 import org.maestro.hal.Camera;
 import org.maestro.hal.Position;
 import org.maestro.rats.member.Execution;
-import org.maestro.rats.protocol.CostAnswer;
 
 /**
  * Looks for an object until ended (Three-layered architecture, 4.3; M87). Found is said when
@@ -77,7 +76,7 @@ final class ObserveObject extends DeviceProcedure {
   }
 
   @Override
-  CostAnswer cost(CallParameters parameters) {
+  Estimate cost(CallParameters parameters) {
     return price(SECONDS, 0);
   }
 }

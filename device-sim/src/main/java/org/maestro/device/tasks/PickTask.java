@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Map;
 import org.maestro.hal.Position;
 import org.maestro.rats.member.Execution;
-import org.maestro.rats.protocol.CostAnswer;
 
 /**
  * Picks something up: approach, open the hand, reach out, grasp, fold (Three-layered architecture,
@@ -64,7 +63,7 @@ final class PickTask extends ArmTask {
   }
 
   @Override
-  CostAnswer cost(CallParameters parameters) {
+  Estimate cost(CallParameters parameters) {
     Pointer object = parameters.pointer("object");
     return context()
         .deposits()

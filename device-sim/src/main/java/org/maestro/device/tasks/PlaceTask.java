@@ -11,7 +11,6 @@ import org.maestro.hal.Area;
 import org.maestro.hal.Completion;
 import org.maestro.hal.Position;
 import org.maestro.rats.member.Execution;
-import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.RatsError;
 
 /**
@@ -111,7 +110,7 @@ final class PlaceTask extends ArmTask {
   }
 
   @Override
-  CostAnswer cost(CallParameters parameters) {
+  Estimate cost(CallParameters parameters) {
     Pointer target = parameters.pointer("target");
     return ways(target)
         .map(approach -> price(approach, arm().placeSeconds(), target.name()))

@@ -5,7 +5,6 @@ import org.maestro.hal.Battery;
 import org.maestro.hal.Completion;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.rats.member.Execution;
-import org.maestro.rats.protocol.CostAnswer;
 
 /**
  * Drives to a charging station and stands there until the battery is full. On cancel it stands
@@ -63,13 +62,13 @@ final class RechargeTask extends DeviceProcedure {
   }
 
   @Override
-  CostAnswer cost(CallParameters parameters) {
+  Estimate cost(CallParameters parameters) {
     Pointer station = parameters.pointer("station");
     Point2 place = place(station);
     return robot
         .routeToNearest(List.of(place))
         .map(way -> price(robot.seconds(way) + battery.secondsToFull(), robot.joules(way)))
-        .orElseGet(() -> impossible(inTheWay(place).sentence("to " + station.name())));
+        .orElseGet(() -> impossible(() -> inTheWay(place).sentence("to " + station.name())));
   }
 
   private InTheWay inTheWay(Point2 place) {

@@ -38,13 +38,15 @@ final class Robot {
   private WalledFloor walls;
 
   Robot(FeatureContext context) {
-    this(context.driver(MobileBase.class), context.driver(Surroundings.class));
+    this.base = context.driver(MobileBase.class);
+    this.surroundings = context.driver(Surroundings.class);
+    this.walls = new WalledFloor(List.of(), base.radius());
   }
 
-  private Robot(MobileBase base, Surroundings surroundings) {
+  private Robot(MobileBase base, Surroundings surroundings, WalledFloor walls) {
     this.base = base;
     this.surroundings = surroundings;
-    this.walls = new WalledFloor(List.of(), base.radius());
+    this.walls = walls;
   }
 
   MobileBase base() {
@@ -62,7 +64,7 @@ final class Robot {
 
   /** The same robot, if nothing stood on the floor but this. */
   Robot amid(List<Obstacle> obstacles) {
-    return new Robot(base, new Amid(surroundings, obstacles));
+    return new Robot(base, new Amid(surroundings, obstacles), walls);
   }
 
   double seconds(Route route) {

@@ -2,7 +2,6 @@ package org.maestro.device.tasks;
 
 import org.maestro.hal.DoorDrive;
 import org.maestro.rats.member.Execution;
-import org.maestro.rats.protocol.CostAnswer;
 
 /** Opens or closes a door. */
 final class SetDoor extends DeviceProcedure {
@@ -23,7 +22,7 @@ final class SetDoor extends DeviceProcedure {
   }
 
   @Override
-  CostAnswer cost(CallParameters parameters) {
+  Estimate cost(CallParameters parameters) {
     return price(door.isOpen() == open ? 0 : SECONDS, 0);
   }
 }

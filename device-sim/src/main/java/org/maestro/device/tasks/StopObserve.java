@@ -2,7 +2,6 @@ package org.maestro.device.tasks;
 
 import java.util.Map;
 import org.maestro.rats.member.Execution;
-import org.maestro.rats.protocol.CostAnswer;
 
 /** Ends the looks for an object; ending what does not run is done too. */
 final class StopObserve extends DeviceProcedure {
@@ -22,7 +21,7 @@ final class StopObserve extends DeviceProcedure {
   }
 
   @Override
-  CostAnswer cost(CallParameters parameters) {
+  Estimate cost(CallParameters parameters) {
     return price(SECONDS, 0);
   }
 }

@@ -72,7 +72,8 @@ final class CostInquiry {
     try {
       feature.procedure().cost(sets.get(index), answer -> answered(index, sound(answer), all));
     } catch (RuntimeException fault) {
-      answered(index, broken(member, feature, fault), all);
+      logBroken(member, feature, fault);
+      answered(index, none("the price could not be computed"), all);
     }
   }
 
@@ -107,10 +108,9 @@ final class CostInquiry {
     }
   }
 
-  /** What is said when the procedure breaks off instead of telling its price. */
-  static CostAnswer broken(String member, MemberProfile.Feature feature, RuntimeException fault) {
+  /** The procedure broke off instead of telling its price. */
+  static void logBroken(String member, MemberProfile.Feature feature, RuntimeException fault) {
     LOG.error("The price of {} of {} could not be computed", feature.id(), member, fault);
-    return none("the price could not be computed");
   }
 
   private static CostAnswer none(String reason) {

@@ -212,14 +212,14 @@ final class Impatience {
     return clock.now().minus(one.since).toNanos() / 1e9;
   }
 
-  /** Empty when it could not begin now. */
+  /** Empty when it could not begin now, or not do it; why not helps nobody here. */
   private Optional<CostAnswer> price(Call call) {
     MemberProfile.Feature feature = takenOver(call);
     boolean able =
         call.parameters().keySet().containsAll(feature.required())
             && condition.whyDisabled(feature.id()).isEmpty()
             && tasks.couldBegin(feature);
-    return able ? Optional.of(cost(feature, call.parameters())) : Optional.empty();
+    return able ? cost(feature, call.parameters()) : Optional.empty();
   }
 
   /** The own feature by which it would do what the call asks for. */
@@ -227,11 +227,12 @@ final class Impatience {
     return Objects.requireNonNull(profile.features().get(call.feature()));
   }
 
-  private CostAnswer cost(MemberProfile.Feature feature, Map<String, Object> parameters) {
+  private Optional<CostAnswer> cost(MemberProfile.Feature feature, Map<String, Object> parameters) {
     try {
-      return feature.procedure().cost(parameters);
+      return feature.procedure().costIfAble(parameters);
     } catch (RuntimeException fault) {
-      return CostInquiry.broken(profile.id(), feature, fault);
+      CostInquiry.logBroken(profile.id(), feature, fault);
+      return Optional.empty();
     }
   }
 

@@ -1,6 +1,7 @@
 package org.maestro.rats.member;
 
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.rats.protocol.CostAnswer;
 
@@ -26,5 +27,13 @@ public interface Procedure {
    */
   default void cost(Map<String, Object> parameters, Consumer<CostAnswer> answer) {
     answer.accept(cost(parameters));
+  }
+
+  /**
+   * The same for who does not ask why not: empty where it cannot be done. A routine that would have
+   * to search for the reason leaves that search out.
+   */
+  default Optional<CostAnswer> costIfAble(Map<String, Object> parameters) {
+    return Optional.of(cost(parameters)).filter(answer -> answer.cost().isPresent());
   }
 }

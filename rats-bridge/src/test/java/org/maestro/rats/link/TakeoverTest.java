@@ -159,6 +159,20 @@ class TakeoverTest {
     assertThat(heard.offers).containsExactly("tim: carry for 12.0 in 12.0 s");
   }
 
+  /** To find out why not can be a long search, once for each that hears of it. */
+  @Test
+  void whoCannotHelpIsNotAskedWhy() {
+    rose.neverEnds = true;
+    tim.able = false;
+    begin();
+    run(60);
+    tim.tells();
+
+    assertThat(tim.priced).isPositive();
+    assertThat(tim.explained).isZero();
+    assertThat(heard.offers).isEmpty();
+  }
+
   /** There members do not read each other's states: who is late is told by the time alone. */
   @Test
   void onASecuredSiteTooWhoIsLateIsOfferedHelpOnce() {
@@ -321,6 +335,8 @@ class TakeoverTest {
     private int begun;
     private int told;
     private int priced;
+    private int explained;
+    private boolean able = true;
     private boolean neverEnds;
     private Optional<Integer> jamsAfterSeconds = Optional.empty();
     private RatsMember member;
@@ -393,8 +409,16 @@ class TakeoverTest {
 
     @Override
     public CostAnswer cost(Map<String, Object> parameters) {
-      priced++;
+      explained++;
       return new CostAnswer(Optional.of(price), Optional.of(price), Optional.empty());
+    }
+
+    @Override
+    public Optional<CostAnswer> costIfAble(Map<String, Object> parameters) {
+      priced++;
+      return able
+          ? Optional.of(new CostAnswer(Optional.of(price), Optional.of(price), Optional.empty()))
+          : Optional.empty();
     }
   }
 
