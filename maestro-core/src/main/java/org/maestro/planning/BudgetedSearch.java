@@ -120,7 +120,7 @@ final class BudgetedSearch {
       Round round = round(ground, budget);
       double next = Math.max(round.beyond(), budget * GROWTH);
       if (round.outcome() instanceof OptimalSearch.Outcome.Found found) {
-        Optional<PlanningResult> result = result(round, found.operators());
+        Optional<PlanningResult> result = result(round, budget, found.operators());
         if (result.isPresent()) {
           solved = Optional.of(ground);
           return result.get();
@@ -281,7 +281,7 @@ final class BudgetedSearch {
   }
 
   /** Empty where it may be better to look first at places that are beyond the budget. */
-  private Optional<PlanningResult> result(Round round, List<Operator> operators) {
+  private Optional<PlanningResult> result(Round round, double budget, List<Operator> operators) {
     Plan cheapest = PlanBuilder.plan(round.problem().placed(), operators);
     if (task.objective() == Objective.EARLIEST_FINISH) {
       return Optional.of(earliest(round, cheapest));
@@ -291,14 +291,14 @@ final class BudgetedSearch {
     ExpectedCostSearch search =
         new ExpectedCostSearch(round.problem(), grounder.chances(), this::cheapest, operators);
     Plan plan = search.plan();
-    return worthLookingAt(plan) < round.beyond()
-        ? Optional.of(found(round, plan))
-        : Optional.empty();
+    boolean mayBeBeyond =
+        budget < Double.POSITIVE_INFINITY && worthLookingAt(plan) >= round.beyond();
+    return mayBeBeyond ? Optional.empty() : Optional.of(found(round, plan));
   }
 
   /**
    * What an optimistic plan may cost whose look is a better first one, by chance over cost, than
-   * that of this plan.
+   * that of this plan; infinite where this one finds nothing that is not known.
    */
   private static double worthLookingAt(Plan plan) {
     return plan.searches().stream()

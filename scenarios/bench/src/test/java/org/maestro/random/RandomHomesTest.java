@@ -1,7 +1,9 @@
 package org.maestro.random;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
+import java.time.Duration;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -123,6 +125,16 @@ class RandomHomesTest {
     SoftAssertions softly = new SoftAssertions();
     seeds(30, 30).forEach(seed -> compareWithAgents(seed, softly));
     softly.assertAll();
+  }
+
+  /** The looks that confirm it have no chance to find anything new, wherever they begin. */
+  @Test
+  void planningEndsWhereALookFindsNothingThatIsNotKnown() {
+    RandomRun run =
+        assertTimeoutPreemptively(
+            Duration.ofMinutes(2), () -> RandomRun.withoutAgents(RandomHomes.of(271)));
+
+    assertThat(run.agrees()).as(run.text()).isTrue();
   }
 
   @Test
