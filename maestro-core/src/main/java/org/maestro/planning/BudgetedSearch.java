@@ -111,11 +111,17 @@ final class BudgetedSearch {
   /**
    * The plan.
    *
-   * @param firstBudget to begin with: any is right, the cost of the plan is fast
+   * @param firstBudget to begin with: any is right, the cost of the plan is fast. Where something
+   *     is sought it is none: which places are weighed against each other depends on the budget,
+   *     and is not to depend on what was planned before
    */
   PlanningResult run(double firstBudget) {
     double budget = task.objective() == Objective.CHEAPEST ? firstBudget : Double.POSITIVE_INFINITY;
     Ground ground = ground(budget);
+    if (isWeighing() && !Sought.of(ground.problem()).isEmpty()) {
+      budget = 0;
+      ground = ground(budget);
+    }
     while (true) {
       Round round = round(ground, budget);
       double next = Math.max(round.beyond(), budget * GROWTH);
@@ -161,7 +167,7 @@ final class BudgetedSearch {
    * that were tried, which are far fewer than all that matter.
    */
   private PlanningResult somePlan(GroundProblem tried, double atLeast) {
-    if (!mayBeUnproven()) {
+    if (!isWeighing()) {
       return givenUp();
     }
     if (hasty(tried, Effort.forBestPlan(mostStates)) instanceof OptimalSearch.Outcome.Found found) {
@@ -265,7 +271,7 @@ final class BudgetedSearch {
         new SearchOverCases(pruned.problem().placed(), whole.mostStates()).run(mostCost);
     boolean isEnough =
         overCases instanceof OptimalSearch.Outcome.Unproven
-            ? mayBeUnproven()
+            ? isWeighing()
             : !(overCases instanceof OptimalSearch.Outcome.BoundReached);
     return isEnough ? overCases : overStates(pruned, whole, mostCost);
   }
@@ -275,8 +281,11 @@ final class BudgetedSearch {
     return new LimitedSearch(pruned.problem(), pruned.relaxed(), effort, mostCost).run();
   }
 
-  /** Whether a plan will do that is not proven to be the best. */
-  private boolean mayBeUnproven() {
+  /**
+   * Whether searches begin where the goal is expected to cost least; then a plan will do that is
+   * not proven to be the best.
+   */
+  private boolean isWeighing() {
     return weighingSearches && task.objective() == Objective.CHEAPEST;
   }
 

@@ -141,4 +141,21 @@ class ReplanningPlannerTest {
     assertThat(rest.steps().stream().map(Step::key).toList())
         .isEqualTo(plan.steps().subList(1, plan.steps().size()).stream().map(Step::key).toList());
   }
+
+  /** A dearer plan before lets more places be seen, and is no reason to begin at another one. */
+  @Test
+  void looksFirstWhereItWouldHadItNeverPlanned() {
+    SmallWorld world = BobsHome.dark().facts("(in rose zone-a)", "(usuallyIn Cup zone-b)");
+    PlanningTask known = world.copy().facts("(in Cup zone-b)").task("(in Cup zone-a)");
+    PlanningTask unknown = world.task("(in Cup zone-a)");
+    ReplanningPlanner planner = new ReplanningPlanner(fresh);
+    planner.solve(known);
+
+    Plan again = ((PlanningResult.Found) planner.solve(unknown)).plan();
+
+    Plan first = ((PlanningResult.Found) fresh.solve(unknown)).plan();
+    assertThat(again.steps().stream().map(Step::key).toList())
+        .isEqualTo(first.steps().stream().map(Step::key).toList());
+    assertThat(again.searches()).isEqualTo(first.searches());
+  }
 }
