@@ -250,6 +250,9 @@ public final class PddlReader {
     if (section.items().size() < 2) {
       throw section.position().error("Expected an action's name.");
     }
+    if (section.items().get(1) instanceof Word name && name.text().startsWith(":")) {
+      throw name.position().error("Expected an action's name, found %s.".formatted(name.text()));
+    }
     Map<String, Expression> parts = new LinkedHashMap<>();
     for (int i = 2; i < section.items().size(); i += 2) {
       Word key = section.items().get(i).word("a part such as :effect");
@@ -259,7 +262,9 @@ public final class PddlReader {
       if (i + 1 == section.items().size()) {
         throw key.position().error("Expected something after %s.".formatted(key.text()));
       }
-      parts.put(key.text(), section.items().get(i + 1));
+      if (parts.put(key.text(), section.items().get(i + 1)) != null) {
+        throw key.position().error("%s is there twice.".formatted(key.text()));
+      }
     }
     return parts;
   }

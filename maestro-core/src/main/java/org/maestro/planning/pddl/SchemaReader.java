@@ -242,6 +242,9 @@ final class SchemaReader {
 
   private Atom function(Expression expression) {
     if (expression instanceof Word word) {
+      if (word.isVariable()) {
+        throw word.position().error("Expected a function, found %s.".formatted(word.text()));
+      }
       return atom(new Group(word.position(), List.of(word)), symbols.functions, "function");
     }
     return atom(expression.group("a function"), symbols.functions, "function");
