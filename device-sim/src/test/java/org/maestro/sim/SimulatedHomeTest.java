@@ -337,4 +337,26 @@ class SimulatedHomeTest {
       assertThat(prices.get(3)).isBetween(4.0, 4.5);
     }
   }
+
+  /** Otherwise a way of several rooms would count its first leg once for each. */
+  @Test
+  void pricesALegFromWhereItBegins() {
+    try (Homes homes = Homes.bob("bob-lit")) {
+      List<Double> prices = new ArrayList<>();
+      homes.link.cost(
+          "rose",
+          "move",
+          List.of(
+              Map.of("to", Homes.ref("zone-a"), "from", Homes.ref("zone-b")),
+              Map.of("to", Homes.ref("zone-b"), "from", Homes.ref("zone-a")),
+              Map.of("to", Homes.ref("zone-b"))),
+          answers -> answers.forEach(answer -> prices.add(answer.cost().orElseThrow())));
+      homes.clock.run(Duration.ofSeconds(1));
+      assertThat(prices).hasSize(3);
+      assertThat(prices.get(1))
+          .as("back through the door, for who is in zone-b now")
+          .isGreaterThan(prices.get(2) + 0.1)
+          .isLessThan(prices.get(0));
+    }
+  }
 }

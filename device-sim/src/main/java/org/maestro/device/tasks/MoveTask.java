@@ -1,5 +1,6 @@
 package org.maestro.device.tasks;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -82,14 +83,32 @@ final class MoveTask extends DeviceProcedure {
   @Override
   Estimate cost(CallParameters parameters) {
     List<Point2> goals = robot.standsIn(area(parameters));
+    Point2 start = start(parameters);
     return robot
-        .routeToNearest(goals)
+        .route(start, goals)
         .map(way -> price(Math.max(LEAST_SECONDS, robot.seconds(way)), robot.joules(way)))
         .orElseGet(
             () ->
                 impossible(
                     () ->
-                        new InTheWay(robot, amid -> amid.routeToNearest(goals))
+                        new InTheWay(robot, amid -> amid.route(start, goals))
                             .sentence("to " + parameters.pointer("to").name())));
+  }
+
+  /**
+   * Where the robot is, or, where a plan has it drive from elsewhere, the stand there to which it
+   * has least to go: what leads there is a step of its own, with its own price.
+   */
+  private Point2 start(CallParameters parameters) {
+    Point2 here = robot.base().position();
+    return parameters
+        .optionalPointer("from")
+        .flatMap(from -> robot.area(from.name()))
+        .filter(area -> !area.outline().contains(here))
+        .flatMap(
+            area ->
+                robot.standsIn(area).stream()
+                    .min(Comparator.comparingDouble(stand -> stand.distance(here))))
+        .orElse(here);
   }
 }

@@ -58,8 +58,13 @@ final class Robot {
   }
 
   Optional<Route> routeToNearest(List<Point2> goals) {
+    return route(base.position(), goals);
+  }
+
+  /** The way to the nearest of the goals, if it stood there. */
+  Optional<Route> route(Point2 start, List<Point2> goals) {
     walls = walls.with(surroundings.walls());
-    return new RoutePlanner(walls, surroundings.obstacles()).shortest(base.position(), goals);
+    return new RoutePlanner(walls, surroundings.obstacles()).shortest(start, goals);
   }
 
   /** The same robot, if nothing stood on the floor but this. */
