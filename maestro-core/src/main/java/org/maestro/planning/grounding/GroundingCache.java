@@ -10,7 +10,6 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
@@ -64,10 +63,14 @@ public final class GroundingCache {
   private final Map<Integer, FeatureTemplate> templates = new HashMap<>();
   private final LeastPrice leastPrice;
   private final IdentityHashMap<PricedFeature, Double> leastPrices = new IdentityHashMap<>();
+
+  /** By family of features and the values of parameters: the same steps, whatever they cost. */
+  private final Map<Integer, Map<List<Term>, Operator>> alike = new HashMap<>();
+
   private final Map<Integer, Map<List<Term>, List<Operator>>> made = new HashMap<>();
   private final IdentityHashMap<Operator, Integer> templateOf = new IdentityHashMap<>();
-  private final Map<Object, Map<Integer, List<Operator>>> changing = new HashMap<>();
-  private final Map<VariableValue, Map<Integer, OptionalDouble>> settingPrices = new HashMap<>();
+  private final Map<Integer, Map<Object, List<Operator>>> changing = new HashMap<>();
+  private final Map<Integer, Map<VariableValue, OptionalDouble>> settingPrices = new HashMap<>();
   private final ChangeLog changes = new ChangeLog();
   private int generation;
 
@@ -123,7 +126,7 @@ public final class GroundingCache {
   public boolean renew(PlanningTask next) {
     boolean renewed = takeFacts(next.facts()).isPresent();
     if (renewed) {
-      offers.become(next.features());
+      offers.become(next.features()).forEach(this::forgetPriced);
     }
     return renewed;
   }
@@ -147,6 +150,18 @@ public final class GroundingCache {
     return difference.map(found -> found.ofWhatStays() || !found.changed().isEmpty());
   }
 
+  /** Each answer to a question for prices would leave instances behind that are of no more use. */
+  private void forgetPriced(int template) {
+    templates.remove(template);
+    leastPrices.remove(offers.feature(template));
+    made.getOrDefault(template, Map.of()).values().stream()
+        .flatMap(List::stream)
+        .forEach(templateOf::remove);
+    made.remove(template);
+    changing.remove(template);
+    settingPrices.remove(template);
+  }
+
   private void forget() {
     generation++;
     conditions.forget();
@@ -155,6 +170,7 @@ public final class GroundingCache {
     staticAnswers.clear();
     templates.clear();
     leastPrices.clear();
+    alike.clear();
     made.clear();
     templateOf.clear();
     changing.clear();
@@ -221,8 +237,8 @@ public final class GroundingCache {
   /** What an instance costs at least that may bring it about; empty when there is none. */
   OptionalDouble settingPrice(VariableValue aim, int template) {
     return settingPrices
-        .computeIfAbsent(aim, absent -> new HashMap<>())
-        .computeIfAbsent(template, absent -> leastSettingPrice(aim, template));
+        .computeIfAbsent(template, absent -> new HashMap<>())
+        .computeIfAbsent(aim, absent -> leastSettingPrice(aim, template));
   }
 
   private OptionalDouble leastSettingPrice(VariableValue aim, int template) {
@@ -240,9 +256,9 @@ public final class GroundingCache {
 
   /** The operators of one feature that bring about or change what is wanted. */
   List<Operator> changing(Object want, int template) {
-    Map<Integer, List<Operator>> byTemplate =
-        changing.computeIfAbsent(want, absent -> new HashMap<>());
-    List<Operator> known = byTemplate.get(template);
+    Map<Object, List<Operator>> byWant =
+        changing.computeIfAbsent(template, absent -> new HashMap<>());
+    List<Operator> known = byWant.get(want);
     if (known == null) {
       Set<Operator> found = new LinkedHashSet<>();
       forEachInstance(
@@ -253,7 +269,7 @@ public final class GroundingCache {
                   .filter(operator -> changes(operator, want))
                   .forEach(found::add));
       known = List.copyOf(found);
-      byTemplate.put(template, known);
+      byWant.put(want, known);
     }
     return known;
   }
@@ -299,14 +315,15 @@ public final class GroundingCache {
 
   private List<Operator> madeAnew(int template, Map<String, Term> bindings, List<Term> values) {
     PricedFeature feature = offers.feature(template);
-    OptionalInt kin = offers.kin(template);
-    List<Operator> alike =
-        kin.isPresent()
-            ? made.getOrDefault(kin.getAsInt(), Map.of()).getOrDefault(values, List.of())
-            : List.of();
-    return alike.isEmpty()
-        ? factory.operators(feature, bindings).stream().map(finish).toList()
-        : factory.repriced(alike.get(0), feature);
+    Map<List<Term>, Operator> family =
+        alike.computeIfAbsent(offers.family(template), absent -> new HashMap<>());
+    Operator same = family.get(values);
+    if (same != null) {
+      return factory.repriced(same, feature);
+    }
+    List<Operator> anew = factory.operators(feature, bindings).stream().map(finish).toList();
+    anew.forEach(operator -> family.put(values, operator));
+    return anew;
   }
 
   private FeatureTemplate template(int index) {

@@ -13,11 +13,13 @@ import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.planning.api.PricedFeature;
 import org.maestro.planning.problem.Signature;
 import org.maestro.planning.problem.VariableValue;
+import org.maestro.sl.FreeVariables;
 import org.maestro.sl.Self;
 import org.maestro.sl.Term;
 
@@ -26,7 +28,7 @@ final class Offers {
   private record Name(String member, String feature) {}
 
   private final List<PricedFeature> features = new ArrayList<>();
-  private final List<OptionalInt> kin = new ArrayList<>();
+  private final List<Integer> families = new ArrayList<>();
   private final IdentityHashMap<FeatureType, Set<String>> addedBy = new IdentityHashMap<>();
   private final Predicate<String> isSymmetric;
   private final Map<String, Changing> changing = new HashMap<>();
@@ -50,8 +52,14 @@ final class Offers {
     become(features);
   }
 
-  /** Takes these, in their order; equal ones keep their numbers, others get new ones. */
-  final void become(List<PricedFeature> next) {
+  /**
+   * Takes these, in their order; equal ones keep their numbers, others get new ones.
+   *
+   * @return the numbers of those that went while one of the same family came: they have other
+   *     prices now
+   */
+  final Set<Integer> become(List<PricedFeature> next) {
+    Set<Integer> before = there();
     Map<Name, List<Integer>> known = new HashMap<>();
     for (int i = 0; i < features.size(); i++) {
       known.computeIfAbsent(name(features.get(i)), absent -> new ArrayList<>()).add(i);
@@ -68,6 +76,11 @@ final class Offers {
           .forEach((name, ownPlace) -> add(name, ownPlace, feature.member(), number));
     }
     changedBy.keySet().forEach(type -> removed.addAll(Signature.removedBy(type.effect())));
+    Set<Integer> familiesThere = new HashSet<>();
+    ranks.keySet().forEach(number -> familiesThere.add(families.get(number)));
+    return before.stream()
+        .filter(number -> !isThere(number) && familiesThere.contains(families.get(number)))
+        .collect(Collectors.toSet());
   }
 
   /** What a feature may change, and which argument is always the member itself, if any is. */
@@ -116,19 +129,28 @@ final class Offers {
         return number;
       }
     }
-    kin.add(
+    int number = features.size();
+    families.add(
         known.stream()
-            .filter(number -> features.get(number).type() == feature.type())
-            .filter(number -> features.get(number).price().equals(feature.price()))
-            .mapToInt(number -> number)
-            .findFirst());
+            .filter(other -> features.get(other).type() == feature.type())
+            .filter(other -> pricedBy(features.get(other)).equals(pricedBy(feature)))
+            .findFirst()
+            .map(families::get)
+            .orElse(number));
     features.add(feature);
-    return features.size() - 1;
+    return number;
   }
 
-  /** An earlier feature that differs only in prices which the member itself has given. */
-  OptionalInt kin(int number) {
-    return kin.get(number);
+  private static Set<String> pricedBy(PricedFeature feature) {
+    return FreeVariables.of(FeatureTemplate.statedPrice(feature));
+  }
+
+  /**
+   * The same for features that differ only in prices, and these in no more than numbers: their
+   * instances are the same steps.
+   */
+  int family(int number) {
+    return families.get(number);
   }
 
   /** The numbers of all that are there now. */
