@@ -21,6 +21,7 @@ import org.maestro.planning.optimal.MakespanSearch;
 import org.maestro.planning.optimal.OptimalSearch;
 import org.maestro.planning.optimal.Pruning;
 import org.maestro.planning.optimal.RelaxedProblem;
+import org.maestro.planning.optimal.RivalSteps;
 import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.Operator;
 import org.maestro.planning.problem.PlanBuilder;
@@ -36,6 +37,9 @@ import org.maestro.planning.sensing.MostLikelyState;
 final class BudgetedSearch {
   /** Of the budget from one round to the next. */
   private static final double GROWTH = 1.5;
+
+  /** So that rounding does not keep it where it is. */
+  private static final double LEAST_GROWTH = 1.02;
 
   /** For plans that begin a search elsewhere: they are worth less time. */
   private static final int MOST_STATES_BESIDE = 1_000;
@@ -126,11 +130,14 @@ final class BudgetedSearch {
       Round round = round(ground, budget);
       double next = Math.max(round.beyond(), budget * GROWTH);
       if (round.outcome() instanceof OptimalSearch.Outcome.Found found) {
-        Optional<PlanningResult> result = result(round, budget, found.operators());
-        if (result.isPresent()) {
+        PlanningResult.Found result = result(round, found.operators());
+        double worthLookingAt = worthLookingAt(result.plan());
+        boolean mayBeBeyond = Double.isFinite(budget) && worthLookingAt >= round.beyond();
+        if (!isWeighing() || !mayBeBeyond) {
           solved = Optional.of(ground);
-          return result.get();
+          return result.withRivals(RivalSteps.of(round.problem(), result.plan()));
         }
+        next = Math.min(next, Math.max(worthLookingAt, budget * LEAST_GROWTH));
       } else if (round.outcome() instanceof OptimalSearch.Outcome.Unproven unproven) {
         return some(round.problem(), unproven.operators(), least(ground));
       } else if (round.outcome() instanceof OptimalSearch.Outcome.BoundReached) {
@@ -262,18 +269,19 @@ final class BudgetedSearch {
     if (!pruned.isSolvable()) {
       return new OptimalSearch.Outcome.Exhausted(0);
     }
-    OptimalSearch.Outcome soon =
-        overStates(pruned, Effort.forSoonFoundPlan(whole.mostStates()), mostCost);
-    if (!(soon instanceof OptimalSearch.Outcome.BoundReached)) {
-      return soon;
-    }
-    OptimalSearch.Outcome overCases =
-        new SearchOverCases(pruned.problem().placed(), whole.mostStates()).run(mostCost);
+    OptimalSearch.Outcome soon = soon(pruned, whole.mostStates(), mostCost);
     boolean isEnough =
-        overCases instanceof OptimalSearch.Outcome.Unproven
+        soon instanceof OptimalSearch.Outcome.Unproven
             ? isWeighing()
-            : !(overCases instanceof OptimalSearch.Outcome.BoundReached);
-    return isEnough ? overCases : overStates(pruned, whole, mostCost);
+            : !(soon instanceof OptimalSearch.Outcome.BoundReached);
+    return isEnough ? soon : overStates(pruned, whole, mostCost);
+  }
+
+  private OptimalSearch.Outcome soon(Pruning.Pruned pruned, int states, double mostCost) {
+    OptimalSearch.Outcome atOnce = overStates(pruned, Effort.forSoonFoundPlan(states), mostCost);
+    return atOnce instanceof OptimalSearch.Outcome.BoundReached
+        ? new SearchOverCases(pruned.problem().placed(), states).run(mostCost)
+        : atOnce;
   }
 
   private static OptimalSearch.Outcome overStates(
@@ -289,25 +297,23 @@ final class BudgetedSearch {
     return weighingSearches && task.objective() == Objective.CHEAPEST;
   }
 
-  /** Empty where it may be better to look first at places that are beyond the budget. */
-  private Optional<PlanningResult> result(Round round, double budget, List<Operator> operators) {
+  private PlanningResult.Found result(Round round, List<Operator> operators) {
     Plan cheapest = PlanBuilder.plan(round.problem().placed(), operators);
     if (task.objective() == Objective.EARLIEST_FINISH) {
-      return Optional.of(earliest(round, cheapest));
-    } else if (!weighingSearches) {
-      return Optional.of(found(round, cheapest));
+      return earliest(round, cheapest);
     }
-    ExpectedCostSearch search =
-        new ExpectedCostSearch(round.problem(), grounder.chances(), this::cheapest, operators);
-    Plan plan = search.plan();
-    boolean mayBeBeyond =
-        budget < Double.POSITIVE_INFINITY && worthLookingAt(plan) >= round.beyond();
-    return mayBeBeyond ? Optional.empty() : Optional.of(found(round, plan));
+    return found(
+        round,
+        weighingSearches
+            ? new ExpectedCostSearch(round.problem(), grounder.chances(), this::cheapest, operators)
+                .plan()
+            : cheapest);
   }
 
   /**
    * What an optimistic plan may cost whose look is a better first one, by chance over cost, than
-   * that of this plan; infinite where this one finds nothing that is not known.
+   * that of this plan: beyond the budget there may be such a one. Infinite where this plan finds
+   * nothing that is not known.
    */
   private static double worthLookingAt(Plan plan) {
     return plan.searches().stream()
@@ -317,7 +323,7 @@ final class BudgetedSearch {
   }
 
   /** Exact in small problems; else the cheapest plan or a better one, and what no plan is below. */
-  private PlanningResult earliest(Round round, Plan cheapest) {
+  private PlanningResult.Found earliest(Round round, Plan cheapest) {
     GroundProblem problem = round.problem();
     MakespanSearch.Outcome outcome =
         new MakespanSearch(problem, cheapest.seconds(), Math.min(mostStates, MOST_SCHEDULES)).run();
@@ -330,7 +336,7 @@ final class BudgetedSearch {
         : found(round, cheapest);
   }
 
-  private static PlanningResult found(Round round, Plan plan) {
+  private static PlanningResult.Found found(Round round, Plan plan) {
     return new PlanningResult.Found(plan, OptionalDouble.empty(), contenders(round, plan));
   }
 
@@ -340,14 +346,11 @@ final class BudgetedSearch {
     return members;
   }
 
-  /** Empty when there is no plan, or none within a smaller bound or the effort that is left. */
+  /** Empty when there is no plan, or none that is proven within a smaller bound. */
   private Optional<List<Operator>> cheapest(GroundProblem problem) {
-    if (effort.isSpent()) {
-      return Optional.empty();
-    }
     Pruning.Pruned pruned = Pruning.pruned(problem);
     return pruned.isSolvable()
-            && overStates(pruned, effort.within(MOST_STATES_BESIDE), Double.POSITIVE_INFINITY)
+            && soon(pruned, MOST_STATES_BESIDE, Double.POSITIVE_INFINITY)
                 instanceof OptimalSearch.Outcome.Found found
         ? Optional.of(found.operators())
         : Optional.empty();

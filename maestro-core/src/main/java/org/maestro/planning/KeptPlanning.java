@@ -141,7 +141,7 @@ final class KeptPlanning {
     Plan plan =
         rest.filter(old -> old.cost() <= found.plan().cost() + SAME_COST).orElse(found.plan());
     proven = proven(plan, problem);
-    return new PlanningResult.Found(plan, OptionalDouble.empty(), found.contenders());
+    return found.with(plan);
   }
 
   /** A plan that weighs where to look is not the cheapest of those that count on finding. */

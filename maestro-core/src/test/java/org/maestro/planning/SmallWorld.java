@@ -182,6 +182,24 @@ public final class SmallWorld implements Facts {
     return this;
   }
 
+  /** The member has said what this costs. */
+  public SmallWorld told(
+      String member, String type, Map<String, String> parameters, PricedFeature.ExactPrice price) {
+    Map<String, Term> bindings = new LinkedHashMap<>();
+    parameters.forEach((name, value) -> bindings.put(name, SlParser.term(value)));
+    offers.replaceAll(
+        offer -> {
+          if (!offer.member().equals(member) || !offer.type().name().equals(type)) {
+            return offer;
+          }
+          Map<Map<String, Term>, PricedFeature.ExactPrice> exact =
+              new LinkedHashMap<>(offer.exact());
+          exact.put(bindings, price);
+          return new PricedFeature(member, offer.type(), offer.price(), exact);
+        });
+    return this;
+  }
+
   SmallWorld withdraw(String member) {
     offers.removeIf(offer -> offer.member().equals(member));
     return this;

@@ -30,6 +30,8 @@ import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.planning.api.OpenPrice;
+import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.PlanningResult;
 import org.maestro.planning.api.PlanningTask;
 import org.maestro.planning.api.PricedFeature;
@@ -135,6 +137,7 @@ public final class PlanningRound {
   private final Set<StepKey> unanswered = new HashSet<>();
   private final Map<StepKey, String> reasons = new HashMap<>();
   private final CandidateProposals proposals;
+  private final PriceQuestions priceQuestions = new PriceQuestions();
   private int questions;
   private int lastChances;
 
@@ -206,9 +209,10 @@ public final class PlanningRound {
   }
 
   private List<PricedFeature> features(Home home) {
-    return experience.reliable(proposals.features(home, exactPrices)).stream()
-        .map(feature -> subject.feature(feature, home))
-        .toList();
+    return priceQuestions.reckoned(
+        experience.reliable(proposals.features(home, exactPrices)).stream()
+            .map(feature -> subject.feature(feature, home))
+            .toList());
   }
 
   private void solve() {
@@ -263,49 +267,47 @@ public final class PlanningRound {
   }
 
   private void solved(PlanningTask task, PlanningResult result, Home home, Snapshot snapshot) {
-    Map<List<String>, List<Step>> inexact = new LinkedHashMap<>();
-    Set<Step> trusted = new HashSet<>();
-    if (result instanceof PlanningResult.Found found) {
-      for (Step step : found.plan().steps()) {
-        if (!step.exactPrice()) {
-          inexact
-              .computeIfAbsent(
-                  List.of(step.member(), step.feature().name()), k -> new ArrayList<>())
-              .add(step);
-          if (trusting && isAfterDeeds(step, found.plan().steps())) {
-            trusted.add(step);
-          }
-        }
-      }
-    }
-    if (inexact.isEmpty()) {
+    List<OpenPrice> open =
+        result instanceof PlanningResult.Found found ? priceQuestions.next(found) : List.of();
+    if (open.isEmpty()) {
       if (!(result instanceof PlanningResult.Found) && mayAskAgain()) {
         solve();
       } else {
+        PlanningResult end =
+            result instanceof PlanningResult.Found found ? priceQuestions.proven(found) : result;
         then.accept(
-            new Ended(proposals, result, task.features(), questions, List.copyOf(unpriced), task));
+            new Ended(proposals, end, task.features(), questions, List.copyOf(unpriced), task));
       }
       return;
     }
+    Set<StepKey> trusted = trusting ? afterDeeds(((PlanningResult.Found) result).plan()) : Set.of();
     Duration asked = ports.clock().now();
     CallArguments arguments = new CallArguments(home, snapshot);
-    int[] open = {inexact.size()};
-    inexact.forEach(
-        (memberAndFeature, steps) -> {
-          questions += steps.size();
-          ports
-              .contractNet()
-              .exactPrices(
-                  memberAndFeature.get(0),
-                  memberAndFeature.get(1),
-                  steps.stream().map(s -> arguments.of(s.feature(), s.bindings())).toList(),
-                  quotes -> {
-                    note(steps, quotes, asked, trusted);
-                    if (--open[0] == 0) {
-                      solve();
-                    }
-                  });
-        });
+    Map<List<String>, List<OpenPrice>> byFeature = new LinkedHashMap<>();
+    open.forEach(
+        price ->
+            byFeature
+                .computeIfAbsent(
+                    List.of(price.step().member(), price.step().feature()), k -> new ArrayList<>())
+                .add(price));
+    questions += open.size();
+    int[] awaited = {byFeature.size()};
+    byFeature.forEach(
+        (memberAndFeature, prices) ->
+            ports
+                .contractNet()
+                .exactPrices(
+                    memberAndFeature.get(0),
+                    memberAndFeature.get(1),
+                    prices.stream()
+                        .map(price -> arguments.of(price.feature(), price.step().bindings()))
+                        .toList(),
+                    quotes -> {
+                      note(prices, quotes, asked, trusted);
+                      if (--awaited[0] == 0) {
+                        solve();
+                      }
+                    }));
   }
 
   /**
@@ -319,6 +321,16 @@ public final class PlanningRound {
     return again;
   }
 
+  private static Set<StepKey> afterDeeds(Plan plan) {
+    Set<StepKey> after = new HashSet<>();
+    for (Step step : plan.steps()) {
+      if (isAfterDeeds(step, plan.steps())) {
+        after.add(step.key());
+      }
+    }
+    return after;
+  }
+
   private static boolean isAfterDeeds(Step step, List<Step> plan) {
     return plan.stream()
         .filter(earlier -> step.after().contains(earlier.number()))
@@ -327,36 +339,41 @@ public final class PlanningRound {
   }
 
   private void note(
-      List<Step> steps, List<ContractNet.Quote> quotes, Duration asked, Set<Step> trusted) {
-    for (int i = 0; i < steps.size(); i++) {
-      Step step = steps.get(i);
+      List<OpenPrice> prices,
+      List<ContractNet.Quote> quotes,
+      Duration asked,
+      Set<StepKey> trusted) {
+    for (int i = 0; i < prices.size(); i++) {
+      OpenPrice price = prices.get(i);
+      StepKey step = price.step();
       ContractNet.Quote quote =
           i < quotes.size()
               ? quotes.get(i)
               : new ContractNet.Quote.Unanswered("named too few prices");
       if (quote instanceof ContractNet.Quote.Priced priced
-          && priced.cost() < step.cost() - SAME_PRICE) {
+          && priced.cost() < price.cost() - SAME_PRICE
+          && !priceQuestions.isReckoned(price)) {
         unpriced.add(
             "%s (%s: it names %s, and had said at least %s, which counts)"
                 .formatted(
                     step.member(),
-                    step.feature().name(),
+                    step.feature(),
                     Sentences.number(priced.cost()),
-                    Sentences.number(step.cost())));
-        quote = new ContractNet.Quote.Priced(step.cost(), priced.seconds());
+                    Sentences.number(price.cost())));
+        quote = new ContractNet.Quote.Priced(price.cost(), priced.seconds());
       }
       if (quote instanceof ContractNet.Quote.Declined declined) {
-        decline(step, asked, trusted.contains(step));
-        reasons.put(step.key(), "it names no price: " + declined.reason());
-        unpriced.add(
-            "%s (%s: %s)".formatted(step.member(), step.feature().name(), declined.reason()));
+        decline(price, asked, trusted.contains(step));
+        reasons.put(step, "it names no price: " + declined.reason());
+        unpriced.add("%s (%s: %s)".formatted(step.member(), step.feature(), declined.reason()));
       } else if (quote instanceof ContractNet.Quote.Unanswered silence) {
-        exactPrices.put(step.key(), quote, asked, ports.clock().now());
-        unanswered.add(step.key());
-        reasons.put(step.key(), silence.reason());
+        exactPrices.put(step, quote, asked, ports.clock().now());
+        unanswered.add(step);
+        reasons.put(step, silence.reason());
         unpriced.add("%s (%s)".formatted(step.member(), silence.reason()));
       } else {
-        exactPrices.put(step.key(), quote, asked, ports.clock().now());
+        priceQuestions.answered(price, ((ContractNet.Quote.Priced) quote).cost());
+        exactPrices.put(step, quote, asked, ports.clock().now());
       }
     }
   }
@@ -367,21 +384,22 @@ public final class PlanningRound {
    * stands. Any other refusal holds for this round only, since it may be due to what others do just
    * now.
    */
-  private void decline(Step step, Duration asked, boolean trusted) {
-    if (isPossibleNow(step) && !trusted) {
-      declined.add(step.key());
+  private void decline(OpenPrice price, Duration asked, boolean trusted) {
+    if (isPossibleNow(price) && !trusted) {
+      declined.add(price.step());
     } else {
       exactPrices.put(
-          step.key(),
-          new ContractNet.Quote.Priced(step.cost(), step.seconds()),
+          price.step(),
+          new ContractNet.Quote.Priced(price.cost(), price.seconds()),
           asked,
           ports.clock().now());
     }
   }
 
-  private boolean isPossibleNow(Step step) {
-    Map<String, Term> bindings = step.values();
-    return new Evaluation(facts.get()).truth(step.feature().precondition(), bindings) == Truth.TRUE;
+  private boolean isPossibleNow(OpenPrice price) {
+    Map<String, Term> bindings = price.step().values();
+    return new Evaluation(facts.get()).truth(price.feature().precondition(), bindings)
+        == Truth.TRUE;
   }
 
   /** Features that would count if their members were there, or took part. */

@@ -37,7 +37,7 @@ final class HoldingOrder implements Planner {
   public PlanningResult plan(PlanningTask task) {
     PlanningResult result = planner.plan(task);
     return result instanceof PlanningResult.Found found
-        ? new PlanningResult.Found(ordered(task, found.plan()), found.atLeast(), found.contenders())
+        ? found.with(ordered(task, found.plan()))
         : result;
   }
 

@@ -14,11 +14,25 @@ public sealed interface PlanningResult {
    * @param atLeast empty when proven; else nothing better than this exists: cost units, or seconds
    *     when the earliest finish is wanted
    * @param contenders members of this plan and of others that cost little more, as far as is known
+   * @param rivals steps of other plans that may cost no more than this one, as far as is known, in
+   *     the order in which they are worth asking for; none where all prices of this plan are exact
    */
-  record Found(Plan plan, OptionalDouble atLeast, Set<String> contenders)
+  record Found(Plan plan, OptionalDouble atLeast, Set<String> contenders, List<OpenPrice> rivals)
       implements PlanningResult {
+    public Found(Plan plan, OptionalDouble atLeast, Set<String> contenders) {
+      this(plan, atLeast, contenders, List.of());
+    }
+
     public Found(Plan plan) {
       this(plan, OptionalDouble.empty(), plan.members());
+    }
+
+    public Found with(Plan other) {
+      return new Found(other, atLeast, contenders, rivals);
+    }
+
+    public Found withRivals(List<OpenPrice> others) {
+      return new Found(plan, atLeast, contenders, others);
     }
   }
 
