@@ -6,38 +6,24 @@ package org.maestro.planning.api;
  */
 public final class Effort {
   /** Some seconds; a plan that comes later than that helps nobody, however cheap it is. */
-  private static final long FOR_ONE_PLAN = 2_000_000;
+  private static final long FOR_ONE_PLAN = 64_000_000;
 
-  /** About a tenth of a second. */
-  private static final long FOR_SOON_FOUND_PLAN = FOR_ONE_PLAN / 8;
+  /** Less than a tenth of a second. */
+  private static final long FOR_SOON_FOUND_PLAN = FOR_ONE_PLAN / 16;
 
   /** Without any plan the goal is given up: that is worth more than a proof. */
   private static final long FOR_ANY_PLAN = 4 * FOR_ONE_PLAN;
 
-  /** The work that is left, shared by the searches of one effort. */
-  private static final class Work {
-    private long left;
-
-    private Work(long left) {
-      this.left = left;
-    }
-  }
-
   private final int mostStates;
-  private final Work work;
+  private long left;
 
   /**
    * @param mostStates kept at once by one search
-   * @param mostEstimates made by all searches: states, each times the operators that an estimate
-   *     looks at
+   * @param work how often all searches together may look at an action
    */
-  private Effort(int mostStates, long mostEstimates) {
-    this(mostStates, new Work(mostEstimates));
-  }
-
-  private Effort(int mostStates, Work work) {
+  private Effort(int mostStates, long work) {
     this.mostStates = mostStates;
-    this.work = work;
+    this.left = work;
   }
 
   /** For the best plan, and the proof that it is. */
@@ -55,21 +41,16 @@ public final class Effort {
     return new Effort(mostStates, FOR_SOON_FOUND_PLAN);
   }
 
-  /** Out of the same effort, for a search that is worth no more states than these. */
-  public Effort within(int states) {
-    return new Effort(Math.min(states, mostStates), work);
-  }
-
   public int mostStates() {
     return mostStates;
   }
 
-  /** One more state is estimated. */
-  public void spend(int operators) {
-    work.left -= operators;
+  /** Actions were looked at so often. */
+  public void spend(long looks) {
+    left -= looks;
   }
 
   public boolean isSpent() {
-    return work.left < 0;
+    return left < 0;
   }
 }

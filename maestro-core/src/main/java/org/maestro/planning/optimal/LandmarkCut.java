@@ -1,5 +1,6 @@
 package org.maestro.planning.optimal;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -10,10 +11,19 @@ import org.maestro.planning.settings.SettingAnalysis;
 /**
  * The landmark-cut lower bound of the cost from a state to the goal (Helmert and Domshlak 2009),
  * over {@link RelaxedProblem}. Actions of one operator share its cost. Costs of propositions are
- * brought up to date after each cut instead of computed anew. Not thread-safe.
+ * brought up to date after each cut instead of computed anew, and the cuts of a state serve those
+ * after it. Not thread-safe.
  */
 public final class LandmarkCut {
   private static final double NOTHING = 1e-9;
+
+  /**
+   * A disjunctive action landmark: every plan pays one of these.
+   *
+   * @param payers ascending
+   * @param cost that is counted for it
+   */
+  record Cut(int[] payers, double cost) {}
 
   private final RelaxedProblem relaxed;
   private final int[] payers;
@@ -30,11 +40,22 @@ public final class LandmarkCut {
   private final int[] open;
   private final boolean[] inGoalZone;
   private final boolean[] inFrontZone;
+
+  /** Of each proposition the action by which it is had for its value; none of what is true. */
+  private final int[] reachedBy;
+
+  /** Actions that cost something and lead into the goal zone, perhaps from within it. */
+  private int[] edges = new int[64];
+
+  private int edgeCount;
   private final boolean[] paid;
+  private int[] cutPayers = new int[64];
   private final PropositionQueue queue;
   private final int[] stack;
   private final boolean[] inSomeCut;
+  private List<Cut> cuts = List.of();
   private double[] rest = {};
+  private long work;
 
   public LandmarkCut(RelaxedProblem relaxed) {
     this.relaxed = relaxed;
@@ -52,6 +73,7 @@ public final class LandmarkCut {
     open = new int[actions.size()];
     inGoalZone = new boolean[propositions];
     inFrontZone = new boolean[propositions];
+    reachedBy = new int[propositions];
     paid = new boolean[relaxed.payerCount()];
     paidBy =
         RelaxedProblem.inverse(
@@ -79,12 +101,26 @@ public final class LandmarkCut {
 
   /** Never more than the true cost; infinite when the goal is out of reach. */
   double estimate(State state) {
+    return estimate(state, List.of());
+  }
+
+  /**
+   * As {@link #estimate(State)}, from cuts that are known to be ones of the state (Pommerening and
+   * Helmert 2013): only the others have to be found.
+   */
+  double estimate(State state, List<Cut> known) {
     boolean[] truths = relaxed.truths(state);
     double[] costs = relaxed.costs(state);
     Arrays.setAll(costs, payer -> nothingIfTiny(costs[payer]));
     Arrays.fill(inSomeCut, false);
     rest = costs;
+    cuts = new ArrayList<>(known);
+    work = 0;
     double total = 0;
+    for (Cut cut : known) {
+      pay(cut, costs);
+      total += cut.cost();
+    }
     computeMaximumCosts(truths, costs);
     while (true) {
       if (value[goal] == Double.POSITIVE_INFINITY) {
@@ -94,19 +130,46 @@ public final class LandmarkCut {
         return total;
       }
       markGoalZone(costs);
-      double cut = cutCost(truths, costs);
-      for (int payer = 0; payer < paid.length; payer++) {
-        if (paid[payer]) {
-          inSomeCut[payer] = true;
-          costs[payer] = nothingIfTiny(costs[payer] - cut);
-          for (int action : paidBy[payer]) {
-            offerAnew(action, costs);
-          }
+      Cut cut = cut(truths, costs);
+      pay(cut, costs);
+      for (int payer : cut.payers()) {
+        for (int action : paidBy[payer]) {
+          offerAnew(action, costs);
         }
       }
       lowerMaximumCosts(costs);
-      total += cut;
+      cuts.add(cut);
+      total += cut.cost();
     }
+  }
+
+  private void pay(Cut cut, double[] costs) {
+    for (int payer : cut.payers()) {
+      inSomeCut[payer] = true;
+      costs[payer] = nothingIfTiny(costs[payer] - cut.cost());
+    }
+  }
+
+  /** The cuts of the last estimate, the known ones first. */
+  List<Cut> cuts() {
+    return cuts;
+  }
+
+  /**
+   * Those of the cuts that are ones of the state after the operator too: whoever plans on from
+   * there has not paid them yet. What thresholds cost depends on the state.
+   */
+  List<Cut> after(int operator, List<Cut> before) {
+    int operators = relaxed.problem().operators().size();
+    return before.stream()
+        .filter(cut -> cut.payers()[cut.payers().length - 1] < operators)
+        .filter(cut -> Arrays.binarySearch(cut.payers(), operator) < 0)
+        .toList();
+  }
+
+  /** How often the last estimate looked at an action. */
+  long work() {
+    return work;
   }
 
   /**
@@ -185,6 +248,7 @@ public final class LandmarkCut {
       if (now > value[proposition]) {
         continue;
       }
+      work += consumers[proposition].length;
       for (int action : consumers[proposition]) {
         if (supporter[action] < 0 || supports(proposition, supporter[action])) {
           supporter[action] = proposition;
@@ -204,6 +268,7 @@ public final class LandmarkCut {
       if (now > value[proposition]) {
         continue;
       }
+      work += consumers[proposition].length;
       for (int action : consumers[proposition]) {
         if (supporter[action] == proposition) {
           offerAnew(action, costs);
@@ -234,42 +299,116 @@ public final class LandmarkCut {
     for (int added : additions[action]) {
       if (reached < value[added]) {
         value[added] = reached;
+        reachedBy[added] = action;
         queue.add(reached, added);
       }
     }
   }
 
-  /** The propositions from which the goal is reached for nothing. */
+  /** The propositions from which the goal is reached for nothing, and what leads there. */
   private void markGoalZone(double[] costs) {
     Arrays.fill(inGoalZone, false);
+    edgeCount = 0;
     int size = 0;
     inGoalZone[goal] = true;
     stack[size++] = goal;
     while (size > 0) {
-      for (int action : achievers[stack[--size]]) {
+      int proposition = stack[--size];
+      work += achievers[proposition].length;
+      for (int action : achievers[proposition]) {
         int from = supporter[action];
-        if (open[action] == 0 && !inGoalZone[from] && cost(action, costs) == 0) {
+        if (open[action] > 0 || inGoalZone[from]) {
+          continue;
+        }
+        if (cost(action, costs) == 0) {
           inGoalZone[from] = true;
           stack[size++] = from;
+        } else if (cost(action, costs) < Double.POSITIVE_INFINITY) {
+          edges = withRoom(edges, edgeCount);
+          edges[edgeCount++] = action;
         }
       }
     }
   }
 
-  /** Marks the payers of actions that enter the goal zone, and tells the cheapest's cost. */
-  private double cutCost(boolean[] truths, double[] costs) {
-    Arrays.fill(inFrontZone, false);
-    Arrays.fill(paid, false);
+  private static int[] withRoom(int[] array, int size) {
+    return size < array.length ? array : Arrays.copyOf(array, 2 * size);
+  }
+
+  /** Those who pay for actions that enter the goal zone, and what the cheapest of them costs. */
+  private Cut cut(boolean[] truths, double[] costs) {
+    System.arraycopy(truths, 0, inFrontZone, 0, truths.length);
     double least = Double.POSITIVE_INFINITY;
+    boolean isFrontWhole = false;
+    int cutSize = 0;
+    for (int i = 0; i < edgeCount; i++) {
+      int from = supporter[edges[i]];
+      int payer = payers[edges[i]];
+      if (inGoalZone[from] || paid[payer]) {
+        continue;
+      }
+      if (!inFrontZone[from] && !isFrontWhole && !leadsBackToFront(from)) {
+        markFrontZone(truths, costs);
+        isFrontWhole = true;
+      }
+      if (inFrontZone[from]) {
+        paid[payer] = true;
+        cutPayers = withRoom(cutPayers, cutSize);
+        cutPayers[cutSize++] = payer;
+        least = Math.min(least, costs[payer]);
+      }
+    }
+    for (int i = 0; i < cutSize; i++) {
+      paid[cutPayers[i]] = false;
+    }
+    int[] cut = Arrays.copyOf(cutPayers, cutSize);
+    Arrays.sort(cut);
+    return new Cut(cut, least);
+  }
+
+  /**
+   * Whether the way on which the proposition is had soonest begins in the front zone and keeps out
+   * of the goal zone; then all of it is in the front zone. If not, another way may.
+   */
+  private boolean leadsBackToFront(int last) {
+    int size = 0;
+    int proposition = last;
+    while (!inFrontZone[proposition]) {
+      int by = reachedBy[proposition];
+      // What costs nothing may have been found to lead to each other in a circle.
+      if (size == stack.length || inGoalZone[proposition] || entersGoalZone(by)) {
+        return false;
+      }
+      stack[size++] = proposition;
+      proposition = supporter[by];
+    }
+    while (size > 0) {
+      inFrontZone[stack[--size]] = true;
+    }
+    return true;
+  }
+
+  private boolean entersGoalZone(int action) {
+    for (int added : additions[action]) {
+      if (inGoalZone[added]) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** All that can be had without the goal zone. */
+  private void markFrontZone(boolean[] truths, double[] costs) {
     int size = 0;
     for (int proposition = 0; proposition < truths.length; proposition++) {
+      inFrontZone[proposition] = truths[proposition];
       if (truths[proposition]) {
-        inFrontZone[proposition] = true;
         stack[size++] = proposition;
       }
     }
     while (size > 0) {
       int proposition = stack[--size];
+      work += consumers[proposition].length;
       for (int action : consumers[proposition]) {
         if (open[action] > 0
             || supporter[action] != proposition
@@ -277,16 +416,12 @@ public final class LandmarkCut {
           continue;
         }
         for (int added : additions[action]) {
-          if (inGoalZone[added]) {
-            paid[payers[action]] = true;
-            least = Math.min(least, costs[payers[action]]);
-          } else if (!inFrontZone[added]) {
+          if (!inGoalZone[added] && !inFrontZone[added]) {
             inFrontZone[added] = true;
             stack[size++] = added;
           }
         }
       }
     }
-    return least;
   }
 }

@@ -32,6 +32,9 @@ public final class NumberLimits {
   /** Tried for one number; a state costs no more here than its successors do. */
   private static final int MOST_STATES = 20_000;
 
+  /** Trying an operator takes as long as looking at so many actions of an estimate. */
+  private static final long LOOKS_OF_ONE_TRY = 32;
+
   private final GroundProblem base;
   private final List<Operator> possible;
   private final Effort effort = Effort.forBestPlan(MOST_STATES);
@@ -113,7 +116,7 @@ public final class NumberLimits {
         return new Best(sign * best, false);
       }
       State from = open.remove().state();
-      effort.spend(problem.operators().size());
+      effort.spend(LOOKS_OF_ONE_TRY * problem.operators().size());
       for (Operator operator : problem.operators()) {
         if (Successors.isApplicable(operator, from)) {
           State after = settled.settled(Successors.after(operator, from));

@@ -30,6 +30,12 @@ public final class OptimalSearch {
   /** Up to so many it takes longer to leave orders of operators out than to search them. */
   private static final int FEW_STATES = 500;
 
+  /** Of so many the cuts are kept for the states after them: a hundred each, at times. */
+  private static final int MOST_WITH_CUTS = 20_000;
+
+  /** Of the state in which the search begins. */
+  private static final int NONE = -1;
+
   /** No estimate was made yet. */
   private static final double UNEVALUATED = -1;
 
@@ -53,10 +59,11 @@ public final class OptimalSearch {
     private final State state;
     private double estimate = UNEVALUATED;
     private int[] landmarks = {};
+    private List<LandmarkCut.Cut> cuts = List.of();
     private double cost;
     private int depth;
     private @Nullable Node parent;
-    private @Nullable Operator operator;
+    private int operator = NONE;
 
     private Node(State state) {
       this.state = state;
@@ -144,9 +151,15 @@ public final class OptimalSearch {
 
   /** The bound of the node before holds too: a plan through this one goes through that one. */
   private void evaluate(Node node, long totalBefore) {
-    effort.spend(problem.operators().size());
-    node.estimate = heuristic.estimate(node.state);
+    node.estimate =
+        node.parent == null
+            ? heuristic.estimate(node.state)
+            : heuristic.estimate(node.state, heuristic.after(node.operator, node.parent.cuts));
+    effort.spend(heuristic.work());
     node.landmarks = heuristic.landmarkOperators();
+    if (nodes.size() < MOST_WITH_CUTS) {
+      node.cuts = heuristic.cuts();
+    }
     if (node.estimate < Double.POSITIVE_INFINITY) {
       enqueue(node, total(totalBefore, node.cost, node.estimate), node.estimate);
     }
@@ -170,7 +183,7 @@ public final class OptimalSearch {
           double price = operator.price().cost(node.state.numbers());
           boolean promising = Arrays.binarySearch(landmarks, i) >= 0;
           double hoped = promising ? Math.max(0, node.estimate - price) : node.estimate;
-          reach(after, node.cost + price, node, operator, totalBefore, hoped);
+          reach(after, node.cost + price, node, i, totalBefore, hoped);
         }
       }
     }
@@ -184,7 +197,7 @@ public final class OptimalSearch {
   }
 
   private void reach(
-      State state, double cost, Node parent, Operator operator, long totalBefore, double hoped) {
+      State state, double cost, Node parent, int operator, long totalBefore, double hoped) {
     Node node = nodes.get(state);
     if (node == null) {
       node = new Node(state);
@@ -211,10 +224,10 @@ public final class OptimalSearch {
     return Math.round(cost * GRAIN);
   }
 
-  private static List<Operator> operatorsTo(Node last) {
+  private List<Operator> operatorsTo(Node last) {
     List<Operator> operators = new ArrayList<>();
-    for (Node node = last; node != null && node.operator != null; node = node.parent) {
-      operators.add(node.operator);
+    for (Node node = last; node != null && node.operator != NONE; node = node.parent) {
+      operators.add(problem.operators().get(node.operator));
     }
     Collections.reverse(operators);
     return operators;
