@@ -3,6 +3,7 @@ package org.maestro.device.tasks;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.maestro.hal.Completion;
 import org.maestro.ontology.vocabulary.FeatureType;
@@ -20,6 +21,14 @@ abstract class DeviceProcedure implements Procedure {
 
   abstract Estimate cost(CallParameters parameters);
 
+  /**
+   * The price of taking over a call that is under way: whatever it was planned to begin with, it
+   * begins as things are now.
+   */
+  Estimate costFromNow(CallParameters parameters) {
+    return cost(parameters);
+  }
+
   @Override
   public final void start(Execution execution) {
     try {
@@ -31,18 +40,19 @@ abstract class DeviceProcedure implements Procedure {
 
   @Override
   public final CostAnswer cost(Map<String, Object> parameters) {
-    Estimate estimate = estimate(parameters);
+    Estimate estimate = estimate(parameters, this::cost);
     return amount(estimate).orElseGet(() -> none(estimate));
   }
 
   @Override
   public final Optional<CostAnswer> costIfAble(Map<String, Object> parameters) {
-    return amount(estimate(parameters));
+    return amount(estimate(parameters, this::costFromNow));
   }
 
-  private Estimate estimate(Map<String, Object> parameters) {
+  private static Estimate estimate(
+      Map<String, Object> parameters, Function<CallParameters, Estimate> costing) {
     try {
-      return cost(new CallParameters(parameters));
+      return costing.apply(new CallParameters(parameters));
     } catch (InvalidCallException e) {
       return impossible(() -> reason(e));
     }

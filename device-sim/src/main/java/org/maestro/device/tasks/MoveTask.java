@@ -82,8 +82,16 @@ final class MoveTask extends DeviceProcedure {
 
   @Override
   Estimate cost(CallParameters parameters) {
+    return costFrom(start(parameters), parameters);
+  }
+
+  @Override
+  Estimate costFromNow(CallParameters parameters) {
+    return costFrom(robot.base().position(), parameters);
+  }
+
+  private Estimate costFrom(Point2 start, CallParameters parameters) {
     List<Point2> goals = robot.standsIn(area(parameters));
-    Point2 start = start(parameters);
     return robot
         .route(start, goals)
         .map(way -> price(Math.max(LEAST_SECONDS, robot.seconds(way)), robot.joules(way)))
