@@ -70,6 +70,7 @@ final class BudgetedSearch {
   private final int mostStates;
   private final Effort effort;
   private final boolean weighingSearches;
+  private final SupposedPlans supposedPlans = new SupposedPlans();
   private Optional<Ground> solved = Optional.empty();
 
   /**
@@ -305,7 +306,11 @@ final class BudgetedSearch {
     return found(
         round,
         weighingSearches
-            ? new ExpectedCostSearch(round.problem(), grounder.chances(), this::cheapest, operators)
+            ? new ExpectedCostSearch(
+                    round.problem(),
+                    grounder.chances(),
+                    (supposed, problem) -> cheapest(supposed, problem, round.beyond()),
+                    operators)
                 .plan()
             : cheapest);
   }
@@ -347,12 +352,26 @@ final class BudgetedSearch {
   }
 
   /** Empty when there is no plan, or none that is proven within a smaller bound. */
-  private Optional<List<Operator>> cheapest(GroundProblem problem) {
+  private Optional<List<Operator>> cheapest(
+      MostLikelyState supposed, GroundProblem problem, double beyond) {
     Pruning.Pruned pruned = Pruning.pruned(problem);
-    return pruned.isSolvable()
-            && soon(pruned, MOST_STATES_BESIDE, Double.POSITIVE_INFINITY)
-                instanceof OptimalSearch.Outcome.Found found
-        ? Optional.of(found.operators())
-        : Optional.empty();
+    if (!pruned.isSolvable()) {
+      return Optional.empty();
+    }
+    Optional<List<Operator>> known = supposedPlans.of(supposed, pruned.problem().placed());
+    if (known.isPresent()) {
+      return known;
+    }
+    OptimalSearch.Outcome outcome = soon(pruned, MOST_STATES_BESIDE, Double.POSITIVE_INFINITY);
+    if (outcome instanceof OptimalSearch.Outcome.BoundReached) {
+      Effort beside = Effort.forPlanBeside(MOST_STATES_BESIDE);
+      outcome = overStates(pruned, beside, Double.POSITIVE_INFINITY);
+    }
+    if (outcome instanceof OptimalSearch.Outcome.Found found) {
+      double cost = PlanBuilder.plan(pruned.problem().placed(), found.operators()).cost();
+      supposedPlans.keep(supposed, found.operators(), cost, beyond);
+      return Optional.of(found.operators());
+    }
+    return Optional.empty();
   }
 }

@@ -1,7 +1,6 @@
 package org.maestro.planning;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Deque;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -14,9 +13,11 @@ import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.PlanningResult;
 import org.maestro.planning.api.PlanningTask;
 import org.maestro.planning.api.Step;
+import org.maestro.planning.api.StepKey;
 import org.maestro.planning.grounding.Grounder;
 import org.maestro.planning.grounding.GroundingCache;
 import org.maestro.planning.optimal.KeptGround;
+import org.maestro.planning.problem.Execution;
 import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.Operator;
 import org.maestro.planning.problem.Sought;
@@ -152,21 +153,9 @@ final class KeptPlanning {
   }
 
   private Optional<Proven> proven(Plan plan, GroundProblem problem) {
-    List<Operator> operators = new ArrayList<>();
-    State state = problem.initial();
-    for (Step step : plan.steps()) {
-      State before = state;
-      Optional<Operator> operator =
-          problem.operators().stream()
-              .filter(o -> o.key().equals(step.key()) && Successors.isApplicable(o, before))
-              .findFirst();
-      if (operator.isEmpty()) {
-        return Optional.empty();
-      }
-      operators.add(operator.get());
-      state = Successors.after(operator.get(), state);
-    }
-    return Optional.of(new Proven(plan, operators, problem, task, grounder.featuresThere()));
+    List<StepKey> steps = plan.steps().stream().map(Step::key).toList();
+    return Execution.operators(problem.operators(), problem.initial(), steps)
+        .map(operators -> new Proven(plan, operators, problem, task, grounder.featuresThere()));
   }
 
   /**

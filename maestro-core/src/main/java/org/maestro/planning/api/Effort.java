@@ -8,8 +8,10 @@ public final class Effort {
   /** Some seconds; a plan that comes later than that helps nobody, however cheap it is. */
   private static final long FOR_ONE_PLAN = 64_000_000;
 
-  /** Less than a tenth of a second. */
-  private static final long FOR_SOON_FOUND_PLAN = FOR_ONE_PLAN / 16;
+  /** Some hundredths of a second, in which most plans are found that this search finds at all. */
+  private static final long FOR_SOON_FOUND_PLAN = FOR_ONE_PLAN / 64;
+
+  private static final long FOR_PLAN_BESIDE = FOR_ONE_PLAN / 16;
 
   /** Without any plan the goal is given up: that is worth more than a proof. */
   private static final long FOR_ANY_PLAN = 4 * FOR_ONE_PLAN;
@@ -39,6 +41,11 @@ public final class Effort {
   /** For a plan that is soon found, where another search is there for all others. */
   public static Effort forSoonFoundPlan(int mostStates) {
     return new Effort(mostStates, FOR_SOON_FOUND_PLAN);
+  }
+
+  /** For a plan with which others are only compared. */
+  public static Effort forPlanBeside(int mostStates) {
+    return new Effort(mostStates, FOR_PLAN_BESIDE);
   }
 
   public int mostStates() {

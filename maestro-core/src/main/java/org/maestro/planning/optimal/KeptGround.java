@@ -12,12 +12,12 @@ import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.PlanningResult;
 import org.maestro.planning.api.PlanningTask;
 import org.maestro.planning.api.PricedFeature;
+import org.maestro.planning.api.StepKey;
 import org.maestro.planning.grounding.Grounder;
+import org.maestro.planning.problem.Execution;
 import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.Operator;
 import org.maestro.planning.problem.PlanBuilder;
-import org.maestro.planning.problem.State;
-import org.maestro.planning.problem.Successors;
 
 /**
  * The problem that was grounded for a goal, and lower bounds on the cost of plans that use its
@@ -140,19 +140,8 @@ public final class KeptGround {
 
   /** The problem's own operators: those that were searched may have fewer changes. */
   private List<Operator> originals(List<Operator> found, List<Operator> useful) {
-    List<Operator> originals = new ArrayList<>();
-    State state = problem.initial();
-    for (Operator step : found) {
-      State before = state;
-      Operator original =
-          useful.stream()
-              .filter(o -> o.key().equals(step.key()) && Successors.isApplicable(o, before))
-              .findFirst()
-              .orElseThrow();
-      originals.add(original);
-      state = Successors.after(original, state);
-    }
-    return originals;
+    List<StepKey> steps = found.stream().map(Operator::key).toList();
+    return Execution.operators(useful, problem.initial(), steps).orElseThrow();
   }
 
   private PlanningResult.Found found(List<Operator> operators, List<Operator> there) {

@@ -50,7 +50,11 @@ public final class ExpectedCostSearch {
 
   /** Finds a cheapest plan, if there is one within bounds. */
   public interface Solver {
-    Optional<List<Operator>> solve(GroundProblem problem);
+    /**
+     * @param supposed where what is sought is
+     * @param problem over those steps that are of use then
+     */
+    Optional<List<Operator>> solve(MostLikelyState supposed, GroundProblem problem);
   }
 
   private record Candidate(List<Operator> operators, Plan plan) {}
@@ -324,9 +328,10 @@ public final class ExpectedCostSearch {
   }
 
   private Optional<Candidate> candidate(Map<Sought, Integer> chosen) {
-    GroundProblem smaller = new MostLikelyState(chosen).appliedTo(problem);
+    MostLikelyState supposed = new MostLikelyState(chosen);
+    GroundProblem smaller = supposed.appliedTo(problem);
     return solver
-        .solve(smaller)
+        .solve(supposed, smaller)
         .map(found -> new Candidate(found, PlanBuilder.plan(smaller.placed(), found)));
   }
 
