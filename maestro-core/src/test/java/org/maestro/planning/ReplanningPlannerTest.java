@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import net.jqwik.api.ForAll;
@@ -62,6 +63,28 @@ class ReplanningPlannerTest {
       } else {
         task = task.withFeatures(first.features());
       }
+    }
+  }
+
+  /** Steps that others wait for are checked again and again while things change around them. */
+  @Property(tries = 60)
+  void whatIsCheckedAgainIsAsItWouldBeHadItNeverBeenChecked(@ForAll Random random) {
+    PlanningTask first = OptimalityPropertyTest.homeTask(random);
+    if (!(fresh.solve(first) instanceof PlanningResult.Found found)) {
+      return;
+    }
+    ReplanningPlanner planner = new ReplanningPlanner(fresh);
+    List<Step> steps = found.plan().steps();
+    PlanningTask task = first;
+    for (int n = 0; n < HAPPENINGS; n++) {
+      List<Step> rest = steps.subList(random.nextInt(Math.min(2, steps.size() + 1)), steps.size());
+      Optional<Plan> again = planner.revalidate(task, rest);
+      assertThat(again).isEqualTo(fresh.revalidate(task, rest));
+      assertThat(planner.revalidate(task, rest)).isEqualTo(again);
+      task =
+          fresh.revalidate(task, steps).isPresent()
+              ? after(task, first, found.plan(), random)
+              : first;
     }
   }
 
