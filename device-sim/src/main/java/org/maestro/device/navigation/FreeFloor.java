@@ -9,6 +9,7 @@ import org.maestro.ontology.floor.Segment;
 final class FreeFloor {
 
   static final double TOLERANCE = 1e-6;
+  static final int NONE = -1;
 
   private final WalledFloor walls;
   private final List<Obstacle> obstacles;
@@ -26,26 +27,26 @@ final class FreeFloor {
 
   /** Whether the body may stand there. */
   boolean isFree(Point2 point) {
-    return walls.isFree(point) && isFreeOfObstacles(point);
+    return walls.isFree(point) && firstBarAt(point) == NONE;
   }
 
-  /** The same, where it is known that no wall is in the way. */
-  boolean isFreeOfObstacles(Point2 point) {
+  /** An obstacle beside which the body may not stand there, or {@link #NONE}. */
+  int firstBarAt(Point2 point) {
     double x = point.x();
     double y = point.y();
     for (int i = 0; i < obstacles.size(); i++) {
       if (boxes.touches(i, x, x, y, y)
           && obstacles.get(i).middle().distance(point)
               < obstacles.get(i).radius() + walls.radius() - TOLERANCE) {
-        return false;
+        return i;
       }
     }
-    return true;
+    return NONE;
   }
 
   /** Whether the body can go straight there, given that it stands at the first point. */
   boolean isFreeWay(Point2 from, Point2 to) {
-    return isFreeWay(from, to, new Memory());
+    return isFreeOfWalls(from, to, new Memory()) && firstBar(from, to) == NONE;
   }
 
   /**
@@ -53,25 +54,27 @@ final class FreeFloor {
    * is the same wall. For one thread.
    */
   static final class Memory {
-    int wall = -1;
+    int wall = NONE;
   }
 
-  /** The same, with what barred a way before looked at first. */
-  boolean isFreeWay(Point2 from, Point2 to, Memory memory) {
+  /** The same for all that walls say, with what barred a way before looked at first. */
+  boolean isFreeOfWalls(Point2 from, Point2 to, Memory memory) {
+    return walls.isFreeWay(new Segment(from, to), memory);
+  }
+
+  /** An obstacle that bars that way, or {@link #NONE}. */
+  int firstBar(Point2 from, Point2 to) {
     Segment way = new Segment(from, to);
-    if (!walls.isFreeWay(way, memory)) {
-      return false;
-    }
     double left = Math.min(from.x(), to.x());
     double right = Math.max(from.x(), to.x());
     double lower = Math.min(from.y(), to.y());
     double upper = Math.max(from.y(), to.y());
     for (int i = 0; i < obstacles.size(); i++) {
       if (boxes.touches(i, left, right, lower, upper) && bars(obstacles.get(i), way)) {
-        return false;
+        return i;
       }
     }
-    return true;
+    return NONE;
   }
 
   private boolean bars(Obstacle obstacle, Segment way) {

@@ -1,12 +1,8 @@
 package org.maestro.device.navigation;
 
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Collections;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.PriorityQueue;
 import org.maestro.hal.Surroundings.Obstacle;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.ontology.floor.Segment;
@@ -58,32 +54,40 @@ public final class RoutePlanner {
    * stand are left out.
    */
   public Optional<Route> shortest(Point2 start, List<Point2> goals) {
-    List<Point2> nodes = new ArrayList<>();
-    nodes.add(start);
+    List<Point2> free = new ArrayList<>();
     for (Point2 goal : goals) {
       if (goal.equals(start)) {
         return Optional.of(new Route(List.of(), 0));
       }
       if (isFree(goal)) {
-        nodes.add(goal);
+        free.add(goal);
       }
     }
-    int firstCorner = nodes.size();
-    if (firstCorner == 1) {
+    if (free.isEmpty()) {
       return Optional.empty();
     }
-    List<Point2> free = List.copyOf(nodes.subList(1, firstCorner));
-    Optional<Route> straight = straight(start, free);
-    if (straight.isPresent()) {
-      return straight;
+    return straight(start, free)
+        .or(
+            () ->
+                new RouteSearch(
+                        new VisibilityGraph(walls, obstacles, floor, start, free),
+                        () -> isCutOff(start, free))
+                    .shortest());
+  }
+
+  /**
+   * Whether it is easily seen that no way leads there: a search for one would go through all of a
+   * house.
+   */
+  boolean isCutOff(Point2 start, List<Point2> goals) {
+    if (!isFree(start)) {
+      return false;
     }
-    nodes.addAll(corners());
-    double[] rest = new double[nodes.size()];
-    for (int i = 0; i < rest.length; i++) {
-      boolean goal = i > 0 && i < firstCorner;
-      rest[i] = goal ? 0 : distanceToNearest(nodes.get(i), free);
+    Cells cells = walls.cells();
+    for (Obstacle body : obstacles) {
+      cells.bar(new Segment(body.middle(), body.middle()), body.radius() + walls.radius());
     }
-    return search(nodes, firstCorner, rest);
+    return !cells.connect(start, goals);
   }
 
   /** Straight to the nearest goal, if that way is free: then no other is shorter. */
@@ -103,7 +107,7 @@ public final class RoutePlanner {
         : Optional.of(new Route(List.of(nearest), best));
   }
 
-  private static double distanceToNearest(Point2 node, List<Point2> goals) {
+  static double distanceToNearest(Point2 node, List<Point2> goals) {
     double least = Double.POSITIVE_INFINITY;
     for (Point2 goal : goals) {
       double x = goal.x() - node.x();
@@ -111,70 +115,6 @@ public final class RoutePlanner {
       least = Math.min(least, x * x + y * y);
     }
     return Math.sqrt(least);
-  }
-
-  private List<Point2> corners() {
-    List<Point2> around = new ArrayList<>();
-    for (Point2 corner : walls.corners()) {
-      if (floor.isFreeOfObstacles(corner)) {
-        around.add(corner);
-      }
-    }
-    List<Point2> atObstacles = new ArrayList<>();
-    obstacles.forEach(
-        obstacle -> addPolygon(atObstacles, obstacle.middle(), obstacle.radius() + walls.radius()));
-    atObstacles.removeIf(corner -> !isFree(corner));
-    around.addAll(atObstacles);
-    return around;
-  }
-
-  private Optional<Route> search(List<Point2> nodes, int firstCorner, double[] rest) {
-    int count = nodes.size();
-    double[] length = new double[count];
-    Arrays.fill(length, Double.POSITIVE_INFINITY);
-    int[] before = new int[count];
-    boolean[] closed = new boolean[count];
-    PriorityQueue<Entry> open =
-        new PriorityQueue<>(
-            Comparator.comparingDouble(Entry::estimate).thenComparingInt(Entry::node));
-    double best = Double.POSITIVE_INFINITY;
-    FreeFloor.Memory memory = new FreeFloor.Memory();
-    length[0] = 0;
-    open.add(new Entry(0, rest[0]));
-    while (!open.isEmpty()) {
-      int node = open.remove().node();
-      if (closed[node]) {
-        continue;
-      }
-      closed[node] = true;
-      if (node > 0 && node < firstCorner) {
-        return Optional.of(trace(nodes, before, node, length[node]));
-      }
-      for (int next = 1; next < count; next++) {
-        double reached = length[node] + nodes.get(node).distance(nodes.get(next));
-        if (!closed[next]
-            && reached < length[next] - TOLERANCE
-            && reached + rest[next] < best - TOLERANCE
-            && floor.isFreeWay(nodes.get(node), nodes.get(next), memory)) {
-          length[next] = reached;
-          before[next] = node;
-          if (next < firstCorner) {
-            best = reached;
-          }
-          open.add(new Entry(next, reached + rest[next]));
-        }
-      }
-    }
-    return Optional.empty();
-  }
-
-  private static Route trace(List<Point2> nodes, int[] before, int end, double length) {
-    List<Point2> way = new ArrayList<>();
-    for (int node = end; node != 0; node = before[node]) {
-      way.add(nodes.get(node));
-    }
-    Collections.reverse(way);
-    return new Route(way, length);
   }
 
   /** Corners of a polygon around a circle, a little outside of it. */
@@ -186,6 +126,4 @@ public final class RoutePlanner {
           new Point2(middle.x() + outer * Math.cos(angle), middle.y() + outer * Math.sin(angle)));
     }
   }
-
-  private record Entry(int node, double estimate) {}
 }

@@ -5,13 +5,18 @@ import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.atomic.AtomicReferenceArray;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.ontology.floor.Segment;
 
 /**
  * The free space that walls leave to a round body. Walls stay the same until a door moves, so that
  * what is known of them can be kept meanwhile. Squares of the floor know the walls near them: a way
- * has to be held against those alone that stand along it. Immutable.
+ * has to be held against those alone that stand along it, and corners know each other once a way
+ * passed them. Thread-safe.
  */
 public final class WalledFloor {
 
@@ -29,6 +34,8 @@ public final class WalledFloor {
   private final int rows;
   private final int[][] near;
   private final List<Point2> corners;
+  private final AtomicReferenceArray<int[]> seenFrom;
+  private final AtomicReference<@Nullable Cells> cells = new AtomicReference<>();
 
   /**
    * @param radius of the body; metres
@@ -46,6 +53,7 @@ public final class WalledFloor {
     this.rows = walls.isEmpty() ? 0 : square(boxes.upper() - lower) + 1;
     this.near = nearEachSquare();
     this.corners = freeCorners();
+    this.seenFrom = new AtomicReferenceArray<>(corners.size());
   }
 
   private int[][] nearEachSquare() {
@@ -82,6 +90,34 @@ public final class WalledFloor {
   /** Around ends of walls, where a way may bend; those at which the body may not stand are out. */
   List<Point2> corners() {
     return corners;
+  }
+
+  /** Which corners can be reached straight from one of them, for all that walls say. */
+  int[] seenFrom(int corner) {
+    int[] known = seenFrom.get(corner);
+    if (known == null) {
+      FreeFloor.Memory memory = new FreeFloor.Memory();
+      Point2 from = corners.get(corner);
+      known =
+          IntStream.range(0, corners.size())
+              .filter(to -> to != corner && isFreeWay(new Segment(from, corners.get(to)), memory))
+              .toArray();
+      seenFrom.set(corner, known);
+    }
+    return known;
+  }
+
+  /** Squares where walls let it stand nowhere; a copy. */
+  Cells cells() {
+    Cells known = cells.get();
+    if (known == null) {
+      known = new Cells(boxes.left(), boxes.right(), boxes.lower(), boxes.upper());
+      for (Segment wall : walls) {
+        known.bar(wall, radius);
+      }
+      cells.set(known);
+    }
+    return known.copy();
   }
 
   /** Whether the body may stand there, for all that walls say. */

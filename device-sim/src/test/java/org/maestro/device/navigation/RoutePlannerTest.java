@@ -3,7 +3,12 @@ package org.maestro.device.navigation;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Random;
+import net.jqwik.api.Assume;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
@@ -106,5 +111,53 @@ class RoutePlannerTest {
                 at = next;
               }
             });
+  }
+
+  /**
+   * Rooms side by side, with doors between them, and bodies on the floor, some of them in doors.
+   */
+  @Property(tries = 20000)
+  void isAsShortAsOverAllCornersThereAre(@ForAll long seed) {
+    Random random = new Random(seed);
+    List<Segment> walls = new ArrayList<>();
+    int rooms = 2 + random.nextInt(3);
+    for (int room = 0; room <= rooms; room++) {
+      double x = 4.0 * room;
+      double door = 0.5 + 2 * random.nextDouble();
+      double width = room == 0 || room == rooms ? 0 : 0.6 + random.nextDouble();
+      walls.add(new Segment(point(x, 0), point(x, door)));
+      walls.add(new Segment(point(x, door + width), point(x, 4)));
+    }
+    walls.add(new Segment(point(0, 0), point(4.0 * rooms, 0)));
+    walls.add(new Segment(point(0, 4), point(4.0 * rooms, 4)));
+    List<Obstacle> bodies = new ArrayList<>();
+    for (int i = random.nextInt(12); i > 0; i--) {
+      Point2 place =
+          random.nextInt(4) == 0
+              ? walls.get(random.nextInt(2 * rooms)).to()
+              : somewhere(random, rooms);
+      bodies.add(new Obstacle("body-" + i, place, 0.5 * random.nextDouble()));
+    }
+    Point2 start = somewhere(random, rooms);
+    List<Point2> goals = new ArrayList<>();
+    for (int i = 1 + random.nextInt(5); i > 0; i--) {
+      goals.add(somewhere(random, rooms));
+    }
+
+    RoutePlanner planner = new RoutePlanner(walls, bodies, RADIUS);
+    Assume.that(new RoutePlanner(walls, bodies, 1.02 * RADIUS).isFree(start));
+    Optional<Route> route = planner.shortest(start, goals);
+
+    OptionalDouble expected = new WholeGraph(walls, bodies, RADIUS).shortest(start, goals);
+    OptionalDouble ofWider = new WholeGraph(walls, bodies, 1.02 * RADIUS).shortest(start, goals);
+    assertThat(planner.isCutOff(start, goals) && expected.isPresent()).isFalse();
+    assertThat(route.map(Route::length).orElse(Double.POSITIVE_INFINITY))
+        .isBetween(
+            expected.orElse(Double.POSITIVE_INFINITY) - 1e-5,
+            1.02 * ofWider.orElse(Double.POSITIVE_INFINITY));
+  }
+
+  private static Point2 somewhere(Random random, int rooms) {
+    return point(4.0 * rooms * random.nextDouble(), 4 * random.nextDouble());
   }
 }
