@@ -1,11 +1,8 @@
 package org.maestro.coordination.allocation;
 
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -15,11 +12,9 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.coordination.api.CallArguments;
 import org.maestro.coordination.api.CallForPrices;
-import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Proposal;
 import org.maestro.coordination.api.Roster;
-import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.facts.Confirmation;
 import org.maestro.coordination.facts.EpistemicGoal;
 import org.maestro.coordination.facts.Relevance;
@@ -39,11 +34,8 @@ import org.maestro.planning.api.Step;
 import org.maestro.planning.api.StepKey;
 import org.maestro.planning.api.Unavailable;
 import org.maestro.sl.Effect;
-import org.maestro.sl.Evaluation;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
-import org.maestro.sl.Term;
-import org.maestro.sl.Truth;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -115,11 +107,6 @@ public final class PlanningRound {
     }
   }
 
-  /** How often it is asked again before a goal is given up because of prices not named. */
-  private static final int LAST_CHANCES = 2;
-
-  private static final double SAME_PRICE = 1e-9;
-
   private static final Logger LOG = LoggerFactory.getLogger(PlanningRound.class);
 
   private final Ports ports;
@@ -132,14 +119,9 @@ public final class PlanningRound {
   private final boolean trusting;
   private final Supplier<? extends Facts> facts;
   private final Consumer<Ended> then;
-  private final Set<String> unpriced = new LinkedHashSet<>();
-  private final Set<StepKey> declined = new HashSet<>();
-  private final Set<StepKey> unanswered = new HashSet<>();
-  private final Map<StepKey, String> reasons = new HashMap<>();
   private final CandidateProposals proposals;
   private final PriceQuestions priceQuestions = new PriceQuestions();
-  private int questions;
-  private int lastChances;
+  private final PriceInquiry inquiry;
 
   /**
    * @param without members that are left out on trial: when there is no plan without them, nobody
@@ -164,7 +146,6 @@ public final class PlanningRound {
     this.experience = experience;
     this.subject = subject;
     this.barred = barred;
-    this.reasons.putAll(barred);
     this.without = without;
     this.trusting = trusting;
     this.facts = facts;
@@ -172,6 +153,7 @@ public final class PlanningRound {
     Map<String, List<String>> candidates = candidates(ports.knowledge().home());
     candidates.keySet().removeAll(without);
     this.proposals = new CandidateProposals(candidates, roster);
+    this.inquiry = new PriceInquiry(ports, exactPrices, priceQuestions, facts);
   }
 
   public void start() {
@@ -220,13 +202,13 @@ public final class PlanningRound {
     Snapshot snapshot = ports.knowledge().snapshot();
     List<PricedFeature> features = features(home);
     Set<StepKey> unusable = new HashSet<>(barred.keySet());
-    unusable.addAll(declined);
-    unusable.addAll(unanswered);
-    unusable.addAll(exactPrices.unusable(ports.clock().now()));
+    unusable.addAll(inquiry.unusable());
+    Map<StepKey, String> reasons = new HashMap<>(barred);
+    reasons.putAll(inquiry.reasons());
     PlanningTask task =
         new PlanningTask(
                 subject.vocabulary(home), facts.get(), features, subject.planned(home), unusable)
-            .withUnavailable(unavailable(home), Map.copyOf(reasons));
+            .withUnavailable(unavailable(home), reasons);
     boolean explaining = proposals.allCalled() && !isTrial() && !subject.isOfSeeing();
     ports
         .thinking()
@@ -270,55 +252,18 @@ public final class PlanningRound {
     List<OpenPrice> open =
         result instanceof PlanningResult.Found found ? priceQuestions.next(found) : List.of();
     if (open.isEmpty()) {
-      if (!(result instanceof PlanningResult.Found) && mayAskAgain()) {
+      if (!(result instanceof PlanningResult.Found) && inquiry.mayAskAgain()) {
         solve();
       } else {
         PlanningResult end =
             result instanceof PlanningResult.Found found ? priceQuestions.proven(found) : result;
         then.accept(
-            new Ended(proposals, end, task.features(), questions, List.copyOf(unpriced), task));
+            new Ended(proposals, end, task.features(), inquiry.asked(), inquiry.unpriced(), task));
       }
       return;
     }
     Set<StepKey> trusted = trusting ? afterDeeds(((PlanningResult.Found) result).plan()) : Set.of();
-    Duration asked = ports.clock().now();
-    CallArguments arguments = new CallArguments(home, snapshot);
-    Map<List<String>, List<OpenPrice>> byFeature = new LinkedHashMap<>();
-    open.forEach(
-        price ->
-            byFeature
-                .computeIfAbsent(
-                    List.of(price.step().member(), price.step().feature()), k -> new ArrayList<>())
-                .add(price));
-    questions += open.size();
-    int[] awaited = {byFeature.size()};
-    byFeature.forEach(
-        (memberAndFeature, prices) ->
-            ports
-                .contractNet()
-                .exactPrices(
-                    memberAndFeature.get(0),
-                    memberAndFeature.get(1),
-                    prices.stream()
-                        .map(price -> arguments.of(price.feature(), price.step().bindings()))
-                        .toList(),
-                    quotes -> {
-                      note(prices, quotes, asked, trusted);
-                      if (--awaited[0] == 0) {
-                        solve();
-                      }
-                    }));
-  }
-
-  /**
-   * What nobody answered is no reason to say that it cannot be done, as long as it may be asked.
-   */
-  private boolean mayAskAgain() {
-    boolean again =
-        lastChances < LAST_CHANCES && (exactPrices.forgetUnanswered() || !unanswered.isEmpty());
-    lastChances++;
-    unanswered.clear();
-    return again;
+    inquiry.ask(open, trusted, new CallArguments(home, snapshot), this::solve);
   }
 
   private static Set<StepKey> afterDeeds(Plan plan) {
@@ -336,70 +281,6 @@ public final class PlanningRound {
         .filter(earlier -> step.after().contains(earlier.number()))
         .anyMatch(
             earlier -> !Sensing.isIn(earlier.feature().effect()) || isAfterDeeds(earlier, plan));
-  }
-
-  private void note(
-      List<OpenPrice> prices,
-      List<ContractNet.Quote> quotes,
-      Duration asked,
-      Set<StepKey> trusted) {
-    for (int i = 0; i < prices.size(); i++) {
-      OpenPrice price = prices.get(i);
-      StepKey step = price.step();
-      ContractNet.Quote quote =
-          i < quotes.size()
-              ? quotes.get(i)
-              : new ContractNet.Quote.Unanswered("named too few prices");
-      if (quote instanceof ContractNet.Quote.Priced priced
-          && priced.cost() < price.cost() - SAME_PRICE
-          && !priceQuestions.isReckoned(price)) {
-        unpriced.add(
-            "%s (%s: it names %s, and had said at least %s, which counts)"
-                .formatted(
-                    step.member(),
-                    step.feature(),
-                    Sentences.number(priced.cost()),
-                    Sentences.number(price.cost())));
-        quote = new ContractNet.Quote.Priced(price.cost(), priced.seconds());
-      }
-      if (quote instanceof ContractNet.Quote.Declined declined) {
-        decline(price, asked, trusted.contains(step));
-        reasons.put(step, "it names no price: " + declined.reason());
-        unpriced.add("%s (%s: %s)".formatted(step.member(), step.feature(), declined.reason()));
-      } else if (quote instanceof ContractNet.Quote.Unanswered silence) {
-        exactPrices.put(step, quote, asked, ports.clock().now());
-        unanswered.add(step);
-        reasons.put(step, silence.reason());
-        unpriced.add("%s (%s)".formatted(step.member(), silence.reason()));
-      } else {
-        priceQuestions.answered(price, ((ContractNet.Quote.Priced) quote).cost());
-        exactPrices.put(step, quote, asked, ports.clock().now());
-      }
-    }
-  }
-
-  /**
-   * A member prices what it could do now. That it cannot do what earlier steps have yet to make
-   * possible, such as going through a door that is still shut, says nothing: the lower bound
-   * stands. Any other refusal holds for this round only, since it may be due to what others do just
-   * now.
-   */
-  private void decline(OpenPrice price, Duration asked, boolean trusted) {
-    if (isPossibleNow(price) && !trusted) {
-      declined.add(price.step());
-    } else {
-      exactPrices.put(
-          price.step(),
-          new ContractNet.Quote.Priced(price.cost(), price.seconds()),
-          asked,
-          ports.clock().now());
-    }
-  }
-
-  private boolean isPossibleNow(OpenPrice price) {
-    Map<String, Term> bindings = price.step().values();
-    return new Evaluation(facts.get()).truth(price.feature().precondition(), bindings)
-        == Truth.TRUE;
   }
 
   /** Features that would count if their members were there, or took part. */
