@@ -49,6 +49,7 @@ record TellingRun(
           Map.entry("world.arm.payload", "0.04"),
           Map.entry("world.arm.graspTolerance", "0.001"),
           Map.entry("world.arm.placingError", "1"),
+          Map.entry("broken-cup world.arm.placingError", "3"),
           Map.entry("world.base.radius", "0.36"),
           Map.entry("world.gripper.bagDiameter", "0.02"),
           Map.entry("world.gripper.vacuum", "0.5"),
