@@ -59,6 +59,10 @@ class LeaderHeartbeatTest {
   void oneThatIsStoppedIsEndedAfterThreeSeconds() throws Exception {
     int sent = new ProcessBuilder("kill", "-STOP", String.valueOf(other.pid())).start().waitFor();
     assertThat(sent).isZero();
+    Path status = Path.of("/proc", String.valueOf(other.pid()), "status");
+    await()
+        .atMost(Duration.ofSeconds(30))
+        .until(() -> Files.readString(status).contains("State:\tT"));
     look(LeaderHeartbeat.FROZEN_AFTER.minus(LOOK.multipliedBy(4)));
     assertThat(other.isAlive()).isTrue();
 
