@@ -12,9 +12,12 @@ import org.maestro.ontology.floor.Segment;
  */
 final class Cells {
 
-  private static final double SIDE_METRES = 0.1;
-  private static final double HALF_DIAGONAL_METRES = SIDE_METRES * Math.sqrt(0.5);
+  private static final double LEAST_SIDE_METRES = 0.1;
 
+  /** Along each side: on a wide floor squares are larger, and fewer of them can be barred. */
+  private static final double MOST_SQUARES = 1_000;
+
+  private final double side;
   private final double left;
   private final double lower;
   private final int columns;
@@ -23,14 +26,16 @@ final class Cells {
 
   /** All around which anything is to be barred, with one square more on each side. */
   Cells(double left, double right, double lower, double upper) {
-    this.left = left - SIDE_METRES;
-    this.lower = lower - SIDE_METRES;
-    this.columns = (int) Math.ceil((right - this.left) / SIDE_METRES) + 1;
-    this.rows = (int) Math.ceil((upper - this.lower) / SIDE_METRES) + 1;
+    this.side = Math.max(LEAST_SIDE_METRES, Math.max(right - left, upper - lower) / MOST_SQUARES);
+    this.left = left - side;
+    this.lower = lower - side;
+    this.columns = (int) Math.ceil((right - this.left) / side) + 1;
+    this.rows = (int) Math.ceil((upper - this.lower) / side) + 1;
     this.barred = new BitSet(columns * rows);
   }
 
   private Cells(Cells other) {
+    this.side = other.side;
     this.left = other.left;
     this.lower = other.lower;
     this.columns = other.columns;
@@ -44,7 +49,7 @@ final class Cells {
 
   /** Bars the squares that lie wholly nearer to it than that, as far as that is easily seen. */
   void bar(Segment line, double metres) {
-    double sure = metres - HALF_DIAGONAL_METRES;
+    double sure = metres - side * Math.sqrt(0.5);
     int lastColumn = column(Math.max(line.from().x(), line.to().x()) + sure);
     int lastRow = row(Math.max(line.from().y(), line.to().y()) + sure);
     for (int row = row(Math.min(line.from().y(), line.to().y()) - sure); row <= lastRow; row++) {
@@ -110,11 +115,11 @@ final class Cells {
     return within(y - lower, rows);
   }
 
-  private static int within(double metres, int count) {
-    return Math.max(0, Math.min(count - 1, (int) Math.floor(metres / SIDE_METRES)));
+  private int within(double metres, int count) {
+    return Math.max(0, Math.min(count - 1, (int) Math.floor(metres / side)));
   }
 
   private Point2 middle(int column, int row) {
-    return new Point2(left + (column + 0.5) * SIDE_METRES, lower + (row + 0.5) * SIDE_METRES);
+    return new Point2(left + (column + 0.5) * side, lower + (row + 0.5) * side);
   }
 }

@@ -140,7 +140,7 @@ final class VisibilityGraph {
   }
 
   /** Whether one can go straight from one to the other; what bars the way is met. */
-  boolean isFreeWay(Corner from, Corner next) {
+  private boolean isFreeWay(Corner from, Corner next) {
     boolean knownOfWalls = from.ofWalls != NONE && next.ofWalls != NONE;
     return (knownOfWalls || floor.isFreeOfWalls(from.at, next.at, memory))
         && !meets(floor.firstBar(from.at, next.at))
