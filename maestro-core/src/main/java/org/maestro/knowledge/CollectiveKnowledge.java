@@ -22,7 +22,6 @@ import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.KnowledgeException;
 import org.maestro.knowledge.api.KnowledgeSettings;
 import org.maestro.knowledge.api.MemberWord;
-import org.maestro.knowledge.api.Moment;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.knowledge.api.Source;
 import org.maestro.knowledge.api.StateVariable;
@@ -217,16 +216,17 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   @Override
   public void state(String member, MemberWord word) {
     List<Fact> read = word.facts().stream().map(text -> FactReader.read(text, member)).toList();
-    state(new Source(Source.Kind.STATED, member), read, Optional.of(word.moment()));
+    state(new Source(Source.Kind.STATED, member), read, Optional.of(word));
   }
 
-  private void state(Source source, List<Fact> facts, Optional<Moment> moment) {
+  private void state(Source source, List<Fact> facts, Optional<MemberWord> word) {
     guarded(
         () -> {
-          moment.ifPresent(now -> lastWords.heard(source.agent(), now));
+          word.ifPresent(now -> lastWords.heard(source.agent(), now));
           Predicate<StateVariable> isNews =
               variable ->
-                  moment.filter(m -> !lastWords.takes(source.agent(), variable, m)).isEmpty();
+                  word.filter(w -> !lastWords.takes(source.agent(), variable, w.moment()))
+                      .isEmpty();
           return write(
               Confidence.voice(world.home(), source),
               (draft, positions) -> statements.take(source, facts, draft, positions, isNews));

@@ -192,36 +192,26 @@ public final class MemberView {
 
   /**
    * A broker keeps the order of one topic, and not always that of two: a state that was sent before
-   * a result may come after it. It was if it says that the call goes on, or that another was over
-   * last whose result came before.
+   * a result may come after it. It was if it says that the call goes on, or does not name it though
+   * it names one whose result came before; what is not named any more is older than all that is.
    */
   private Moment momentOf(MemberState state) {
     Set<String> over = over(state);
-    OptionalLong goesOn =
-        Stream.concat(state.running().stream(), state.queue().stream())
-            .map(ended::get)
-            .filter(Objects::nonNull)
-            .mapToLong(Moment::number)
-            .min();
-    OptionalLong latest =
-        state.recent().stream()
-            .skip(Math.max(0, state.recent().size() - 1))
-            .map(last -> ended.get(last.id()))
-            .filter(Objects::nonNull)
-            .mapToLong(Moment::number)
-            .findFirst();
-    OptionalLong next =
-        latest.isEmpty()
-            ? latest
-            : ended.entrySet().stream()
-                .filter(call -> !over.contains(call.getKey()))
-                .mapToLong(call -> call.getValue().number())
-                .filter(number -> number > latest.getAsLong())
-                .min();
-    return LongStream.concat(goesOn.stream(), next.stream()).min().stream()
+    LongStream goesOn = numbers(Stream.concat(state.running().stream(), state.queue().stream()));
+    OptionalLong named = numbers(over.stream()).min();
+    LongStream unnamed =
+        named.isEmpty()
+            ? LongStream.empty()
+            : numbers(ended.keySet().stream().filter(call -> !over.contains(call)))
+                .filter(number -> number > named.getAsLong());
+    return LongStream.concat(goesOn, unnamed).min().stream()
         .mapToObj(number -> new Moment(listener, number - 1))
         .findFirst()
         .orElseGet(this::next);
+  }
+
+  private LongStream numbers(Stream<String> calls) {
+    return calls.map(ended::get).filter(Objects::nonNull).mapToLong(Moment::number);
   }
 
   private static Set<String> over(MemberState state) {

@@ -59,6 +59,10 @@ import org.maestro.sl.Term;
 abstract class CountedOnceContract {
 
   static final int MOST_SEEDS = 1_000;
+
+  /** The client that publishes what the vats tell; their results leave by another. */
+  static final String STATES = "states";
+
   private static final String SITE = "counted";
   private static final String ID = "vat";
   private static final double SHARE = 20;
@@ -76,6 +80,9 @@ abstract class CountedOnceContract {
 
   abstract void await(BooleanSupplier condition);
 
+  /** A state is about to be published, by a client called {@link #STATES}. */
+  void aStateLeaves() {}
+
   /** How many seeds are tried each time. */
   abstract int usualSeeds();
 
@@ -91,6 +98,7 @@ abstract class CountedOnceContract {
   }
 
   private void tryAll(int seeds) {
+    Transport states = client(STATES);
     Transport vats = client("vats");
     AtomicReference<Vat> present = new AtomicReference<>();
     vats.subscribe(
@@ -107,10 +115,13 @@ abstract class CountedOnceContract {
     Connection connection = new Connection();
     vats.open(Optional.empty(), connection);
     await(() -> connection.isThere);
+    Connection other = new Connection();
+    states.open(Optional.empty(), other);
+    await(() -> other.isThere);
     try (BusLink link = BusLink.connect("cca", SITE, client("cca"), clock())) {
-      beSeen(link, new Vat(-1, vats));
+      beSeen(link, new Vat(-1, vats, states));
       for (int seed = 0; seed < seeds; seed++) {
-        Vat vat = new Vat(seed, vats);
+        Vat vat = new Vat(seed, vats, states);
         present.set(vat);
         try (KnowledgeBase knowledge = new CollectiveKnowledge(HOME, clock())) {
           new Trial(vat, link, knowledge).run();
@@ -118,6 +129,7 @@ abstract class CountedOnceContract {
       }
     } finally {
       vats.close();
+      states.close();
     }
   }
 
@@ -329,7 +341,8 @@ abstract class CountedOnceContract {
   private final class Vat {
     private final String boot;
     private final Random random;
-    private final Transport transport;
+    private final Transport results;
+    private final Transport states;
     private final List<String> calls = Collections.synchronizedList(new ArrayList<>());
     private final Set<String> ended = new LinkedHashSet<>();
     private final StringBuilder doings = new StringBuilder();
@@ -343,10 +356,11 @@ abstract class CountedOnceContract {
     private boolean owesAWord;
     private int expected;
 
-    Vat(int seed, Transport transport) {
+    Vat(int seed, Transport results, Transport states) {
       this.boot = "seed-" + seed;
       this.random = new Random(seed);
-      this.transport = transport;
+      this.results = results;
+      this.states = states;
       this.isAsDescribed = random.nextInt(4) > 0;
       this.tellsWhatIsOver = random.nextInt(4) == 0;
       this.content = random.nextInt(3) * SHARE;
@@ -427,7 +441,7 @@ abstract class CountedOnceContract {
           """
               .formatted(call, ID);
       for (int times = 1 + random.nextInt(2); times > 0; times--) {
-        transport.publish(
+        results.publish(
             Publication.reliable(topics.result("cca", ID), text.getBytes(UTF_8), Optional.empty()),
             failure -> {});
       }
@@ -457,7 +471,8 @@ abstract class CountedOnceContract {
     }
 
     private void publish(String topic, byte[] payload) {
-      transport.publish(Publication.retained(topic, payload), failure -> {});
+      aStateLeaves();
+      states.publish(Publication.retained(topic, payload), failure -> {});
     }
 
     @Override

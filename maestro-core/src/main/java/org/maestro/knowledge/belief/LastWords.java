@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.maestro.knowledge.api.MemberWord;
 import org.maestro.knowledge.api.Moment;
 import org.maestro.knowledge.api.StateVariable;
 
@@ -14,7 +15,7 @@ import org.maestro.knowledge.api.StateVariable;
 public final class LastWords {
 
   private final Map<String, Map<StateVariable, Moment>> toldByMember = new TreeMap<>();
-  private final Map<String, Moment> heardByMember = new TreeMap<>();
+  private final Map<String, MemberWord> heardByMember = new TreeMap<>();
   private final Map<String, Map<StateVariable, Moment>> taughtByMember = new TreeMap<>();
 
   /** Returns whether nothing later was told of it; then this is what was told last. */
@@ -27,19 +28,21 @@ public final class LastWords {
   }
 
   /** The member said of itself all that it tells. */
-  public void heard(String member, Moment moment) {
-    heardByMember.merge(member, moment, (one, next) -> one.isAfter(next) ? one : next);
+  public void heard(String member, MemberWord word) {
+    heardByMember.merge(
+        member, word, (one, next) -> one.moment().isAfter(next.moment()) ? one : next);
   }
 
-  public Optional<Moment> lastHeard(String member) {
+  public Optional<MemberWord> lastHeard(String member) {
     return Optional.ofNullable(heardByMember.get(member));
   }
 
   /** The result of a step that changes the variable was the message. */
   public void taught(String member, StateVariable variable, Moment ended) {
-    if (takes(member, variable, ended)) {
-      taughtByMember.computeIfAbsent(member, m -> new HashMap<>()).put(variable, ended);
-    }
+    takes(member, variable, ended);
+    taughtByMember
+        .computeIfAbsent(member, m -> new HashMap<>())
+        .merge(variable, ended, (one, next) -> one.isAfter(next) ? one : next);
   }
 
   public Optional<Moment> last(String member, StateVariable variable) {

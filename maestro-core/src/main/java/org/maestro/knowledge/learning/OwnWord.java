@@ -55,26 +55,43 @@ final class OwnWord {
   private final World world;
   private final LastWords lastWords;
   private final FeatureRun run;
+  private final Optional<MemberWord> last;
   private final Map<StateVariable, List<Fact>> said = new LinkedHashMap<>();
 
   OwnWord(World world, LastWords lastWords, FeatureRun run) {
     this.world = world;
     this.lastWords = lastWords;
     this.run = run;
-    for (Fact fact : read(run)) {
+    this.last = run.account().flatMap(this::lastBeforeTheEnd);
+    for (Fact fact : read(last, run.member())) {
       StateVariable variable = world.declarations().spokenOf(fact);
       said.computeIfAbsent(variable, v -> new ArrayList<>()).add(fact);
     }
   }
 
+  /** A state that was sent before the result may have been heard after it, and known before it. */
+  private Optional<MemberWord> lastBeforeTheEnd(StepAccount account) {
+    Optional<MemberWord> late =
+        lastWords
+            .lastHeard(run.member())
+            .filter(word -> !word.moment().isAfter(account.tellsOfTheEnd()))
+            .filter(word -> word.moment().isAfter(account.begun()))
+            .filter(word -> account.last().filter(own -> !isAfter(word, own)).isEmpty());
+    return late.isPresent() ? late : account.last();
+  }
+
+  private static boolean isAfter(MemberWord one, MemberWord other) {
+    return one.moment().isAfter(other.moment());
+  }
+
   /**
    * What cannot be read is refused where it is told for itself; it is no reason to learn nothing.
    */
-  private static List<Fact> read(FeatureRun run) {
+  private static List<Fact> read(Optional<MemberWord> word, String member) {
     try {
-      return run.account().flatMap(StepAccount::last).stream()
-          .flatMap(word -> word.facts().stream())
-          .map(text -> FactReader.read(text, run.member()))
+      return word.stream()
+          .flatMap(said -> said.facts().stream())
+          .map(text -> FactReader.read(text, member))
           .toList();
     } catch (KnowledgeException e) {
       return List.of();
@@ -104,7 +121,10 @@ final class OwnWord {
   }
 
   Verdict verdict(StateVariable variable, Fact predicted) {
-    if (isSpokenSince(variable) || isLeftOut(variable, predicted)) {
+    if (isSpokenSince(variable)) {
+      return isTaughtLast(variable) ? Verdict.OPEN : Verdict.SPOKEN_SINCE;
+    }
+    if (isLeftOut(variable, predicted)) {
       return Verdict.SPOKEN_SINCE;
     }
     if (!isSaidSinceBegun(variable)) {
@@ -142,7 +162,7 @@ final class OwnWord {
   /** Whether another step of the member has taught of it, of which the word knows or not. */
   private boolean isOverlapped(StateVariable variable) {
     StepAccount account = run.account().orElseThrow();
-    Moment word = account.last().orElseThrow().moment();
+    Moment word = last.orElseThrow().moment();
     return lastWords
         .lastTaught(run.member(), variable)
         .filter(last -> last.isAfter(account.includesStep() ? word : account.begun()))
@@ -159,6 +179,13 @@ final class OwnWord {
         .isPresent();
   }
 
+  /** Whether what is known of it later is not the member's word, but what another step taught. */
+  private boolean isTaughtLast(StateVariable variable) {
+    return lastWords
+        .lastTaught(run.member(), variable)
+        .equals(lastWords.last(run.member(), variable));
+  }
+
   /** Whether a state that was said knowing of the step would name it, if it were so. */
   private boolean isLeftOut(StateVariable variable, Fact predicted) {
     if (!(predicted instanceof Fact.Holds holds)
@@ -168,7 +195,7 @@ final class OwnWord {
     }
     Moment end = run.account().get().tellsOfTheEnd();
     boolean heardSince =
-        lastWords.lastHeard(run.member()).filter(heard -> heard.isAfter(end)).isPresent();
+        lastWords.lastHeard(run.member()).filter(heard -> heard.moment().isAfter(end)).isPresent();
     return heardSince || includesStep() && !said.containsKey(variable);
   }
 
@@ -180,12 +207,11 @@ final class OwnWord {
   private boolean isSaidSinceBegun(StateVariable variable) {
     return said.containsKey(variable)
         && (includesStep()
-            || run.account().flatMap(StepAccount::last).stream()
-                .anyMatch(word -> word.moment().isAfter(run.account().get().begun())));
+            || last.stream().anyMatch(word -> word.moment().isAfter(run.account().get().begun())));
   }
 
   private boolean isNews(StateVariable variable) {
-    Optional<Moment> moment = run.account().flatMap(StepAccount::last).map(MemberWord::moment);
+    Optional<Moment> moment = last.map(MemberWord::moment);
     return said.containsKey(variable)
         && moment.isPresent()
         && lastWords
