@@ -359,7 +359,7 @@ final class BudgetedSearch {
       return Optional.empty();
     }
     Optional<List<Operator>> known = supposedPlans.of(supposed, pruned.problem().placed());
-    if (known.isPresent()) {
+    if (known.isPresent() || supposedPlans.isInVain(supposed)) {
       return known;
     }
     OptimalSearch.Outcome outcome = soon(pruned, MOST_STATES_BESIDE, Double.POSITIVE_INFINITY);
@@ -371,6 +371,9 @@ final class BudgetedSearch {
       double cost = PlanBuilder.plan(pruned.problem().placed(), found.operators()).cost();
       supposedPlans.keep(supposed, found.operators(), cost, beyond);
       return Optional.of(found.operators());
+    }
+    if (!(outcome instanceof OptimalSearch.Outcome.Exhausted)) {
+      supposedPlans.keepInVain(supposed);
     }
     return Optional.empty();
   }

@@ -1,9 +1,11 @@
 package org.maestro.planning;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.maestro.planning.api.StepKey;
 import org.maestro.planning.problem.Execution;
 import org.maestro.planning.problem.GroundProblem;
@@ -33,6 +35,7 @@ final class SupposedPlans {
   }
 
   private final Map<Supposition, List<StepKey>> steps = new HashMap<>();
+  private final Set<Supposition> inVain = new HashSet<>();
 
   /**
    * The plan for the supposition, if it is known, over the operators of this problem.
@@ -56,5 +59,18 @@ final class SupposedPlans {
     if (cost < beyond) {
       steps.put(Supposition.of(supposed), plan.stream().map(Operator::key).toList());
     }
+  }
+
+  /**
+   * Keeps that no plan was proven within the effort that is made: among the more steps of a larger
+   * budget none would be.
+   */
+  void keepInVain(MostLikelyState supposed) {
+    inVain.add(Supposition.of(supposed));
+  }
+
+  /** Whether a search is not worth while, as one among fewer steps ended without a proof. */
+  boolean isInVain(MostLikelyState supposed) {
+    return inVain.contains(Supposition.of(supposed));
   }
 }
