@@ -3,6 +3,7 @@ package org.maestro.planning.optimal;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -18,6 +19,7 @@ import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.NumberVector;
 import org.maestro.planning.problem.Operator;
 import org.maestro.planning.problem.State;
+import org.maestro.planning.problem.VariableValue;
 import org.maestro.planning.settings.Achievement;
 import org.maestro.planning.settings.SettingAnalysis;
 import org.maestro.planning.settings.Threshold;
@@ -46,6 +48,10 @@ public final class RelaxedProblem {
   private final List<Condition> leaves = new ArrayList<>();
   private final Map<Condition, Integer> indexOfLeaf = new LinkedHashMap<>();
   private final Map<Object, List<OperatorChange>> changesOf = new LinkedHashMap<>();
+
+  /** Where a thing is has as many values as a house has places, and far more changes. */
+  private final Map<VariableValue, List<OperatorChange>> changesTo = new HashMap<>();
+
   private final List<Action> actions = new ArrayList<>();
   private final int[][] needed;
   private final ThresholdPrices prices;
@@ -65,9 +71,14 @@ public final class RelaxedProblem {
     needed = new int[operators.size()][];
     for (int i = 0; i < operators.size(); i++) {
       for (Change change : operators.get(i).changes()) {
-        changesOf
-            .computeIfAbsent(change.target(), absent -> new ArrayList<>())
-            .add(new OperatorChange(i, change));
+        OperatorChange candidate = new OperatorChange(i, change);
+        changesOf.computeIfAbsent(change.target(), absent -> new ArrayList<>()).add(candidate);
+        if (change instanceof Change.OfVariable of) {
+          changesTo
+              .computeIfAbsent(
+                  new VariableValue(of.variable(), of.value()), absent -> new ArrayList<>())
+              .add(candidate);
+        }
       }
     }
     goal = auxiliary();
@@ -147,6 +158,12 @@ public final class RelaxedProblem {
   }
 
   private void addAchievers(int proposition, Condition leaf, boolean ofSum) {
+    if (leaf instanceof Condition.Literal literal && literal.question() == Condition.Question.IS) {
+      changesTo
+          .getOrDefault(new VariableValue(literal.variable(), literal.value()), List.of())
+          .forEach(candidate -> addAchiever(proposition, leaf, candidate));
+      return;
+    }
     for (Object target : targets(leaf)) {
       for (OperatorChange candidate : changesOf.getOrDefault(target, List.of())) {
         if (!(ofSum && candidate.change() instanceof Change.Adjust)) {
