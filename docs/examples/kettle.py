@@ -12,14 +12,19 @@ from paho.mqtt.subscribeoptions import SubscribeOptions
 ME, BOOT, ROOT = "kettle-1", uuid.uuid4().hex, f"rats/1/{sys.argv[3]}/"  # another start is another boot
 OWN = ROOT + f"member/{ME}/"
 DESCRIPTION = {
-    "@context": "https://w3id.org/maestro/context.jsonld", "id": "https://example.org/kitchen#" + ME,
-    "label": "the kettle", "type": ["maestro:Device", "https://example.org/kitchen#Kettle"],
+    "@context": ["https://w3id.org/maestro/context.jsonld", {"k": "https://example.org/kitchen#"}],
+    "id": "k:" + ME, "label": "the kettle", "type": "k:Kettle",
     "offers": {
-        "id": "https://example.org/kitchen#brew", "type": "maestro:Task",
-        "sentence": "{self} brews {drink} for {guest}",
-        "input": [{"name": "drink", "types": ["https://w3id.org/maestro/domain#Drink"]},
-                  {"name": "guest", "types": ["https://w3id.org/maestro/domain#Guest"]}],
-        "effect": "(served ?drink ?guest)", "occupies": ["pot"], "cost": "3", "seconds": "0.1"}}
+        "id": "k:brew", "type": "maestro:Task", "sentence": "{self} brews {drink} for {guest}",
+        "input": [{"name": "drink", "types": ["k:Drink"]}, {"name": "guest", "types": ["k:Guest"]}],
+        "effect": "(served ?drink ?guest)", "occupies": ["pot"], "cost": "3", "seconds": "0.1"},
+    "brings": [  # words that no home has, how they go with the home's, and what there is to drink
+        {"id": "k:Kettle", "type": "owl:Class", "subClassOf": "maestro:Device"},
+        {"id": "k:Drink", "type": "owl:Class", "subClassOf": "maestro:Thing"},
+        {"id": "k:Guest", "type": "owl:Class", "equivalentClass": "domain:Person"},
+        {"id": "k:served", "type": "maestro:Predicate", "label": "served to",
+         "arguments": ["?drink - Drink", "?guest - Guest"]},
+        {"id": "k:tea", "type": "k:Drink", "label": "tea"}]}
 answers, served = {}, []
 
 

@@ -32,6 +32,7 @@ import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.AccessList;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.WordList;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.sl.Content;
@@ -240,6 +241,8 @@ public final class KnowledgeAgent extends MaestroAgent {
       answer(
           message,
           snapshot.disputes().stream().map(dispute -> BeliefWords.content(dispute, snapshot.at())));
+    } else if (words.named("words").isPresent()) {
+      answer(message, WordList.of(knowledge.home()).stream().map(KnowledgeAgent::word));
     } else if (question.isPresent()) {
       inform(message, new Question(snapshot).answerRef(question.get()));
     } else if (words.hasNothingBut("within")) {
@@ -247,8 +250,16 @@ public final class KnowledgeAgent extends MaestroAgent {
     } else {
       throw new KnowledgeException(
           "A question needs a formula, such as (query-ref (in Cup ?where)), or one of :history,"
-              + " :last, :call and :disputes.");
+              + " :last, :call, :disputes and :words.");
     }
+  }
+
+  private static Content word(WordList.Entry entry) {
+    return Words.content(
+        "word",
+        Words.named("kind", Words.text(entry.kind())),
+        Words.named("form", Words.text(entry.form())),
+        Words.named("meaning", Words.text(entry.meaning())));
   }
 
   private QuestionReader reader() {

@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.apache.jena.graph.NodeFactory;
 import org.apache.jena.sparql.core.Quad;
 import org.maestro.knowledge.api.Belief;
@@ -40,6 +41,7 @@ import org.maestro.knowledge.belief.Outcome;
 import org.maestro.knowledge.belief.PositionKeeping;
 import org.maestro.knowledge.belief.Remembered;
 import org.maestro.knowledge.belief.Statements;
+import org.maestro.knowledge.belief.ToldThings;
 import org.maestro.knowledge.belief.View;
 import org.maestro.knowledge.belief.Voice;
 import org.maestro.knowledge.belief.World;
@@ -84,6 +86,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private final Optional<HistoryFile> file;
   private final WritingAside aside;
   private final Statements statements = new Statements();
+  private final ToldThings things = new ToldThings();
   private final LastWords lastWords = new LastWords();
   private final Sights sights = new Sights();
   private final Ageing ageing;
@@ -193,18 +196,28 @@ public final class CollectiveKnowledge implements KnowledgeBase {
 
   @Override
   public void describe(Device device) {
-    guarded(
-        () -> {
-          Home home = world.home();
-          if (device.equals(home.devices().get(device.id()))) {
-            return unchanged(HOME);
-          }
-          Home changed = home.with(device);
-          world = world.with(changed, measures.apply(changed), world.version() + 1);
-          store(new Graphs(changed), device);
-          Source source = new Source(Source.Kind.DESCRIBED, device.id());
-          return tell(new Change(world.version(), source, List.of()));
-        });
+    guarded(() -> redescribe(things.described(device)));
+  }
+
+  private Change redescribe(Device device) {
+    Home home = world.home();
+    if (device.equals(home.devices().get(device.id()))) {
+      return unchanged(HOME);
+    }
+    home.contradiction(device)
+        .ifPresent(
+            reason -> {
+              throw new KnowledgeException(reason);
+            });
+    Home changed = home.with(device);
+    world = world.with(changed, measures.apply(changed), world.version() + 1);
+    Graphs graphs = new Graphs(changed);
+    if (!changed.vocabulary().equals(home.vocabulary())) {
+      storage.replace(graphs.vocabularyGraph(), graphs.vocabulary());
+    }
+    store(graphs, device);
+    Source source = new Source(Source.Kind.DESCRIBED, device.id());
+    return tell(new Change(world.version(), source, List.of()));
   }
 
   @Override
@@ -222,15 +235,44 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private void state(Source source, List<Fact> facts, Optional<MemberWord> word) {
     guarded(
         () -> {
+          List<Fact> said = withoutThings(source, facts);
           word.ifPresent(now -> lastWords.heard(source.agent(), now));
           Predicate<StateVariable> isNews =
               variable ->
                   word.filter(w -> !lastWords.takes(source.agent(), variable, w.moment()))
                       .isEmpty();
-          return write(
-              Confidence.voice(world.home(), source),
-              (draft, positions) -> statements.take(source, facts, draft, positions, isNews));
+          Change change =
+              write(
+                  Confidence.voice(world.home(), source),
+                  (draft, positions) -> statements.take(source, said, draft, positions, isNews));
+          speaker(source).ifPresent(device -> forgetThingsThatAreGone(device, facts));
+          return change;
         });
+  }
+
+  /** The device that speaks of itself. */
+  private Optional<Device> speaker(Source source) {
+    return Optional.ofNullable(world.home().devices().get(source.agent()))
+        .filter(device -> source.kind() == Source.Kind.STATED);
+  }
+
+  /** Takes the things in that the device tells to be there, and returns what else it says. */
+  private List<Fact> withoutThings(Source source, List<Fact> facts) {
+    Optional<Device> speaker = speaker(source);
+    if (speaker.isEmpty()) {
+      return facts;
+    }
+    Device device = speaker.get();
+    List<Fact> others =
+        facts.stream().filter(fact -> !things.isOfAThing(world.home(), device, fact)).toList();
+    things.add(world.home(), device, facts);
+    redescribe(things.present(device));
+    return others;
+  }
+
+  private void forgetThingsThatAreGone(Device device, List<Fact> facts) {
+    things.keepOnly(world, device, facts);
+    redescribe(things.present(device));
   }
 
   @Override
@@ -402,7 +444,11 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   }
 
   private void store(Graphs graphs, Device device) {
-    storage.replace(graphs.memberGraph(device.id()), graphs.individual(device.individual()));
+    storage.replace(
+        graphs.memberGraph(device.id()),
+        Stream.concat(Stream.of(device.individual()), device.extension().things().values().stream())
+            .flatMap(individual -> graphs.individual(individual).stream())
+            .toList());
   }
 
   private Change tell(Change change) {

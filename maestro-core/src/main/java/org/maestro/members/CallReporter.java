@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
+import java.util.function.UnaryOperator;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.rats.link.RatsLink;
@@ -52,11 +53,16 @@ public final class CallReporter implements RatsLink.CallListener {
   }
 
   private final Executor worker;
+  private final UnaryOperator<String> understood;
   private final Listener listener;
   private boolean reported;
 
-  public CallReporter(Executor worker, Listener listener) {
+  /**
+   * @param understood puts a fact that the member tells in the words that all use; on the worker
+   */
+  public CallReporter(Executor worker, UnaryOperator<String> understood, Listener listener) {
     this.worker = worker;
+    this.understood = understood;
     this.listener = listener;
   }
 
@@ -116,12 +122,12 @@ public final class CallReporter implements RatsLink.CallListener {
     return new ActionDispatcher.Report(true, JsonTerms.terms(values), Optional.empty(), List.of());
   }
 
-  private static ActionDispatcher.Report failed(Result result) {
+  private ActionDispatcher.Report failed(Result result) {
     List<FeatureRun.Learnt> refs = new ArrayList<>();
     for (RatsError.Reference ref : result.error().map(RatsError::refs).orElse(List.of())) {
       refs.add(
           new FeatureRun.Learnt(
-              ref.fact(),
+              understood.apply(ref.fact()),
               JsonTerms.term(ref.have()),
               Optional.of(ref.need()).filter(need -> !need.isBlank())));
     }

@@ -1,5 +1,6 @@
 package org.maestro.members;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiFunction;
@@ -108,6 +109,7 @@ public final class MemberNews {
   }
 
   private MemberState readable(MemberState state) {
-    return state.with(saidFacts.readable(member, state.values()));
+    List<String> understood = state.values().stream().map(view::understood).toList();
+    return state.with(saidFacts.readable(member, understood));
   }
 }

@@ -80,6 +80,11 @@ public final class MemberView {
     return device;
   }
 
+  /** A fact that the member tells in its maker's words, in those that all use. */
+  String understood(String fact) {
+    return device.map(known -> known.extension().synonyms().translated(fact)).orElse(fact);
+  }
+
   public void describedAs(Device described) {
     device = Optional.of(described);
   }

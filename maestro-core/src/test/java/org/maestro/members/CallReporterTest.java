@@ -18,6 +18,7 @@ class CallReporterTest {
   private final CallReporter reporter =
       new CallReporter(
           Runnable::run,
+          fact -> fact,
           new CallReporter.Listener() {
             @Override
             public void reported(Outcome outcome, ActionDispatcher.Report report) {

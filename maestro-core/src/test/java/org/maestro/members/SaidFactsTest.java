@@ -85,6 +85,7 @@ class SaidFactsTest {
     CallReporter reporter =
         new CallReporter(
             Runnable::run,
+            fact -> fact,
             new CallReporter.Listener() {
               @Override
               public void reported(Outcome outcome, ActionDispatcher.Report report) {

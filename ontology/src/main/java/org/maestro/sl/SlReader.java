@@ -24,6 +24,9 @@ final class SlReader {
     Node node = reader.next(expected, 0);
     reader.skipSpace();
     if (reader.at < text.length()) {
+      if (node instanceof Node.Leaf leaf && leaf.kind() == Node.Kind.WORD) {
+        throw node.fault("\"(\", as in (%s),".formatted(text.strip()));
+      }
       throw new SlSyntaxException(
           reader.at + 1, "the end of the text", reader.quoted(reader.at, reader.at + 1));
     }

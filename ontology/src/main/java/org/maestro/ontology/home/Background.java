@@ -30,7 +30,7 @@ final class Background {
   private final String ownWords;
   private @Nullable Known known;
 
-  private record Known(SourceGraph statements, SourceGraph aboutWords) {}
+  private record Known(SourceGraph statements, SourceGraph aboutWords, SourceGraph ofHome) {}
 
   /**
    * @param ownWords what the home adds to the vocabulary that is shipped, as Turtle
@@ -42,10 +42,12 @@ final class Background {
   /**
    * Adds to the description what follows from its words, and, when it offers nothing, what its
    * classes offer.
+   *
+   * @param alignment how others call what is said of words
    */
-  void explain(SourceGraph description, Node member) {
+  void explain(SourceGraph description, Node member, Alignment alignment) {
     Known known = known();
-    description.copy(known.aboutWords(), triple -> true);
+    description.copyMapped(known.aboutWords(), alignment::meaning);
     new Inference(description).run();
     if (description.objects(member, OFFERS).isEmpty()) {
       for (Node type : List.copyOf(description.objects(member, RDF.type.asNode()))) {
@@ -54,12 +56,20 @@ final class Background {
     }
   }
 
+  /** What the home states of words, its own and those of others. */
+  SourceGraph ofHome() {
+    return known().ofHome();
+  }
+
   private synchronized Known known() {
     if (known == null) {
       SourceGraph statements = HomeLoader.statementsWith(ownWords);
       SourceGraph aboutWords = new SourceGraph();
       aboutWords.copy(statements, triple -> ABOUT_WORDS.contains(triple.getPredicate()));
-      known = new Known(statements, aboutWords);
+      SourceGraph ofHome = new SourceGraph();
+      ofHome.copyOf(
+          HomeLoader.OWN_WORDS, statements, triple -> ABOUT_WORDS.contains(triple.getPredicate()));
+      known = new Known(statements, aboutWords, ofHome);
     }
     return known;
   }

@@ -1,16 +1,12 @@
 package org.maestro.ontology.home;
 
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import org.apache.jena.graph.Node;
-import org.apache.jena.vocabulary.RDF;
 import org.maestro.ontology.validation.Fault;
 import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceGraph;
 import org.maestro.ontology.validation.SourceReader;
-import org.maestro.ontology.vocabulary.FeatureReader;
 import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.ontology.vocabulary.VocabularyCheck;
@@ -18,7 +14,8 @@ import org.maestro.ontology.vocabulary.VocabularyCheck;
 /**
  * Reads the description that a member sends of itself. A feature that the vocabulary knows needs
  * its type's name and what differs; any other is described whole. Words of other vocabularies are
- * understood as far as the alignments tell (Three-layered architecture, 1; M7). A description that
+ * understood as far as the alignments tell (Three-layered architecture, 1; M7). Words and things
+ * that the vocabulary has not are brought by the description that declares them. A description that
  * offers nothing has what its classes offer. Never uses the network. Safe for threads.
  */
 public final class DescriptionReader {
@@ -77,13 +74,22 @@ public final class DescriptionReader {
       source.readTurtle(text);
     }
     refuseFaults(graph);
+    Alignment alignment = new Alignment(graph, background.ofHome(), vocabulary);
+    return understood(alignment.applied(graph), member, alignment);
+  }
+
+  private Device understood(SourceGraph graph, String member, Alignment alignment) {
     Node node = memberNode(graph, member);
-    background.explain(graph, node);
-    refuseStrangers(graph, node, member);
+    background.explain(graph, node, alignment);
+    Brought brought = new Brought(graph, vocabulary, node, member);
+    brought.refuseStrangers();
     refuseFaults(graph);
+    Vocabulary own = brought.words();
+    Vocabulary all = vocabulary.with(own);
     graph.copy(metaVocabulary, triple -> true);
     HomeLoader.shapes().check(graph);
-    Individual individual = new IndividualReader(graph, vocabulary).read(node);
+    IndividualReader individuals = new IndividualReader(graph, all);
+    Individual individual = individuals.read(node);
     if (!individual.classes().contains("Device")) {
       graph.fault(
           node,
@@ -92,11 +98,14 @@ public final class DescriptionReader {
               + Maestro.NAMESPACE
               + "Device, or a class that the vocabulary has under it");
     }
-    VocabularyCheck words = new VocabularyCheck(graph, vocabulary, name -> true);
-    Device device = new DeviceReader(graph, vocabulary, words).read(node, individual);
-    new HomeCheck(graph, vocabulary).checkDescription(node);
+    VocabularyCheck words = new VocabularyCheck(graph, all, name -> true);
+    Device device = new DeviceReader(graph, all, words).read(node, individual);
+    HomeCheck check = new HomeCheck(graph, all);
+    check.checkDescription(node);
+    brought.check(words, check);
+    Extension extension = new Extension(own, brought.things(individuals), alignment.synonyms());
     refuseFaults(graph);
-    return device;
+    return device.bringing(extension);
   }
 
   static boolean isJson(String text) {
@@ -120,29 +129,6 @@ public final class DescriptionReader {
                         "",
                         "does not speak of " + member,
                         "give it an id that ends in #" + member))));
-  }
-
-  /**
-   * A description speaks of its member, of the features that only it offers, and of nothing else.
-   */
-  private void refuseStrangers(SourceGraph graph, Node member, String source) {
-    Set<Node> own = new LinkedHashSet<>(Set.of(member));
-    for (Node offered : graph.objects(member, Maestro.term("offers"))) {
-      own.add(offered);
-      graph.objects(offered, RDF.type.asNode()).stream()
-          .filter(type -> FeatureReader.isFeature(graph, type))
-          .forEach(own::add);
-    }
-    for (Node subject : graph.subjectsOf(source)) {
-      boolean redefines =
-          subject.isURI() && vocabulary.features().containsKey(Literals.name(subject));
-      if (subject.isURI() && (redefines || !own.contains(subject))) {
-        graph.fault(
-            subject,
-            "is not for " + Literals.name(member) + " to describe",
-            "speak only of " + Literals.name(member) + " and of features that only it has");
-      }
-    }
   }
 
   private static void refuseFaults(SourceGraph graph) {

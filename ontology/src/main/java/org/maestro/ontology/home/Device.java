@@ -24,6 +24,7 @@ import org.maestro.sl.Term;
  *     it means, such as {@code level} and {@code (= (level ?self) ?level)}, {@code zone} and {@code
  *     (in ?self ?zone)}
  * @param pursues goals that its agent has of its own accord, with {@code ?self} for the device
+ * @param extension what its description brings beside the device itself
  */
 public record Device(
     Individual individual,
@@ -31,7 +32,8 @@ public record Device(
     Optional<String> driver,
     List<FeatureType> features,
     Map<String, String> reports,
-    List<Formula> pursues) {
+    List<Formula> pursues,
+    Extension extension) {
   private static final List<Term> SELF = List.of(Self.VARIABLE);
 
   public Device {
@@ -40,7 +42,18 @@ public record Device(
     reports = Collections.unmodifiableMap(new TreeMap<>(reports));
   }
 
-  /** A device without goals of its own. */
+  /** A device that speaks in the home's words. */
+  public Device(
+      Individual individual,
+      Optional<String> container,
+      Optional<String> driver,
+      List<FeatureType> features,
+      Map<String, String> reports,
+      List<Formula> pursues) {
+    this(individual, container, driver, features, reports, pursues, Extension.NONE);
+  }
+
+  /** The same without goals of its own. */
   public Device(
       Individual individual,
       Optional<String> container,
@@ -96,7 +109,18 @@ public record Device(
         driver,
         features,
         reports,
-        pursues);
+        pursues,
+        extension);
+  }
+
+  /** The same device, whose description brings this. */
+  public Device bringing(Extension more) {
+    return new Device(individual, container, driver, features, reports, pursues, more);
+  }
+
+  /** Whether its description brings a thing of this name. */
+  boolean brings(String thing) {
+    return extension.things().containsKey(thing);
   }
 
   /** See {@link Individual#order}. */

@@ -1,7 +1,9 @@
 package org.maestro.ontology.home;
 
 import java.util.Collections;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import org.maestro.ontology.vocabulary.Vocabulary;
 
@@ -47,12 +49,54 @@ public record Home(
     this(iri, label, vocabulary, individuals, devices, Map.of());
   }
 
-  /** The same home with this device, or with what it now says of itself. */
+  /**
+   * The same home with this device, or with what it now says of itself: with the words and things
+   * that its description brings, without things that nobody brings any more.
+   */
   public Home with(Device device) {
     Map<String, Individual> things = new TreeMap<>(individuals);
-    things.put(device.id(), device.individual());
     Map<String, Device> joined = new TreeMap<>(devices);
-    joined.put(device.id(), device);
-    return new Home(iri, label, vocabulary, things, joined, groups, words);
+    Device before = joined.put(device.id(), device);
+    if (before != null) {
+      before.extension().things().keySet().stream()
+          .filter(name -> joined.values().stream().noneMatch(other -> other.brings(name)))
+          .forEach(things::remove);
+    }
+    things.putAll(device.extension().things());
+    things.put(device.id(), device.individual());
+    return new Home(
+        iri, label, vocabulary.with(device.extension().words()), things, joined, groups, words);
+  }
+
+  /**
+   * Why the device cannot join with what its description brings: a word or a thing of that name is
+   * there already, and is another one.
+   */
+  public Optional<String> contradiction(Device device) {
+    Extension own = device.extension();
+    List<Device> others =
+        devices.values().stream().filter(other -> !other.id().equals(device.id())).toList();
+    for (Device other : others) {
+      Optional<String> word = other.extension().words().unlike(own.words());
+      if (word.isPresent()) {
+        return Optional.of(
+            "%s declares the word %s, which %s declares otherwise; give one of both another name, or tell in the home that both are the same (owl:equivalentProperty, owl:equivalentClass)."
+                .formatted(device.id(), word.get(), other.id()));
+      }
+    }
+    Device before = devices.get(device.id());
+    for (Individual thing : own.things().values()) {
+      Individual there = individuals.get(thing.name());
+      boolean isOnlyItsOwn =
+          before != null
+              && before.brings(thing.name())
+              && others.stream().noneMatch(other -> other.brings(thing.name()));
+      if (there != null && !isOnlyItsOwn && !there.equals(thing)) {
+        return Optional.of(
+            "%s brings %s, and there is another %s here already (%s); give it another name."
+                .formatted(device.id(), thing.name(), thing.name(), there.iri()));
+      }
+    }
+    return Optional.empty();
   }
 }

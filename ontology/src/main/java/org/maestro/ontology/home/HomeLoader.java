@@ -36,7 +36,7 @@ public final class HomeLoader {
           "alignment/sosa.ttl",
           "alignment/td.ttl");
   private static final String VOCABULARY_BASE = "https://w3id.org/maestro";
-  private static final String OWN_WORDS = "the words of the home";
+  static final String OWN_WORDS = "the words of the home";
   private static final String HOMES_BASE = "https://w3id.org/maestro/home/";
 
   private final Optional<List<String>> domainTexts;

@@ -37,7 +37,7 @@ final class HomeReader {
     IndividualReader reader = new IndividualReader(graph, vocabulary);
     List<Node> homes = graph.subjects(RDF.type.asNode(), Maestro.term(HOME));
     for (Node subject : graph.subjectsOf(source)) {
-      if (subject.isURI() && !homes.contains(subject) && !isDeclared(subject)) {
+      if (subject.isURI() && !homes.contains(subject) && !isAWord(subject)) {
         Individual individual = reader.read(subject);
         checkName(subject, individual.name(), nodes);
         individuals.put(individual.name(), individual);
@@ -63,7 +63,7 @@ final class HomeReader {
   private String ownWords() {
     SourceGraph own = new SourceGraph();
     graph.subjectsOf(source).stream()
-        .filter(subject -> subject.isURI() && isDeclared(subject))
+        .filter(subject -> subject.isURI() && isAWord(subject))
         .forEach(subject -> own.copyStated(subject, source, graph));
     return own.subjects().isEmpty() ? "" : own.turtle();
   }
@@ -132,7 +132,14 @@ final class HomeReader {
     return Maestro.term("");
   }
 
-  /** Whether the file declares a word with it, rather than describe a thing. */
+  /**
+   * Whether the file declares a word with it, or says of somebody else's word how it is to be
+   * understood, rather than describe a thing.
+   */
+  private boolean isAWord(Node subject) {
+    return Alignment.isOnlyAligned(graph, subject) || isDeclared(subject);
+  }
+
   private boolean isDeclared(Node subject) {
     return vocabulary.iri(Literals.name(subject)).filter(subject.getURI()::equals).isPresent();
   }

@@ -2,15 +2,20 @@ package org.maestro.ontology.home;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.maestro.ontology.vocabulary.NameCheck;
 import org.maestro.ontology.vocabulary.Nearest;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
 import org.maestro.sl.Leaves;
 import org.maestro.sl.Term;
+import org.maestro.sl.TypedVariable;
 
 /**
  * Tells what in a goal, a question or a fact is said wrongly in a home: what neither the home nor
@@ -53,7 +58,46 @@ public final class StatementCheck {
         (name, className) ->
             HomeCheck.named(home.individuals(), name).classes().contains(className),
         variables,
+        this::known,
         (problem, cure) -> faults.add("%s %s; %s.".formatted(subject, problem, cure)));
+  }
+
+  /** The words that there are, and how one is written. */
+  private String known(String kind) {
+    if (kind.equals("Class")) {
+      return "there are " + String.join(", ", home.vocabulary().classes().keySet());
+    }
+    boolean ofNumbers = kind.equals("Fluent");
+    List<PredicateDeclaration> words =
+        home.vocabulary().predicates().values().stream()
+            .filter(word -> word.fluent() == ofNumbers)
+            .toList();
+    Optional<String> example =
+        words.stream()
+            .filter(PredicateDeclaration::observable)
+            .flatMap(word -> example(word).stream())
+            .findFirst();
+    return "there are "
+        + words.stream().map(PredicateDeclaration::name).collect(Collectors.joining(", "))
+        + example.map(text -> ", each written as in " + text).orElse("");
+  }
+
+  /** The word with things of the home; empty when there are too few. */
+  private Optional<String> example(PredicateDeclaration word) {
+    Set<String> used = new LinkedHashSet<>();
+    for (TypedVariable parameter : word.parameters()) {
+      home.individuals().values().stream()
+          .filter(
+              thing ->
+                  parameter.className().filter(name -> !thing.classes().contains(name)).isEmpty())
+          .map(Individual::name)
+          .filter(name -> !used.contains(name))
+          .findFirst()
+          .ifPresent(used::add);
+    }
+    return used.size() == word.parameters().size()
+        ? Optional.of("(%s %s)".formatted(word.name(), String.join(" ", used)))
+        : Optional.empty();
   }
 
   private void unknownNames(List<Term> terms, List<String> faults) {

@@ -11,6 +11,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import org.apache.jena.graph.Graph;
 import org.apache.jena.graph.Node;
@@ -58,6 +59,45 @@ public final class SourceGraph {
             add(triple, origin);
           }
         });
+  }
+
+  /**
+   * Copies what the other graph's statements mean, with their origins.
+   *
+   * @param meaning empty: the statement is left away
+   */
+  public void copyMapped(SourceGraph other, Function<Triple, Optional<Triple>> meaning) {
+    other.origins.forEach(
+        (triple, origin) -> meaning.apply(triple).ifPresent(meant -> add(meant, origin)));
+  }
+
+  /** Copies those statements of one text of the other graph that pass. */
+  public void copyOf(String source, SourceGraph other, Predicate<Triple> wanted) {
+    other.origins.forEach(
+        (triple, origin) -> {
+          if (origin.source().equals(source) && wanted.test(triple)) {
+            add(triple, origin);
+          }
+        });
+  }
+
+  /**
+   * The same texts with other statements in the place of theirs, at the same lines; without what
+   * was inferred.
+   *
+   * @param other empty: the statement is left away
+   */
+  public SourceGraph mapped(Function<Triple, Optional<Triple>> other) {
+    SourceGraph mapped = new SourceGraph();
+    mapped.copyPrefixes(this);
+    mapped.faults.addAll(faults);
+    origins.forEach(
+        (triple, origin) -> {
+          if (!inferred.contains(triple)) {
+            other.apply(triple).ifPresent(meant -> mapped.add(meant, origin));
+          }
+        });
+    return mapped;
   }
 
   /** Copies what the other graph says of a subject, and of the blank nodes that belong to it. */

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BiPredicate;
+import java.util.function.Function;
 import java.util.function.Predicate;
-import java.util.stream.Collectors;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Fact;
@@ -28,12 +28,15 @@ public final class NameCheck {
   private final Predicate<String> individuals;
   private final BiPredicate<String, String> instances;
   private final Deque<String> variables;
+  private final Function<String, String> advice;
   private final BiConsumer<String, String> problems;
 
   /**
    * @param individuals which names may stand for individuals
    * @param instances whether an individual, named first, is of a class
    * @param variables those that may be used freely
+   * @param advice what to do about an unknown word that is like no other; its kind is Predicate,
+   *     Fluent or Class
    * @param problems takes a problem and its cure
    */
   public NameCheck(
@@ -41,11 +44,13 @@ public final class NameCheck {
       Predicate<String> individuals,
       BiPredicate<String, String> instances,
       Collection<String> variables,
+      Function<String, String> advice,
       BiConsumer<String, String> problems) {
     this.vocabulary = vocabulary;
     this.individuals = individuals;
     this.instances = instances;
     this.variables = new ArrayDeque<>(variables);
+    this.advice = advice;
     this.problems = problems;
   }
 
@@ -151,8 +156,7 @@ public final class NameCheck {
     } else {
       problems.accept(
           "uses the unknown predicate " + name,
-          Nearest.cure(
-              name, vocabulary.predicates().keySet(), "declare it as a maestro:Predicate"));
+          Nearest.cure(name, vocabulary.predicates().keySet(), advice.apply("Predicate")));
     }
   }
 
@@ -161,7 +165,7 @@ public final class NameCheck {
     if (declared == null) {
       problems.accept(
           "uses the unknown fluent " + name,
-          Nearest.cure(name, vocabulary.predicates().keySet(), "declare it as a maestro:Fluent"));
+          Nearest.cure(name, vocabulary.predicates().keySet(), advice.apply("Fluent")));
     } else if (!declared.fluent()) {
       problems.accept(
           "uses " + name + " as a number, which is true or false",
@@ -176,21 +180,15 @@ public final class NameCheck {
     if (declared.parameters().size() != arguments.size()) {
       problems.accept(
           "gives " + declared.name() + " " + arguments.size() + " arguments",
-          "write " + form(declared));
+          "write " + declared.form());
       return;
     }
     for (int i = 0; i < arguments.size(); i++) {
       Optional<String> wanted = declared.parameters().get(i).className();
       if (wanted.isPresent()) {
-        argument(arguments.get(i), wanted.get(), form(declared));
+        argument(arguments.get(i), wanted.get(), declared.form());
       }
     }
-  }
-
-  private static String form(PredicateDeclaration declared) {
-    return declared.parameters().stream()
-        .map(parameter -> " " + SlPrinter.print(parameter))
-        .collect(Collectors.joining("", "(" + declared.name(), ")"));
   }
 
   /** A class of the vocabulary has individuals; what is of a datatype is none. */
@@ -270,6 +268,6 @@ public final class NameCheck {
   private void unknownClass(String name) {
     problems.accept(
         "uses the unknown class " + name,
-        Nearest.cure(name, vocabulary.classes().keySet(), "declare it as an owl:Class"));
+        Nearest.cure(name, vocabulary.classes().keySet(), advice.apply("Class")));
   }
 }

@@ -7,7 +7,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.maestro.sl.Formula;
+import org.maestro.sl.SlPrinter;
 import org.maestro.sl.TypedVariable;
 
 /**
@@ -50,6 +52,13 @@ public record PredicateDeclaration(
   public PredicateDeclaration {
     parameters = List.copyOf(parameters);
     validForByClass = Collections.unmodifiableMap(new TreeMap<>(validForByClass));
+  }
+
+  /** How it is written, such as {@code (nextTo ?a - Thing ?b - Thing)}. */
+  public String form() {
+    return parameters.stream()
+        .map(parameter -> " " + SlPrinter.print(parameter))
+        .collect(Collectors.joining("", "(" + name, ")"));
   }
 
   /** The unit as people write it after a number, with a blank before it; "" when there is none. */

@@ -4,12 +4,16 @@ import java.util.Collections;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 
 /** The typed read model of a loaded vocabulary, keyed by local name. Immutable. */
 public record Vocabulary(
     Map<String, ClassDeclaration> classes,
     Map<String, PredicateDeclaration> predicates,
     Map<String, FeatureType> features) {
+
+  public static final Vocabulary EMPTY = new Vocabulary(Map.of(), Map.of(), Map.of());
+
   public Vocabulary {
     classes = Collections.unmodifiableMap(new TreeMap<>(classes));
     predicates = Collections.unmodifiableMap(new TreeMap<>(predicates));
@@ -26,6 +30,41 @@ public record Vocabulary(
         .map(ClassDeclaration::iri)
         .or(() -> predicate(name).map(PredicateDeclaration::iri))
         .or(() -> Optional.ofNullable(features.get(name)).map(FeatureType::iri));
+  }
+
+  /** This vocabulary and the other's words; of two of the same name the other's. */
+  public Vocabulary with(Vocabulary other) {
+    if (other.equals(EMPTY)) {
+      return this;
+    }
+    return new Vocabulary(
+        joined(classes, other.classes),
+        joined(predicates, other.predicates),
+        joined(features, other.features));
+  }
+
+  private static <T> Map<String, T> joined(Map<String, T> one, Map<String, T> other) {
+    Map<String, T> all = new TreeMap<>(one);
+    all.putAll(other);
+    return all;
+  }
+
+  /** A word that the other vocabulary has too, and declares otherwise. */
+  public Optional<String> unlike(Vocabulary other) {
+    return Stream.of(
+            unlike(classes, other.classes),
+            unlike(predicates, other.predicates),
+            unlike(features, other.features))
+        .flatMap(Optional::stream)
+        .findFirst();
+  }
+
+  private static <T> Optional<String> unlike(Map<String, T> one, Map<String, T> other) {
+    return one.entrySet().stream()
+        .filter(word -> other.containsKey(word.getKey()))
+        .filter(word -> !word.getValue().equals(other.get(word.getKey())))
+        .map(Map.Entry::getKey)
+        .findFirst();
   }
 
   /** Whether the name is a numeric fluent's; the parser wants to know. */

@@ -37,14 +37,17 @@ public final class VocabularyCheck {
 
   /** Checks all predicates and feature types of the graph. */
   public void check() {
-    for (Node subject : graph.subjects()) {
-      PredicateDeclaration predicate = vocabulary.predicates().get(Literals.name(subject));
-      FeatureType feature = vocabulary.features().get(Literals.name(subject));
-      if (predicate != null && predicate.iri().equals(iri(subject))) {
-        check(subject, predicate);
-      } else if (feature != null && feature.iri().equals(iri(subject))) {
-        check(subject, feature);
-      }
+    graph.subjects().forEach(this::check);
+  }
+
+  /** Checks the predicate or feature type that the node declares; any other node is none. */
+  public void check(Node subject) {
+    PredicateDeclaration predicate = vocabulary.predicates().get(Literals.name(subject));
+    FeatureType feature = vocabulary.features().get(Literals.name(subject));
+    if (predicate != null && predicate.iri().equals(iri(subject))) {
+      check(subject, predicate);
+    } else if (feature != null && feature.iri().equals(iri(subject))) {
+      check(subject, feature);
     }
   }
 
@@ -230,6 +233,10 @@ public final class VocabularyCheck {
               individuals,
               (individual, className) -> true,
               variables,
+              kind ->
+                  kind.equals("Class")
+                      ? "declare it as an owl:Class"
+                      : "declare it as a maestro:" + kind,
               (problem, cure) -> fault(node, property, problem, cure)));
     }
   }

@@ -2,6 +2,7 @@ package org.maestro.ontology.vocabulary;
 
 import java.time.Duration;
 import java.time.format.DateTimeParseException;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -36,20 +37,36 @@ public final class VocabularyReader {
           "Home");
 
   private final SourceGraph graph;
+  private final Vocabulary known;
   private final Literals literals;
   private final Map<String, Node> named = new LinkedHashMap<>();
 
   public VocabularyReader(SourceGraph graph) {
+    this(graph, Vocabulary.EMPTY);
+  }
+
+  /**
+   * For words that come to others.
+   *
+   * @param known the words that are there already
+   */
+  public VocabularyReader(SourceGraph graph, Vocabulary known) {
     this.graph = graph;
+    this.known = known;
     this.literals = new Literals(graph);
   }
 
   /** What the graph declares; what is wrong in it becomes faults of the graph. */
   public Vocabulary read() {
+    return read(graph.subjects());
+  }
+
+  /** What the graph declares with these nodes. */
+  public Vocabulary read(Collection<Node> subjects) {
     Map<String, ClassDeclaration> classes = new TreeMap<>();
     Map<String, Node> predicateNodes = new TreeMap<>();
     Map<String, Node> featureNodes = new TreeMap<>();
-    for (Node subject : graph.subjects()) {
+    for (Node subject : subjects) {
       if (!subject.isURI()) {
         continue;
       }
@@ -67,6 +84,7 @@ public final class VocabularyReader {
     }
     Map<String, PredicateDeclaration> predicates = new TreeMap<>();
     Set<String> fluents = new TreeSet<>();
+    known.predicates().keySet().stream().filter(known::isFluent).forEach(fluents::add);
     predicateNodes.forEach(
         (name, node) -> {
           if (graph.isA(node, Maestro.term("Fluent"))) {
@@ -96,6 +114,16 @@ public final class VocabularyReader {
     if (other != null && !other.equals(node)) {
       graph.fault(node, "has the local name of " + other.getURI(), "give one of both another name");
     }
+    known
+        .iri(name)
+        .filter(iri -> !iri.equals(node.getURI()))
+        .ifPresent(
+            iri ->
+                graph.fault(
+                    node,
+                    "has the local name of " + iri,
+                    "give it another name, or say that it is the same"
+                        + " (owl:equivalentProperty, owl:equivalentClass)"));
   }
 
   private ClassDeclaration classOf(Node node) {
@@ -108,7 +136,12 @@ public final class VocabularyReader {
   }
 
   private boolean isNamedClass(Node node) {
-    return node.isURI() && isClass(node);
+    return node.isURI() && (isClass(node) || isKnownClass(node));
+  }
+
+  private boolean isKnownClass(Node node) {
+    ClassDeclaration declared = known.classes().get(Literals.name(node));
+    return declared != null && declared.iri().equals(node.getURI());
   }
 
   private PredicateDeclaration predicate(Node node, Set<String> fluents) {

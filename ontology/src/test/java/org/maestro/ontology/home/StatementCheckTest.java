@@ -17,7 +17,9 @@ class StatementCheckTest {
       delimiter = '|',
       quoteCharacter = '~',
       value = {
-        "(foo rose) | The goal uses the unknown predicate foo",
+        "(foo rose) | The goal uses the unknown predicate foo; there are adjoins, canSee, colour, ",
+        "(foo rose) | usuallyIn, each written as in (canSee cam-a Bob).",
+        "(>= (brightnss zone-a) 1) | unknown fluent brightnss; there are charge, daylight, ",
         "(in Cupp ?where) | Nobody knows a thing named Cupp; write Cup, if that is meant.",
         "(in Cup) | The goal gives in 1 arguments; write (in ?x - Thing ?p - Place).",
         "(Person rose Cup) | The goal gives the class Person 2 arguments",

@@ -37,7 +37,7 @@ class PythonDeviceTest {
   @Test
   void isShort() throws IOException {
     assertThat(Files.readAllLines(Path.of("..", "docs", "examples", "kettle.py")))
-        .hasSizeLessThan(80);
+        .hasSizeLessThan(90);
   }
 
   @Test

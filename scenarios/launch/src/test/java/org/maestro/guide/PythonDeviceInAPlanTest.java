@@ -24,7 +24,7 @@ class PythonDeviceInAPlanTest {
   @Test
   void aFeatureThatMaestroHasNeverSeenIsUsedInAPlan() throws IOException, InterruptedException {
     assumeTrue(hasPython(), "python3 with paho-mqtt is not installed; .ci/run installs them");
-    try (Stage stage = Stage.paced(SiteSettings.of(SITE, home()).build())) {
+    try (Stage stage = Stage.paced(SiteSettings.of(SITE, home("tea.ttl")).build())) {
       MaestroAssertions.assertThat(stage.goal("(served Tea Anna)")).isNotReached();
       Process kettle = start(stage.broker());
       try {
@@ -35,6 +35,25 @@ class PythonDeviceInAPlanTest {
             .tells("brews Tea for Anna")
             .tells("brews Tea for Ben")
             .hasCalls(2);
+      } finally {
+        kettle.destroyForcibly();
+      }
+    }
+  }
+
+  @Test
+  void itBringsItsOwnWordsToAHomeThatHasNoneForThem() throws IOException, InterruptedException {
+    assumeTrue(hasPython(), "python3 with paho-mqtt is not installed; .ci/run installs them");
+    Home bob = home("bob.ttl");
+    try (Stage stage = Stage.paced(SiteSettings.of(SITE, bob).build())) {
+      Process kettle = start(stage.broker());
+      try {
+        stage.await("the kettle", () -> stage.platform().presentMembers().contains("kettle-1"));
+        MaestroAssertions.assertThat(stage.goal("(served tea Bob)"))
+            .isReached()
+            .tells("kettle-1 brews tea for Bob")
+            .hasCalls(1);
+        MaestroAssertions.assertThat(stage.knowledge()).knows("(served tea Bob)");
       } finally {
         kettle.destroyForcibly();
       }
@@ -53,10 +72,9 @@ class PythonDeviceInAPlanTest {
         .start();
   }
 
-  private static Home home() throws IOException {
-    try (InputStream text = PythonDeviceInAPlanTest.class.getResourceAsStream("/homes/tea.ttl")) {
-      return new HomeLoader()
-          .load(new String(text.readAllBytes(), StandardCharsets.UTF_8), "tea.ttl");
+  private static Home home(String file) throws IOException {
+    try (InputStream text = PythonDeviceInAPlanTest.class.getResourceAsStream("/homes/" + file)) {
+      return new HomeLoader().load(new String(text.readAllBytes(), StandardCharsets.UTF_8), file);
     }
   }
 

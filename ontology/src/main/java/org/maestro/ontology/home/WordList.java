@@ -1,0 +1,123 @@
+package org.maestro.ontology.home;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import org.maestro.ontology.vocabulary.ClassDeclaration;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.TypedVariable;
+
+/**
+ * The words in which goals and questions can be put in a home: what may hold, numbers, places,
+ * things, devices, and what these can do.
+ */
+public final class WordList {
+
+  private static final String PLACE = "Place";
+  private static final String LOCATION = "Location";
+
+  private final Home home;
+
+  /**
+   * A word.
+   *
+   * @param kind predicate, number, place, thing, device or feature
+   * @param form how it is written, with its arguments
+   * @param meaning what it says, or what it is
+   */
+  public record Entry(String kind, String form, String meaning) {}
+
+  private WordList(Home home) {
+    this.home = home;
+  }
+
+  /** All words, by kind and then by name. */
+  public static List<Entry> of(Home home) {
+    WordList list = new WordList(home);
+    List<Entry> entries = new ArrayList<>();
+    list.predicates(false, entries);
+    list.predicates(true, entries);
+    home.individuals().values().stream()
+        .map(list::individual)
+        .sorted(
+            Comparator.comparing((Entry entry) -> rank(entry.kind())).thenComparing(Entry::form))
+        .forEach(entries::add);
+    list.features(entries);
+    return List.copyOf(entries);
+  }
+
+  private static int rank(String kind) {
+    return List.of("place", "thing", "device").indexOf(kind);
+  }
+
+  private void predicates(boolean fluents, List<Entry> entries) {
+    for (PredicateDeclaration predicate : home.vocabulary().predicates().values()) {
+      if (predicate.fluent() == fluents) {
+        String unit = predicate.unitAfterNumber();
+        entries.add(
+            new Entry(
+                fluents ? "number" : "predicate",
+                predicate.form(),
+                unit.isEmpty() ? predicate.label() : predicate.label() + ", in" + unit));
+      }
+    }
+  }
+
+  private Entry individual(Individual individual) {
+    boolean isPlace =
+        individual.classes().contains(PLACE) || individual.classes().contains(LOCATION);
+    String kind =
+        home.devices().containsKey(individual.name()) ? "device" : isPlace ? "place" : "thing";
+    String classes = String.join(", ", mostSpecial(individual.classes()));
+    return new Entry(
+        kind,
+        individual.name(),
+        individual.label().equals(individual.name())
+            ? classes
+            : individual.label() + ": " + classes);
+  }
+
+  private Set<String> mostSpecial(Set<String> classes) {
+    Set<String> special = new TreeSet<>(classes);
+    for (String name : classes) {
+      ClassDeclaration declared = home.vocabulary().classes().get(name);
+      if (declared != null) {
+        special.removeIf(other -> !other.equals(name) && declared.ancestors().contains(other));
+      }
+    }
+    return special;
+  }
+
+  private void features(List<Entry> entries) {
+    Map<String, Set<String>> offering = new TreeMap<>();
+    for (Device device : home.devices().values()) {
+      device
+          .features()
+          .forEach(
+              feature ->
+                  offering
+                      .computeIfAbsent(form(feature), form -> new TreeSet<>())
+                      .add(device.id()));
+    }
+    offering.forEach(
+        (form, devices) ->
+            entries.add(new Entry("feature", form, "of " + String.join(", ", devices))));
+  }
+
+  private static String form(FeatureType feature) {
+    return feature.inputs().stream()
+        .map(
+            input ->
+                " "
+                    + SlPrinter.print(
+                        new TypedVariable(input.name(), input.types().stream().findFirst())))
+        .collect(Collectors.joining("", "(" + feature.name(), ")"));
+  }
+}

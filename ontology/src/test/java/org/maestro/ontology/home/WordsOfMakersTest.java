@@ -1,0 +1,180 @@
+package org.maestro.ontology.home;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.junit.jupiter.api.Test;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.sl.SlPrinter;
+
+/** Descriptions bring the words that they need, and things; what means the same is one word. */
+class WordsOfMakersTest {
+
+  private static final String KETTLE =
+      """
+      {"@context": ["https://w3id.org/maestro/context.jsonld", {"k": "https://example.org/kitchen#"}],
+       "id": "k:kettle-1", "type": "k:Kettle",
+       "offers": {"id": "k:brew", "type": "maestro:Task", "sentence": "{self} brews {drink} for {guest}",
+         "input": [{"name": "drink", "types": ["k:Drink"]}, {"name": "guest", "types": ["k:Guest"]}],
+         "precondition": "(and (>= (filled ?self) 1) (not (exists (?d - Drink) (served ?d ?guest))))",
+         "effect": "(and (served ?drink ?guest) (decrease (filled ?self) 1))", "cost": "3"},
+       "brings": [
+         {"id": "k:Kettle", "type": "owl:Class", "subClassOf": "maestro:Device"},
+         {"id": "k:Drink", "type": "owl:Class", "subClassOf": "maestro:Thing"},
+         {"id": "k:Guest", "type": "owl:Class", "equivalentClass": "domain:Person"},
+         {"id": "k:served", "type": ["maestro:Predicate", "maestro:Observable"],
+          "arguments": ["?d - Drink", "?g - Guest"]},
+         {"id": "k:filled", "type": "maestro:Fluent", "arguments": ["?k - Kettle"], "least": 0},
+         {"id": "k:tea", "type": "k:Drink", "label": "tea"}]}
+      """;
+
+  private static final String OTHER =
+      """
+      {"@context": ["https://w3id.org/maestro/context.jsonld", {"t": "https://example.com/tables#"}],
+       "id": "t:table-1", "type": "maestro:Device",
+       "offers": {"id": "t:clear", "type": "maestro:Task", "input": {"name": "cup", "types": ["t:Beverage"]},
+         "precondition": "(exists (?p - Person) (broughtTo ?cup ?p))",
+         "effect": "(cleared ?cup)", "cost": "1"},
+       "brings": [
+         {"id": "t:Beverage", "type": "owl:Class", "subClassOf": "maestro:Thing"},
+         {"id": "t:broughtTo", "type": ["maestro:Predicate", "maestro:Observable"],
+          "arguments": ["?d - Beverage", "?g - Person"]},
+         {"id": "t:cleared", "type": "maestro:Predicate", "arguments": ["?d - Beverage"]}]}
+      """;
+
+  private static final String BRIDGE =
+      """
+      <https://example.org/kitchen#Drink> <http://www.w3.org/2002/07/owl#equivalentClass> <https://example.com/tables#Beverage> .
+      <https://example.org/kitchen#served> <http://www.w3.org/2002/07/owl#equivalentProperty> <https://example.com/tables#broughtTo> .
+      """;
+
+  private final Home bob = ShippedHomes.bob();
+
+  private static Device read(Home home, String description, String member) {
+    return DescriptionReader.of(home).read(description, member);
+  }
+
+  private static FeatureType feature(Device device) {
+    return device.features().get(0);
+  }
+
+  @Test
+  void aDeviceBringsClassesPredicatesFluentsAndThings() {
+    Device kettle = read(bob, KETTLE, "kettle-1");
+
+    assertThat(kettle.individual().classes()).containsExactly("Device", "Kettle");
+    assertThat(kettle.extension().words().predicates().keySet())
+        .containsExactly("filled", "served");
+    PredicateDeclaration served = kettle.extension().words().predicates().get("served");
+    assertThat(served.observable()).isTrue();
+    assertThat(kettle.extension().things().keySet()).containsExactly("tea");
+    Home joined = bob.with(kettle);
+    assertThat(joined.individuals().get("tea").classes()).containsExactly("Drink", "Thing");
+    assertThat(joined.vocabulary().isFluent("filled")).isTrue();
+    assertThat(joined.vocabulary().isA("Kettle", "Device")).isTrue();
+  }
+
+  @Test
+  void aWordThatMeansOneOfTheHomesIsThatOne() {
+    Device kettle = read(bob, KETTLE, "kettle-1");
+
+    assertThat(feature(kettle).inputs().get(1).types()).containsExactly("Person");
+    assertThat(
+            kettle.extension().words().predicates().get("served").parameters().get(1).className())
+        .contains("Person");
+    assertThat(kettle.extension().words().classes()).doesNotContainKey("Guest");
+    assertThat(kettle.extension().synonyms().translated("(Guest Bob)")).isEqualTo("(Person Bob)");
+  }
+
+  @Test
+  void twoMakersThatNeverMetAreBridgedByTheHome() {
+    Home bridged = new HomeLoader().load(ShippedHomes.text("bob.ttl") + BRIDGE, "bob.ttl");
+    Device kettle = read(bridged, KETTLE, "kettle-1");
+    Device table = read(bridged, OTHER, "table-1");
+    Home joined = bridged.with(kettle);
+
+    assertThat(bridged.individuals()).doesNotContainKeys("Drink", "Beverage", "served");
+    assertThat(joined.contradiction(table)).isEmpty();
+    assertThat(SlPrinter.print(feature(kettle).effect())).contains("(broughtTo ?drink ?guest)");
+    assertThat(SlPrinter.print(feature(table).precondition()))
+        .isEqualTo("(exists (?p - Person) (broughtTo ?cup ?p))");
+    assertThat(joined.with(table).individuals().get("tea").classes()).contains("Beverage");
+    assertThat(kettle.extension().synonyms().translated("(served tea Bob)"))
+        .isEqualTo("(broughtTo tea Bob)");
+  }
+
+  @Test
+  void whoSeesOnlyTheWordsOfTheHomeReadsTheSame() {
+    Home bridged = new HomeLoader().load(ShippedHomes.text("bob.ttl") + BRIDGE, "bob.ttl");
+    DescriptionReader elsewhere =
+        new DescriptionReader(new HomeLoader().vocabularyWith(bridged.words()), bridged.words());
+
+    assertThat(elsewhere.read(KETTLE, "kettle-1")).isEqualTo(read(bridged, KETTLE, "kettle-1"));
+  }
+
+  @Test
+  void twoOfTheSameMakerBringTheSame() {
+    Home joined = bob.with(read(bob, KETTLE, "kettle-1"));
+    Device second = read(bob, KETTLE.replace("kettle-1", "kettle-2"), "kettle-2");
+
+    assertThat(joined.contradiction(second)).isEmpty();
+    assertThat(joined.with(second).with(read(bob, withoutTea(KETTLE), "kettle-1")).individuals())
+        .containsKey("tea");
+    assertThat(joined.with(read(bob, withoutTea(KETTLE), "kettle-1")).individuals())
+        .doesNotContainKey("tea");
+  }
+
+  private static String withoutTea(String description) {
+    return description.replace(
+        ",\n   {\"id\": \"k:tea\", \"type\": \"k:Drink\", \"label\": \"tea\"}", "");
+  }
+
+  @Test
+  void whatContradictsIsRefused() {
+    Home joined = bob.with(read(bob, KETTLE, "kettle-1"));
+    Device other =
+        read(
+            bob,
+            OTHER.replace("t:broughtTo", "t:served").replace("broughtTo", "served"),
+            "table-1");
+    assertThat(joined.contradiction(other))
+        .hasValueSatisfying(
+            reason ->
+                assertThat(reason)
+                    .contains(
+                        "table-1 declares the word served, which kettle-1 declares otherwise"));
+
+    Device rose = read(bob, KETTLE.replace("\"id\": \"k:tea\"", "\"id\": \"k:rose\""), "kettle-1");
+    assertThat(bob.contradiction(rose))
+        .hasValueSatisfying(
+            reason -> assertThat(reason).contains("there is another rose here already"));
+  }
+
+  @Test
+  void faultsOfWordsAreTold() {
+    faulty("k:served", "k:in", "in has the local name of https://w3id.org/maestro/domain#in");
+    faulty("\"?d - Drink\", \"?g", "\"?d - Drnk\", \"?g", "write Drink, if that is meant");
+    faulty(
+        "(served ?drink ?guest) (decrease",
+        "(served ?drink) (decrease",
+        "gives served 1 arguments");
+    faulty(
+        "\"type\": \"maestro:Fluent\",",
+        "\"type\": \"maestro:Fluent\", \"equivalentProperty\": \"domain:pathLength\",",
+        "pathLength has 2 arguments, and filled, which is said to be the same, has 1");
+    faulty("\"id\": \"k:tea\"", "\"id\": \"domain:Person\"", "Person is not for kettle-1");
+    faulty("\"type\": \"k:Drink\", ", "", "tea is not for kettle-1 to describe");
+  }
+
+  private void faulty(String right, String wrong, String told) {
+    assertThat(KETTLE).contains(right);
+    assertThatThrownBy(() -> read(bob, KETTLE.replace(right, wrong), "kettle-1"))
+        .isInstanceOf(HomeFaultException.class)
+        .satisfies(
+            fault ->
+                assertThat(((HomeFaultException) fault).faults())
+                    .map(Object::toString)
+                    .anyMatch(sentence -> sentence.contains(told)));
+  }
+}
