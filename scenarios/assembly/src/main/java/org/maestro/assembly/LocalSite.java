@@ -119,9 +119,7 @@ public final class LocalSite implements AutoCloseable {
     OpenFiles.requireFor(settings.home().devices().size());
     settings.broker().ifPresent(LocalSite::requireBroker);
     Optional<EmbeddedBroker> own =
-        settings.broker().isPresent()
-            ? Optional.empty()
-            : Optional.of(SiteBus.ownBroker(settings.security()));
+        settings.broker().isPresent() ? Optional.empty() : Optional.of(SiteBus.ownBroker(settings));
     URI uri = settings.broker().orElseGet(() -> own.orElseThrow().uri());
     SiteBus bus = new SiteBus(uri, settings.name(), settings.security());
     settings.broker().ifPresent(external -> bus.requireLetIn(CONTROLLER));

@@ -53,10 +53,11 @@ public final class SiteBus {
   }
 
   /** A broker of our own in this process. */
-  static EmbeddedBroker ownBroker(Optional<SiteSecurity> security) {
-    return security
-        .map(files -> EmbeddedBroker.startSecured(files.artemis(), 0))
-        .orElseGet(EmbeddedBroker::start);
+  static EmbeddedBroker ownBroker(SiteSettings settings) {
+    return settings
+        .security()
+        .map(files -> EmbeddedBroker.startSecured(files.artemis(), settings.brokerPort()))
+        .orElseGet(() -> EmbeddedBroker.start(settings.brokerPort()));
   }
 
   /**

@@ -18,6 +18,7 @@ import org.maestro.sim.scene.Scene;
  * @param scene ground truth of the simulated world; empty: no simulated devices
  * @param seed of all chance in the world
  * @param broker of the bus; empty: one of our own in this process
+ * @param brokerPort of one of our own, 0 for a free one
  * @param jadePort of the main container, 0 for a free one
  * @param storyDirectory where stories are kept
  * @param dataDirectory where goals and what was known of the past are kept, to be taken up after a
@@ -34,6 +35,7 @@ public record SiteSettings(
     Optional<Scene> scene,
     long seed,
     Optional<URI> broker,
+    int brokerPort,
     int jadePort,
     boolean gui,
     Optional<Path> storyDirectory,
@@ -55,6 +57,7 @@ public record SiteSettings(
     builder.scene = scene;
     builder.seed = seed;
     builder.broker = broker;
+    builder.brokerPort = brokerPort;
     builder.jadePort = jadePort;
     builder.gui = gui;
     builder.storyDirectory = storyDirectory;
@@ -75,6 +78,7 @@ public record SiteSettings(
     private Optional<Scene> scene = Optional.empty();
     private long seed = 1;
     private Optional<URI> broker = Optional.empty();
+    private int brokerPort;
     private int jadePort;
     private boolean gui;
     private Optional<Path> storyDirectory = Optional.empty();
@@ -106,6 +110,11 @@ public record SiteSettings(
 
     public Builder broker(Optional<URI> broker) {
       this.broker = broker;
+      return this;
+    }
+
+    public Builder brokerPort(int brokerPort) {
+      this.brokerPort = brokerPort;
       return this;
     }
 
@@ -161,6 +170,7 @@ public record SiteSettings(
           scene,
           seed,
           broker,
+          brokerPort,
           jadePort,
           gui,
           storyDirectory,

@@ -2,10 +2,12 @@ package org.maestro.launch;
 
 import java.io.PrintWriter;
 import java.util.Objects;
+import java.util.Optional;
 import org.maestro.deployment.DeploymentException;
 import org.maestro.device.tasks.DeviceSetupException;
 import org.maestro.experiment.setting.SettingException;
 import org.maestro.ontology.home.HomeFaultException;
+import org.maestro.ontology.vocabulary.Nearest;
 import org.maestro.sim.scene.SimulationException;
 import org.maestro.sl.SlSyntaxException;
 import picocli.CommandLine;
@@ -35,6 +37,11 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
   public int handleParseException(ParameterException failure, String[] arguments) {
     CommandLine command = failure.getCommandLine();
     PrintWriter err = command.getErr();
+    Optional<String> unknown = unknownCommand(failure);
+    if (unknown.isPresent()) {
+      err.println("maestro: " + unknown.get());
+      return ExitCode.BAD_INPUT;
+    }
     String sentence = wording(failure);
     err.println("maestro: " + sentence + (sentence.endsWith(".") ? "" : "."));
     if (!UnmatchedArgumentException.printSuggestions(failure, err)) {
@@ -43,11 +50,19 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
     return ExitCode.BAD_INPUT;
   }
 
-  private static String wording(ParameterException failure) {
-    if (failure instanceof UnmatchedArgumentException unmatched
-        && failure.getCommandLine().getParent() == null) {
-      return "There is no command " + unmatched.getUnmatched().get(0);
+  private static Optional<String> unknownCommand(ParameterException failure) {
+    CommandLine command = failure.getCommandLine();
+    if (!(failure instanceof UnmatchedArgumentException unmatched) || command.getParent() != null) {
+      return Optional.empty();
     }
+    String name = unmatched.getUnmatched().get(0);
+    String cure =
+        Nearest.cure(
+            name, command.getSubcommands().keySet(), "./maestro --help lists those there are");
+    return Optional.of("There is no command %s; %s.".formatted(name, cure));
+  }
+
+  private static String wording(ParameterException failure) {
     return Objects.requireNonNullElse(failure.getMessage(), failure.toString())
         .replaceAll(" is not an? (int|long)$", " is no whole number that fits");
   }

@@ -18,6 +18,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "maestro",
     synopsisSubcommandLabel = "COMMAND",
+    versionProvider = Version.class,
     description = "Orchestrates service robots and the rooms they work in.",
     subcommands = {
       DemoCommand.class,
@@ -30,6 +31,7 @@ import picocli.CommandLine.Spec;
       AgentsCommand.class,
       GoalsCommand.class,
       KnowCommand.class,
+      WordsCommand.class,
       WhyCommand.class,
       CancelCommand.class,
       StopCommand.class,
@@ -59,6 +61,10 @@ public final class Maestro implements Runnable {
       description = "Show this help.")
   @SuppressWarnings("UnusedVariable") // picocli shows the help by itself
   private boolean help;
+
+  @Option(names = "--version", versionHelp = true, description = "Show which MAESTRO this is.")
+  @SuppressWarnings("UnusedVariable") // picocli shows the version by itself
+  private boolean version;
 
   @Option(
       names = "--debug",

@@ -58,7 +58,7 @@ final class PlanCommand implements Callable<Integer> {
     if (!(deadline > 0)) {
       throw CommandException.badInput("The deadline has to be more than 0 seconds.");
     }
-    if (problem.strip().startsWith("(")) {
+    if (problem.strip().startsWith("(") || Shipped.isHome(domain)) {
       if (first || verbose || Double.isFinite(deadline)) {
         throw CommandException.badInput(
             "--deadline, --first and --verbose go with a problem in PDDL; a home's goal is planned"

@@ -65,6 +65,12 @@ final class RunCommand implements Callable<Integer> {
   private Optional<String> broker;
 
   @Option(
+      names = "--broker-port",
+      paramLabel = "P",
+      description = "Of the broker of its own, on loopback; without: a free one.")
+  private Optional<Integer> brokerPort = Optional.empty();
+
+  @Option(
       names = "--data",
       paramLabel = "DIR",
       description =
@@ -172,6 +178,7 @@ final class RunCommand implements Callable<Integer> {
     wanted
         .seed(simulation.seed())
         .broker(broker.map(Endpoint::broker))
+        .brokerPort(brokerPort.orElse(0))
         .jadePort(port)
         .gui(gui)
         .storyDirectory(
@@ -239,8 +246,11 @@ final class RunCommand implements Callable<Integer> {
       throw CommandException.badInput(
           "\"" + name + "\" is no name for a platform; use small letters, digits and hyphens.");
     }
-    if (port < 0 || port > 65_535) {
-      throw CommandException.badInput("--port is between 0 and 65535, not " + port + ".");
+    requirePort("--port", port);
+    brokerPort.ifPresent(own -> requirePort("--broker-port", own));
+    if (broker.isPresent() && brokerPort.isPresent()) {
+      throw CommandException.badInput(
+          "--broker names a broker that runs, --broker-port one of its own; leave one away.");
     }
     if (withoutSimulation && simulation.namesScene()) {
       throw CommandException.badInput("--scene and --no-sim exclude each other; leave one away.");
@@ -250,12 +260,15 @@ final class RunCommand implements Callable<Integer> {
           "--standby needs what outlives a process: --data DIR, --no-sim --broker URI, and --port P"
               + " other than 0.");
     }
-    if (withoutSimulation && broker.isEmpty()) {
-      throw CommandException.badInput("--no-sim needs --broker URI, over which the devices come.");
-    }
     if (gui && GraphicsEnvironment.isHeadless()) {
       throw CommandException.outside(
           "There is no display for the JADE GUI; run without --gui, or set DISPLAY.");
+    }
+  }
+
+  private static void requirePort(String option, int port) {
+    if (port < 0 || port > 65_535) {
+      throw CommandException.badInput(option + " is between 0 and 65535, not " + port + ".");
     }
   }
 

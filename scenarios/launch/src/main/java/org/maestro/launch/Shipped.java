@@ -21,6 +21,11 @@ final class Shipped {
 
   private Shipped() {}
 
+  /** Whether this can be meant as a home, and as no other file. */
+  static boolean isHome(String nameOrPath) {
+    return HOMES.contains(nameOrPath) || nameOrPath.endsWith(".ttl");
+  }
+
   static Home home(String nameOrPath) {
     Optional<String> shipped = text("/homes/" + nameOrPath + ".ttl");
     if (shipped.isPresent()) {
