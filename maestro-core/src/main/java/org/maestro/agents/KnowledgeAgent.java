@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import org.maestro.agents.calls.Pointers;
 import org.maestro.agents.content.AccountWords;
 import org.maestro.agents.content.BeliefWords;
+import org.maestro.agents.content.VerdictWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.device.Rights;
 import org.maestro.agents.knowledge.KnowledgeSubscriptions;
@@ -30,6 +31,7 @@ import org.maestro.knowledge.api.Moment;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.AccessList;
+import org.maestro.ontology.home.DescriptionCheck;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.WordList;
@@ -243,6 +245,8 @@ public final class KnowledgeAgent extends MaestroAgent {
           snapshot.disputes().stream().map(dispute -> BeliefWords.content(dispute, snapshot.at())));
     } else if (words.named("words").isPresent()) {
       answer(message, WordList.of(knowledge.home()).stream().map(KnowledgeAgent::word));
+    } else if (words.find("description").isPresent()) {
+      checkDescription(message, words);
     } else if (question.isPresent()) {
       inform(message, new Question(snapshot).answerRef(question.get()));
     } else if (words.hasNothingBut("within")) {
@@ -250,8 +254,19 @@ public final class KnowledgeAgent extends MaestroAgent {
     } else {
       throw new KnowledgeException(
           "A question needs a formula, such as (query-ref (in Cup ?where)), or one of :history,"
-              + " :last, :call, :disputes and :words.");
+              + " :last, :call, :disputes, :words and :description.");
     }
+  }
+
+  /** What would become of a description; nobody joins by it. */
+  private void checkDescription(ACLMessage message, Words words) {
+    answer(
+        message,
+        VerdictWords.contents(
+            new DescriptionCheck(knowledge.home(), describedBy)
+                .check(
+                    words.string("description").orElse(""),
+                    words.string("source").orElse("the description"))));
   }
 
   private static Content word(WordList.Entry entry) {

@@ -206,8 +206,8 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     }
     home.contradiction(device)
         .ifPresent(
-            reason -> {
-              throw new KnowledgeException(reason);
+            contradiction -> {
+              throw new KnowledgeException(contradiction.sentence(device.id()));
             });
     Home changed = home.with(device);
     world = world.with(changed, measures.apply(changed), world.version() + 1);

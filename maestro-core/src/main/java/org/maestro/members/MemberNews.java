@@ -25,6 +25,9 @@ public final class MemberNews {
     /** It is there, and can be used as described. */
     void described(String description);
 
+    /** What it says of itself cannot be read. */
+    default void refused(RuntimeException why) {}
+
     /**
      * Facts about itself that can be read, none of them told while a call runs that may be changing
      * them. What it does not say any more is withdrawn.
@@ -101,7 +104,8 @@ public final class MemberNews {
     try {
       view.describedAs(describedBy.apply(description, member));
     } catch (RuntimeException e) {
-      LOG.warn("The description of {} is refused: {}", member, e.getMessage());
+      LOG.warn("The description of {} is refused: {}", member, DescriptionVerdict.inSentences(e));
+      listener.refused(e);
       return;
     }
     view.ready(true);

@@ -1,14 +1,20 @@
 package org.maestro.platform;
 
 import java.time.Duration;
+import java.time.Instant;
+import java.util.Collections;
 import java.util.Comparator;
-import java.util.Objects;
+import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiFunction;
 import org.maestro.deployment.AgentStart;
 import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.members.DescriptionVerdict;
 import org.maestro.ontology.home.Device;
 import org.maestro.platform.failover.AgentFailover;
 import org.maestro.platform.failover.FormerCallers;
@@ -36,6 +42,8 @@ final class Arrivals {
   private final Deployer deployer;
   private final AgentFailover rescue;
   private final FormerCallers callers;
+  private final RatsLink link;
+  private final Map<String, Refusal> refused = new ConcurrentHashMap<>();
   private final CountDownLatch placed = new CountDownLatch(1);
   private final Complaints complaints = new Complaints();
 
@@ -43,6 +51,7 @@ final class Arrivals {
    * @param describedBy reads a description (first argument) that a member (second) sent
    * @param rescue finds hosts for agents that need what this process does not provide
    * @param callers who called members for what is under way since before
+   * @param link by which members are told why they get no agent
    */
   Arrivals(
       KnowledgeBase knowledge,
@@ -50,13 +59,15 @@ final class Arrivals {
       Clock clock,
       Deployer deployer,
       AgentFailover rescue,
-      FormerCallers callers) {
+      FormerCallers callers,
+      RatsLink link) {
     this.knowledge = knowledge;
     this.describedBy = describedBy;
     this.clock = clock;
     this.deployer = deployer;
     this.rescue = rescue;
     this.callers = callers;
+    this.link = link;
   }
 
   /** The devices of the home get their agents. */
@@ -79,6 +90,9 @@ final class Arrivals {
 
   /** A member that no agent stands for yet gets one. */
   void memberChanged(RatsLink.Member member) {
+    if (member.phase() != MemberStatus.Phase.READY) {
+      refused.remove(member.id());
+    }
     if (member.phase() == MemberStatus.Phase.READY
         && member.description().isPresent()
         && deployer.deployment().agentOf(member.id()).isEmpty()
@@ -89,7 +103,7 @@ final class Arrivals {
           new Thread(
               () -> {
                 try (untilItHasStarted) {
-                  receive(member.id(), member.description().get());
+                  receive(member, member.description().get());
                 }
               },
               "agent-starter");
@@ -99,16 +113,30 @@ final class Arrivals {
   }
 
   /** One whose description cannot be understood stays without an agent; the others go on. */
-  private void receive(String member, String description) {
+  private void receive(RatsLink.Member member, String description) {
+    String id = member.id();
     try {
-      place(member, topic(describedBy.apply(description, member)));
+      String topic = topic(describedBy.apply(description, id));
+      refused.remove(id);
+      link.tell(DescriptionVerdict.accepted(id, member.boot()));
+      place(id, topic);
     } catch (RuntimeException e) {
-      if (complaints.isDue(member)) {
-        String why = Objects.requireNonNullElse(e.getMessage(), e.toString());
-        LOG.warn("The member {} gets no agent: {}", member, Complaints.shortened(why));
+      String why = DescriptionVerdict.inSentences(e);
+      refused.put(id, new Refusal(why, clock.instant()));
+      link.tell(DescriptionVerdict.refused(id, member.boot(), e));
+      if (complaints.isDue(id)) {
+        LOG.warn("The member {} gets no agent: {}", id, Complaints.shortened(why));
       }
     }
   }
+
+  /** Members that are there and get no agent, since what they say of themselves is faulty. */
+  SortedMap<String, Refusal> refused() {
+    return Collections.unmodifiableSortedMap(new TreeMap<>(refused));
+  }
+
+  /** Why a member gets no agent, and since when. */
+  record Refusal(String why, Instant since) {}
 
   private void place(String member, String topic) {
     AgentStart start = AgentStart.of(member, topic);

@@ -89,7 +89,8 @@ public final class MaestroPlatform implements AutoCloseable {
             this::presentMembers,
             this::orders);
     this.tables =
-        new PlatformTables(agents.deployer().deployment(), main.directory(), clock::instant);
+        new PlatformTables(
+            agents.deployer().deployment(), main.directory(), clock::instant, agents::refused);
     this.supervisor =
         new SupervisorAgent(
             time,

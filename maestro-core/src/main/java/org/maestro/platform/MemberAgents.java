@@ -89,7 +89,8 @@ final class MemberAgents {
             services.clock(),
             deployer,
             rescue,
-            FormerCallers.of(before, services.link().controller()));
+            FormerCallers.of(before, services.link().controller()),
+            services.link());
     this.signs =
         new SignsOfLife(
             services.clock(),
@@ -128,6 +129,11 @@ final class MemberAgents {
 
   void memberChanged(RatsLink.Member member) {
     arrivals.memberChanged(member);
+  }
+
+  /** Members that are there and get no agent, with the reason of each. */
+  SortedMap<String, Arrivals.Refusal> refused() {
+    return arrivals.refused();
   }
 
   /** Waits a while: whether the agents of the home have their places. */

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
@@ -32,15 +33,24 @@ final class PlatformTables {
   private final Deployment deployment;
   private final Directory directory;
   private final Supplier<Instant> now;
+  private final Supplier<SortedMap<String, Arrivals.Refusal>> refused;
   private final Map<String, Seen> seen = new ConcurrentHashMap<>();
 
   /** The state last heard of a member, and when that began. */
   private record Seen(String phase, String state, Instant since) {}
 
-  PlatformTables(Deployment deployment, Directory directory, Supplier<Instant> now) {
+  /**
+   * @param refused members that get no agent
+   */
+  PlatformTables(
+      Deployment deployment,
+      Directory directory,
+      Supplier<Instant> now,
+      Supplier<SortedMap<String, Arrivals.Refusal>> refused) {
     this.deployment = deployment;
     this.directory = directory;
     this.now = now;
+    this.refused = refused;
   }
 
   void memberChanged(RatsLink.Member member) {
@@ -96,7 +106,8 @@ final class PlatformTables {
   }
 
   /**
-   * The tables in words: a line for each agent that JADE has, and for each container.
+   * The tables in words: a line for each agent that JADE has, for each member that gets none since
+   * what it says of itself is faulty, and for each container.
    *
    * @param rows the agents that stand for members
    * @param services of each agent in the directory facilitator
@@ -112,8 +123,19 @@ final class PlatformTables {
             entry ->
                 new AgentRow(entry.agent(), entry.container(), List.of(), "-", "-", entry.since()))
         .forEach(row -> lines.add(line(row, services)));
+    refused.get().forEach((member, refusal) -> lines.add(line(member, refusal)));
     directory.containers().forEach(place -> lines.add(line(place)));
     return lines;
+  }
+
+  private Content line(String member, Arrivals.Refusal refusal) {
+    return Words.content(
+        "inform",
+        Words.named("members", List.of(Words.text(member))),
+        Words.named("phase", Words.text("refused")),
+        Words.named("since", Words.text(refusal.since().toString())),
+        age(refusal.since()),
+        Words.named("why", Words.text(refusal.why())));
   }
 
   private Content line(AgentRow row, Map<String, ? extends Set<String>> services) {

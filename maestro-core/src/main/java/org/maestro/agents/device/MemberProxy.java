@@ -9,12 +9,14 @@ import org.maestro.agents.calls.OwnMember;
 import org.maestro.agents.calls.PriceQuestions;
 import org.maestro.agents.content.AccountWords;
 import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.goals.OwnGoals;
 import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.deployment.Charge;
 import org.maestro.knowledge.api.MemberWord;
+import org.maestro.members.DescriptionVerdict;
 import org.maestro.members.MemberNews;
 import org.maestro.members.MemberOrders;
 import org.maestro.members.MemberView;
@@ -161,6 +163,11 @@ public final class MemberProxy implements MemberNews.Listener {
   }
 
   @Override
+  public void refused(RuntimeException why) {
+    here.link().tell(DescriptionVerdict.refused(member, news.boot(), why));
+  }
+
+  @Override
   public void said(MemberWord word) {
     say(word);
   }
@@ -200,6 +207,7 @@ public final class MemberProxy implements MemberNews.Listener {
         reply -> {
           if (reply.getPerformative() == ACLMessage.INFORM && view.isReady()) {
             rights = Rights.read(Words.of(Words.parse(reply.getContent()).get(0)));
+            here.link().tell(DescriptionVerdict.accepted(member, news.boot()));
             announced = true;
             announcements.announce(presence("ready", "described"));
             pursue();
@@ -210,6 +218,10 @@ public final class MemberProxy implements MemberNews.Listener {
           } else if (reply.getPerformative() != ACLMessage.AGREE
               && reply.getPerformative() != ACLMessage.INFORM) {
             LOG.warn("{} is not used: {}", member, reply.getContent());
+            here.link()
+                .tell(
+                    DescriptionVerdict.refused(
+                        member, news.boot(), Replies.reason(reply).orElse("cannot be used")));
           }
         });
   }

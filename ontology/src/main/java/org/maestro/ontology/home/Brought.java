@@ -55,7 +55,7 @@ final class Brought {
   private void sort(Node subject) {
     if (isKnown(subject)) {
       strangers.add(subject);
-    } else if (KINDS_OF_WORDS.stream().anyMatch(kind -> states(subject, kind))) {
+    } else if (isWord(graph, subject)) {
       words.add(subject);
     } else if (!subject.equals(member) && !features.contains(subject)) {
       if (isOfAClass(subject)) {
@@ -66,8 +66,10 @@ final class Brought {
     }
   }
 
-  private boolean states(Node subject, Node kind) {
-    return graph.isStated(subject, RDF.type.asNode(), kind);
+  /** Whether a text declares a class, a predicate or a fluent with the node. */
+  static boolean isWord(SourceGraph graph, Node subject) {
+    return KINDS_OF_WORDS.stream()
+        .anyMatch(kind -> graph.isStated(subject, RDF.type.asNode(), kind));
   }
 
   private boolean isKnown(Node subject) {
@@ -80,7 +82,7 @@ final class Brought {
         .filter(Node::isURI)
         .anyMatch(
             type ->
-                states(type, OWL.Class.asNode())
+                graph.isStated(type, RDF.type.asNode(), OWL.Class.asNode())
                     || vocabulary.classes().containsKey(Literals.name(type)) && isKnown(type));
   }
 

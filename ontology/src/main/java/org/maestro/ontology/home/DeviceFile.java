@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
 import org.apache.jena.graph.Node;
@@ -25,6 +24,7 @@ import org.maestro.ontology.vocabulary.Literals;
  */
 public final class DeviceFile {
   private static final String BASE = "https://w3id.org/maestro/member/";
+  private static final Node OFFERS = Maestro.term("offers");
 
   private final BiFunction<String, String, Device> reader;
 
@@ -103,31 +103,44 @@ public final class DeviceFile {
     }
   }
 
-  /** Named things with a type, but for the kinds of features that one of them describes. */
+  /**
+   * Named subjects with a type, but for the kinds of features that one of them describes, for words
+   * that the file declares, and for things of classes that only it has, where there is a device
+   * beside them.
+   */
   private static Set<Node> devices(SourceGraph graph) {
     Set<Node> offered = new LinkedHashSet<>();
     for (Node subject : graph.subjects()) {
-      for (Node feature : graph.objects(subject, Maestro.term("offers"))) {
+      for (Node feature : graph.objects(subject, OFFERS)) {
         offered.add(feature);
         offered.addAll(graph.objects(feature, RDF.type.asNode()));
       }
     }
     Set<Node> devices = new LinkedHashSet<>();
+    Set<Node> things = new LinkedHashSet<>();
     for (Node subject : graph.subjects()) {
-      Optional<Node> type = graph.object(subject, RDF.type.asNode());
-      if (subject.isURI() && type.isPresent() && !offered.contains(subject)) {
-        devices.add(subject);
+      List<Node> types = graph.objects(subject, RDF.type.asNode());
+      if (subject.isURI()
+          && !types.isEmpty()
+          && !offered.contains(subject)
+          && !Brought.isWord(graph, subject)) {
+        boolean isOfOwnClasses = types.stream().allMatch(type -> Brought.isWord(graph, type));
+        boolean offers = !graph.objects(subject, OFFERS).isEmpty();
+        (isOfOwnClasses && !offers ? things : devices).add(subject);
       }
     }
-    return devices;
+    return devices.isEmpty() ? things : devices;
   }
 
-  /** What is said of one device and of the features that it describes. */
+  /** What is said of one device, of the features that it describes, and of the file's words. */
   private static SourceGraph part(SourceGraph whole, Node device) {
     SourceGraph part = new SourceGraph();
     part.copyPrefixes(whole);
+    whole.subjects().stream()
+        .filter(subject -> Brought.isWord(whole, subject))
+        .forEach(word -> part.copyAbout(word, whole));
     part.copyAbout(device, whole);
-    for (Node feature : whole.objects(device, Maestro.term("offers"))) {
+    for (Node feature : whole.objects(device, OFFERS)) {
       part.copyAbout(feature, whole);
       whole.objects(feature, RDF.type.asNode()).forEach(type -> part.copyAbout(type, whole));
     }

@@ -72,7 +72,7 @@ public record Home(
    * Why the device cannot join with what its description brings: a word or a thing of that name is
    * there already, and is another one.
    */
-  public Optional<String> contradiction(Device device) {
+  public Optional<Contradiction> contradiction(Device device) {
     Extension own = device.extension();
     List<Device> others =
         devices.values().stream().filter(other -> !other.id().equals(device.id())).toList();
@@ -80,8 +80,11 @@ public record Home(
       Optional<String> word = other.extension().words().unlike(own.words());
       if (word.isPresent()) {
         return Optional.of(
-            "%s declares the word %s, which %s declares otherwise; give one of both another name, or tell in the home that both are the same (owl:equivalentProperty, owl:equivalentClass)."
-                .formatted(device.id(), word.get(), other.id()));
+            new Contradiction(
+                "declares the word %s, which %s declares otherwise"
+                    .formatted(word.get(), other.id()),
+                "give one of both another name, or tell in the home that both are the same"
+                    + " (owl:equivalentProperty, owl:equivalentClass)"));
       }
     }
     Device before = devices.get(device.id());
@@ -93,8 +96,10 @@ public record Home(
               && others.stream().noneMatch(other -> other.brings(thing.name()));
       if (there != null && !isOnlyItsOwn && !there.equals(thing)) {
         return Optional.of(
-            "%s brings %s, and there is another %s here already (%s); give it another name."
-                .formatted(device.id(), thing.name(), thing.name(), there.iri()));
+            new Contradiction(
+                "brings %s, and there is another %s here already (%s)"
+                    .formatted(thing.name(), thing.name(), there.iri()),
+                "give it another name"));
       }
     }
     return Optional.empty();

@@ -32,7 +32,15 @@ public final class WordList {
    * @param form how it is written, with its arguments
    * @param meaning what it says, or what it is
    */
-  public record Entry(String kind, String form, String meaning) {}
+  public record Entry(String kind, String form, String meaning) {
+
+    /** Whether this is the word that is called so. */
+    public boolean names(String word) {
+      return form.equals(word)
+          || form.startsWith("(" + word + " ")
+          || form.equals("(" + word + ")");
+    }
+  }
 
   private WordList(Home home) {
     this.home = home;

@@ -141,14 +141,14 @@ class WordsOfMakersTest {
     assertThat(joined.contradiction(other))
         .hasValueSatisfying(
             reason ->
-                assertThat(reason)
+                assertThat(reason.sentence("table-1"))
                     .contains(
                         "table-1 declares the word served, which kettle-1 declares otherwise"));
 
     Device rose = read(bob, KETTLE.replace("\"id\": \"k:tea\"", "\"id\": \"k:rose\""), "kettle-1");
     assertThat(bob.contradiction(rose))
         .hasValueSatisfying(
-            reason -> assertThat(reason).contains("there is another rose here already"));
+            reason -> assertThat(reason.problem()).contains("there is another rose here already"));
   }
 
   @Test

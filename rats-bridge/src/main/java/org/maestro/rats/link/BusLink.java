@@ -16,6 +16,7 @@ import org.maestro.rats.protocol.Offer;
 import org.maestro.rats.protocol.Release;
 import org.maestro.rats.protocol.ReservedFeature;
 import org.maestro.rats.protocol.Topics;
+import org.maestro.rats.protocol.Verdict;
 import org.maestro.rats.protocol.WireFormat;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.Message;
@@ -47,6 +48,7 @@ public final class BusLink implements RatsLink {
   private final WireFormat wire = new WireFormat();
   private final Complaints complaints = new Complaints();
   private final ControllerStatus status;
+  private final Verdicts verdicts;
   private final Roster roster;
   private final OpenCalls calls;
   private final Watchers watchers = new Watchers();
@@ -66,6 +68,7 @@ public final class BusLink implements RatsLink {
     this.transport = transport;
     this.clock = clock;
     this.status = new ControllerStatus(controller, ids.life(), topics, transport);
+    this.verdicts = new Verdicts(controller, topics, transport);
     this.calls = new OpenCalls(controller, topics, transport, clock, complaints);
     this.lifeQuestions = new LifeQuestions(controller, calls, ids::next, clock);
     this.roster = new Roster(topics, complaints, new RosterWatcher());
@@ -204,6 +207,11 @@ public final class BusLink implements RatsLink {
   }
 
   @Override
+  public void tell(Verdict verdict) {
+    verdicts.tell(verdict);
+  }
+
+  @Override
   public void safe() {
     perform(() -> ask(Optional.empty(), ReservedFeature.SAFE));
   }
@@ -215,6 +223,7 @@ public final class BusLink implements RatsLink {
       clock.schedule(Duration.ZERO, controller, missing::end);
       clock.schedule(Duration.ZERO, controller, lifeQuestions::end);
       status.leave();
+      verdicts.leave();
       transport.close();
     }
   }
@@ -255,6 +264,7 @@ public final class BusLink implements RatsLink {
 
   private void connected() {
     status.ready();
+    verdicts.tellAgain();
     clock.schedule(
         clock.ofWall(MissingWords.FIRST_WAIT),
         controller,

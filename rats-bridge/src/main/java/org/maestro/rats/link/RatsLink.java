@@ -14,6 +14,7 @@ import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Offer;
 import org.maestro.rats.protocol.Progress;
 import org.maestro.rats.protocol.Result;
+import org.maestro.rats.protocol.Verdict;
 
 /**
  * The controller's end of the bus. Any thread may call it; nothing blocks. Listeners are told on
@@ -92,6 +93,12 @@ public interface RatsLink extends AutoCloseable {
 
   /** Asks the member to tell once more who it is and what it says of itself. */
   void describe(String member);
+
+  /**
+   * Tells a member that what it says of itself is refused and why, or that it is right now; it need
+   * not listen. That all is right from the beginning is not told.
+   */
+  void tell(Verdict verdict);
 
   /** Sends {@code $safe} to every member (Three-layered architecture, 3.2.1; M37). */
   void safe();

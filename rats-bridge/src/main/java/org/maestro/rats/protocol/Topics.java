@@ -98,6 +98,16 @@ public record Topics(String site) {
     return controllerStatus("+");
   }
 
+  /** What a controller makes of what a member says of itself. */
+  public String verdict(String controller, String member) {
+    return root() + "controller/" + controller + "/verdict/" + member;
+  }
+
+  /** Filter: the verdicts of every controller on this member. */
+  public String verdicts(String member) {
+    return verdict("+", member);
+  }
+
   /** Which controller a topic {@code controller/{id}/status} belongs to; empty for others. */
   public Optional<String> controllerOf(String topic) {
     return after(topic, root() + "controller/").map(rest -> rest.substring(0, end(rest)));
@@ -139,7 +149,7 @@ public record Topics(String site) {
 
   /** Filters: the topics on which all that is published is retained. */
   public List<String> retained() {
-    return List.of(statuses(), descriptions(), states(), controllerStatuses());
+    return List.of(statuses(), descriptions(), states(), controllerStatuses(), verdicts("+"));
   }
 
   private String member(String id) {

@@ -36,7 +36,7 @@ import org.slf4j.LoggerFactory;
 public final class WireFormat {
 
   /** What this codec writes: major, that the topic names too, and minor. */
-  public static final String VERSION = "1.2";
+  public static final String VERSION = "1.3";
 
   /** The longest payload that is read, in bytes. */
   public static final int MOST_BYTES = 256 * 1024;
@@ -46,6 +46,9 @@ public final class WireFormat {
 
   /** Of an error's text, which may quote anything; receivers take somewhat more. */
   private static final int MOST_SAID = 8_000;
+
+  /** Of a text in a fault of a description. */
+  private static final int MOST_QUOTED = 1_000;
 
   private static final long LONGEST_TIMEOUT_MILLIS = Duration.ofDays(7).toMillis();
 
@@ -310,6 +313,47 @@ public final class WireFormat {
         fields.texts("queue", Rule.ID),
         fields.texts("disabled", Rule.FEATURE),
         fields.objects("recent").stream().map(WireFormat::ended).toList());
+  }
+
+  public byte[] encode(Verdict verdict) {
+    Map<String, Object> fields = message(verdict.member());
+    fields.put("boot", verdict.boot());
+    fields.put("accepted", verdict.accepted());
+    fields.put("faults", verdict.faults().stream().map(WireFormat::fault).toList());
+    return bytes(fields);
+  }
+
+  public Verdict decodeVerdict(byte[] payload) {
+    Fields fields = fields(payload);
+    return new Verdict(
+        fields.text("id", Rule.NAME),
+        fields.text("boot", Rule.ID),
+        fields.truth("accepted"),
+        fields.objects("faults").stream().map(WireFormat::fault).toList());
+  }
+
+  private static Map<String, Object> fault(Verdict.Fault fault) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    fields.put("line", fault.line());
+    fields.put("subject", shortened(fault.subject()));
+    fields.put("property", shortened(fault.property()));
+    fields.put("problem", shortened(fault.problem()));
+    fields.put("cure", shortened(fault.cure()));
+    return fields;
+  }
+
+  /** What a description says wrongly may be quoted, however long it is. */
+  private static String shortened(String text) {
+    return text.length() <= MOST_QUOTED ? text : text.substring(0, MOST_QUOTED) + "...";
+  }
+
+  private static Verdict.Fault fault(Fields fields) {
+    return new Verdict.Fault(
+        (int) fields.integer("line", 0, Integer.MAX_VALUE),
+        fields.text("subject", Rule.TEXT),
+        fields.text("property", Rule.TEXT),
+        fields.text("problem", Rule.TEXT),
+        fields.text("cure", Rule.TEXT));
   }
 
   private static Map<String, Object> ended(MemberState.Ended ended) {

@@ -15,7 +15,7 @@ record TopicRights(List<String> write, List<String> read) {
     write.add(root + "call/" + id);
     write.add(root + "result/+/" + id);
     write.add(root + "progress/+/" + id);
-    write.add(root + (controller ? "controller/" + id + "/status" : "member/" + id + "/#"));
+    write.add(root + (controller ? "controller/" + id + "/#" : "member/" + id + "/#"));
     List<String> read = new ArrayList<>();
     read.add(root + "call/#");
     read.add(root + "result/" + id + "/#");
@@ -27,6 +27,7 @@ record TopicRights(List<String> write, List<String> read) {
       read.add(root + "member/+/status");
       read.add(root + "member/+/description");
       read.add(root + "member/" + id + "/#");
+      read.add(root + "controller/+/verdict/" + id);
     }
     return new TopicRights(List.copyOf(write), List.copyOf(read));
   }

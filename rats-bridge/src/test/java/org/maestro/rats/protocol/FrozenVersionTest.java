@@ -75,7 +75,8 @@ class FrozenVersionTest {
             "progress", wire::decodeProgress,
             "observation", wire::decodeObservation,
             "status", wire::decodeStatus,
-            "state", wire::decodeState);
+            "state", wire::decodeState,
+            "verdict", wire::decodeVerdict);
     try (Stream<Path> versions = Files.list(frozen.getParent())) {
       for (Path version : versions.sorted().toList()) {
         for (String line : Files.readAllLines(version.resolve("messages.txt"))) {
@@ -156,6 +157,20 @@ class FrozenVersionTest {
                 List.of("c1"),
                 List.of("c2"),
                 List.of("pick"))));
+    samples.put(
+        "verdict",
+        wire.encode(
+            new Verdict(
+                "rose",
+                "7f3",
+                false,
+                List.of(
+                    new Verdict.Fault(
+                        12,
+                        "ring",
+                        "maestro:effect",
+                        "uses the unknown predicate calld",
+                        "write called, if that is meant")))));
     return samples;
   }
 

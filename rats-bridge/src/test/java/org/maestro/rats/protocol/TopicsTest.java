@@ -36,7 +36,8 @@ class TopicsTest {
             topics.description("member"),
             topics.state("member"),
             topics.observation("member", "feature"),
-            topics.controllerStatus("controller"));
+            topics.controllerStatus("controller"),
+            topics.verdict("controller", "member"));
   }
 
   @Test

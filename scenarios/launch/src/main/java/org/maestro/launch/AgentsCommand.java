@@ -9,6 +9,7 @@ import java.util.concurrent.Callable;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
 import org.maestro.platform.JoinedContainer;
+import org.maestro.text.VisibleText;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -26,6 +27,7 @@ final class AgentsCommand implements Callable<Integer> {
       List.of(
           "container", "process", "topics", "provides", "since", "address", "machine", "agents");
   private static final List<String> STARTS = List.of("directory", "command");
+  private static final String WHY = "why";
   private static final int MINUTE = 60;
   private static final int HOUR = 3600;
 
@@ -61,16 +63,22 @@ final class AgentsCommand implements Callable<Integer> {
         out.println(table.json(containers ? "containers" : "agents"));
       } else {
         table.print(out);
+        lines.stream()
+            .filter(line -> !containers && line.string(WHY).isPresent())
+            .map(line -> all(line, "members") + " is refused: " + line.string(WHY).orElse(""))
+            .forEach(sentence -> out.println(VisibleText.line(sentence)));
       }
       return ExitCode.DONE;
     }
   }
 
-  /** How a process was started is too long for a table that people read. */
+  /** How a process was started, and why a member is refused, are too long for a table. */
   private List<String> columns() {
     List<String> columns = new ArrayList<>(containers ? CONTAINERS : AGENTS);
     if (containers && json) {
       columns.addAll(STARTS);
+    } else if (json) {
+      columns.add(WHY);
     }
     return columns;
   }
@@ -80,15 +88,21 @@ final class AgentsCommand implements Callable<Integer> {
   }
 
   private List<String> agent(Words line) {
-    return List.of(
-        line.string("agent").orElse("-"),
-        line.string("container").orElse("-"),
-        all(line, "members"),
-        line.string("phase").orElse("-"),
-        line.string("state").orElse("-"),
-        line.string("life").orElse("-"),
-        since(line),
-        all(line, "services"));
+    List<String> cells = new ArrayList<>();
+    cells.addAll(
+        List.of(
+            line.string("agent").orElse("-"),
+            line.string("container").orElse("-"),
+            all(line, "members"),
+            line.string("phase").orElse("-"),
+            line.string("state").orElse("-"),
+            line.string("life").orElse("-"),
+            since(line),
+            all(line, "services")));
+    if (json) {
+      cells.add(line.string(WHY).orElse("-"));
+    }
+    return cells;
   }
 
   private List<String> place(Words line) {

@@ -3,37 +3,138 @@ package org.maestro.launch;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.VerdictWords;
+import org.maestro.agents.content.Words;
+import org.maestro.ontology.home.DescriptionCheck;
+import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeFaultException;
+import org.maestro.ontology.home.HomeLoader;
 import org.maestro.ontology.home.ImpossibleUses;
 import org.maestro.ontology.home.UnstatedNeeds;
 import org.maestro.ontology.validation.Fault;
+import org.maestro.platform.JoinedContainer;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Reads a home file and tells its faults. */
-@Command(name = "check", description = "Tell every fault of a home file, with its line and cure.")
+/** Reads a home file, or what a device says of itself, and tells the faults. */
+@Command(
+    name = "check",
+    description =
+        "Tell every fault of a home file, or of a device's description, with its place and cure.")
 final class CheckCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
-  @Parameters(paramLabel = "HOME.ttl", description = "A home file, or a shipped home: bob, arena.")
-  private String home;
+  @Mixin private PlatformOptions platform;
+
+  @Parameters(
+      paramLabel = "FILE",
+      description =
+          "A home file, or a shipped home: bob, arena; or a description in JSON-LD, FILE.json or"
+              + " FILE.jsonld, as a device sends it.")
+  private String file;
+
+  @Option(
+      names = "--home",
+      paramLabel = "HOME.ttl",
+      description = "The home that the described device is to join; without: one without words.")
+  private Optional<String> home = Optional.empty();
+
+  @Option(
+      names = "--running",
+      description = "Ask the running platform whether the described device could join it now.")
+  private boolean running;
 
   @Option(names = "--json", description = "Print one JSON document.")
   private boolean json;
 
   @Override
   public Integer call() {
+    if (file.endsWith(".json") || file.endsWith(".jsonld")) {
+      return checkDescription();
+    }
+    if (home.isPresent() || running) {
+      throw CommandException.badInput(
+          "--home and --running go with a description, a file whose name ends with .json or"
+              + " .jsonld.");
+    }
+    return checkHome();
+  }
+
+  private int checkDescription() {
+    if (home.isPresent() && running) {
+      throw CommandException.badInput("--home and --running exclude each other; leave one away.");
+    }
+    String text = Shipped.read(Shipped.file(file, "description", List.of()));
+    List<Words> verdict = running ? asked(text) : found(text);
+    List<Fault> faults = VerdictWords.faults(verdict);
+    PrintWriter out = spec.commandLine().getOut();
+    List<String> notes =
+        VerdictWords.joining(verdict).stream()
+            .map(
+                joining ->
+                    "%s could join, and would offer %s"
+                        .formatted(
+                            joining.device(),
+                            joining.features().isEmpty()
+                                ? "nothing"
+                                : String.join(", ", joining.features())))
+            .toList();
+    if (json) {
+      out.println(document(faults, notes));
+    } else {
+      faults.forEach(fault -> out.println(fault.toString()));
+      notes.forEach(note -> out.println(note + "."));
+      out.println(faults.isEmpty() ? file + ": no fault." : count(faults));
+    }
+    return faults.isEmpty() ? ExitCode.DONE : ExitCode.NOT_REACHED;
+  }
+
+  private List<Words> found(String text) {
+    Home joined = home.map(Shipped::home).orElseGet(CheckCommand::homeWithoutWords);
+    return VerdictWords.contents(
+            new DescriptionCheck(joined, DescriptionReader.of(joined)::read).check(text, file))
+        .map(Words::of)
+        .toList();
+  }
+
+  private static Home homeWithoutWords() {
+    return new Home("", "", new HomeLoader().vocabulary(), Map.of(), Map.of());
+  }
+
+  private List<Words> asked(String text) {
+    try (JoinedContainer container = platform.join()) {
+      return Reply.lines(
+          container.ask(
+              ACLMessage.QUERY_REF,
+              AgentNames.KNOWLEDGE,
+              Words.content(
+                  "query-ref",
+                  Words.named("description", Words.text(text)),
+                  Words.named("source", Words.text(file)))));
+    }
+  }
+
+  private static String count(List<Fault> faults) {
+    return faults.size() == 1 ? "1 fault." : faults.size() + " faults.";
+  }
+
+  private int checkHome() {
     PrintWriter out = spec.commandLine().getOut();
     try {
-      Home loaded = Shipped.home(home);
+      Home loaded = Shipped.home(file);
       List<String> notes = new ArrayList<>(UnstatedNeeds.of(loaded));
       notes.addAll(ImpossibleUses.of(loaded));
       if (json) {
@@ -42,7 +143,7 @@ final class CheckCommand implements Callable<Integer> {
         notes.forEach(note -> out.println("Note: " + note));
         out.printf(
             "%s: no fault; %d devices, %d things in all.%n",
-            home, loaded.devices().size(), loaded.individuals().size());
+            file, loaded.devices().size(), loaded.individuals().size());
       }
       return ExitCode.DONE;
     } catch (HomeFaultException e) {
@@ -50,7 +151,7 @@ final class CheckCommand implements Callable<Integer> {
         out.println(document(e.faults(), List.of()));
       } else {
         e.faults().forEach(fault -> out.println(fault.toString()));
-        out.println(e.faults().size() == 1 ? "1 fault." : e.faults().size() + " faults.");
+        out.println(count(e.faults()));
       }
       return ExitCode.NOT_REACHED;
     }
@@ -58,7 +159,7 @@ final class CheckCommand implements Callable<Integer> {
 
   private String document(List<Fault> faults, List<String> notes) {
     ObjectNode document = new ObjectMapper().createObjectNode();
-    document.put("home", home);
+    document.put("home", file);
     ArrayNode array = document.putArray("faults");
     for (Fault fault : faults) {
       ObjectNode node = array.addObject();

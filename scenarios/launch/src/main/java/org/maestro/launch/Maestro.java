@@ -32,6 +32,7 @@ import picocli.CommandLine.Spec;
       GoalsCommand.class,
       KnowCommand.class,
       WordsCommand.class,
+      SlCommand.class,
       WhyCommand.class,
       CancelCommand.class,
       StopCommand.class,

@@ -54,8 +54,17 @@ final class Shipped {
         .orElse("");
   }
 
-  private static Path file(String path, String what, List<String> shipped) {
+  /**
+   * A file that is there.
+   *
+   * @param shipped names that may stand in its place
+   */
+  static Path file(String path, String what, List<String> shipped) {
     Path file = Path.of(path);
+    if (!Files.isRegularFile(file) && shipped.isEmpty()) {
+      throw CommandException.badInput(
+          "There is no file %s; give the path of a %s.".formatted(path, what));
+    }
     if (!Files.isRegularFile(file)) {
       throw CommandException.badInput(
           "There is no %s file %s; give the path of a Turtle file, or one of the shipped %ss: %s."
@@ -64,7 +73,7 @@ final class Shipped {
     return file;
   }
 
-  private static String read(Path file) {
+  static String read(Path file) {
     try {
       return Files.readString(file);
     } catch (IOException e) {
@@ -72,7 +81,7 @@ final class Shipped {
     }
   }
 
-  private static Optional<String> text(String resource) {
+  static Optional<String> text(String resource) {
     try (InputStream stream = Shipped.class.getResourceAsStream(resource)) {
       return stream == null
           ? Optional.empty()

@@ -1,0 +1,62 @@
+package org.maestro.ontology.home;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import org.maestro.ontology.validation.Fault;
+
+/** Tells what would become of a description in a home, without anything of it being there. */
+public final class DescriptionCheck {
+
+  private final Home home;
+  private final DeviceFile descriptions;
+
+  /**
+   * What would become of it.
+   *
+   * @param faults all that were found; with one of them it is refused
+   * @param devices those that could join
+   */
+  public record Verdict(List<Fault> faults, List<Device> devices) {
+
+    public Verdict {
+      faults = List.copyOf(faults);
+      devices = List.copyOf(devices);
+    }
+  }
+
+  /**
+   * @param home as it is now, with what has joined
+   * @param reader of single descriptions (first argument) of devices (second)
+   */
+  public DescriptionCheck(Home home, BiFunction<String, String, Device> reader) {
+    this.home = home;
+    this.descriptions = new DeviceFile(reader);
+  }
+
+  /**
+   * Checks a text in Turtle or JSON-LD, of one device or several.
+   *
+   * @param source how faults call the text
+   */
+  public Verdict check(String text, String source) {
+    List<Fault> faults = new ArrayList<>();
+    List<Device> devices = new ArrayList<>();
+    try {
+      Home joined = home;
+      for (DeviceFile.Described described : descriptions.read(text, source)) {
+        Device device = described.device();
+        Optional<Contradiction> contradiction = joined.contradiction(device);
+        contradiction.ifPresent(it -> faults.add(it.fault(source, device.id())));
+        if (contradiction.isEmpty()) {
+          devices.add(device);
+          joined = joined.with(device);
+        }
+      }
+    } catch (HomeFaultException e) {
+      faults.addAll(e.faults());
+    }
+    return new Verdict(faults, devices);
+  }
+}
