@@ -16,6 +16,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.maestro.rats.broker.RunsProgram;
 import org.maestro.rats.broker.TestBroker;
 import org.maestro.rats.link.RatsLink;
@@ -40,8 +42,9 @@ class PythonDeviceTest {
         .hasSizeLessThan(90);
   }
 
-  @Test
-  void joinsIsCalledAndAnswers() throws IOException {
+  @ParameterizedTest
+  @EnumSource
+  void joinsIsCalledAndAnswers(PythonKettle.Script script) throws IOException {
     Path files = SecuredSite.files(directory);
     SecureSite.make(
         files, SecuredSite.SITE, List.of("127.0.0.1"), List.of(), List.of(PythonKettle.ID));
@@ -49,7 +52,7 @@ class PythonDeviceTest {
       RatsLink link = site.connect(site.security.password("cca"));
       try (PythonKettle kettle =
           PythonKettle.start(
-              site.uri(), SecuredSite.SITE, Optional.of(files.resolve("users/kettle-1")))) {
+              script, site.uri(), SecuredSite.SITE, Optional.of(files.resolve("users/kettle-1")))) {
         await(() -> isReady(link, PythonKettle.ID));
         speakRubbish(site);
         RatsLink.Order brew =
@@ -87,17 +90,19 @@ class PythonDeviceTest {
   }
 
   /** Else they would throw each other off the bus for ever. */
-  @Test
-  void ofTwoThatCallThemselvesTheSameOneGives() throws IOException {
+  @ParameterizedTest
+  @EnumSource
+  void ofTwoThatCallThemselvesTheSameOneGives(PythonKettle.Script script) throws IOException {
     Path files = SecuredSite.files(directory);
     SecureSite.make(
         files, SecuredSite.SITE, List.of("127.0.0.1"), List.of(), List.of(PythonKettle.ID));
     Optional<Path> folder = Optional.of(files.resolve("users/kettle-1"));
     try (SecuredSite site = new SecuredSite(files, TestBroker.embeddedSecured(files))) {
       RatsLink link = site.connect(site.security.password("cca"));
-      try (PythonKettle one = PythonKettle.start(site.uri(), SecuredSite.SITE, folder)) {
+      try (PythonKettle one = PythonKettle.start(script, site.uri(), SecuredSite.SITE, folder)) {
         await(() -> isReady(link, PythonKettle.ID));
-        try (PythonKettle other = PythonKettle.start(site.uri(), SecuredSite.SITE, folder)) {
+        try (PythonKettle other =
+            PythonKettle.start(script, site.uri(), SecuredSite.SITE, folder)) {
           await(() -> one.hasEnded() || other.hasEnded());
           await(() -> isReady(link, PythonKettle.ID));
         }

@@ -12,6 +12,18 @@ final class PythonKettle implements AutoCloseable {
 
   static final String ID = "kettle-1";
 
+  /** How it is written: with the MQTT client alone, or with the package for devices. */
+  enum Script {
+    BARE("../docs/examples/kettle.py"),
+    WITH_PACKAGE("python/examples/kettle.py");
+
+    private final Path file;
+
+    Script(String file) {
+      this.file = Path.of(file);
+    }
+  }
+
   private final Process process;
 
   private PythonKettle(Process process) {
@@ -21,18 +33,21 @@ final class PythonKettle implements AutoCloseable {
   /**
    * @param folder its own of a secured site
    */
-  static PythonKettle start(URI broker, String site, Optional<Path> folder) throws IOException {
+  static PythonKettle start(Script script, URI broker, String site, Optional<Path> folder)
+      throws IOException {
     List<String> command =
         new ArrayList<>(
             List.of(
                 "python3",
-                Path.of("..", "docs", "examples", "kettle.py").toString(),
+                script.file.toString(),
                 broker.getHost(),
                 String.valueOf(broker.getPort()),
                 site));
     folder.ifPresent(own -> command.add(own.toString()));
-    return new PythonKettle(
-        new ProcessBuilder(command).redirectErrorStream(true).inheritIO().start());
+    ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true).inheritIO();
+    builder.environment().put("PYTHONPATH", Path.of("python", "src").toString());
+    builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
+    return new PythonKettle(builder.start());
   }
 
   /** As when its power fails. */

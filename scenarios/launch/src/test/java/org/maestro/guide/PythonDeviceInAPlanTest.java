@@ -9,6 +9,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.junit.GoalOutcome;
 import org.maestro.junit.MaestroAssertions;
@@ -26,7 +28,7 @@ class PythonDeviceInAPlanTest {
     assumeTrue(hasPython(), "python3 with paho-mqtt is not installed; .ci/run installs them");
     try (Stage stage = Stage.paced(SiteSettings.of(SITE, home("tea.ttl")).build())) {
       MaestroAssertions.assertThat(stage.goal("(served Tea Anna)")).isNotReached();
-      Process kettle = start(stage.broker());
+      Process kettle = start("docs/examples/kettle.py", stage.broker());
       try {
         stage.await("the kettle", () -> stage.platform().presentMembers().contains("kettle-1"));
         GoalOutcome outcome = stage.goal("(and (served Tea Anna) (served Tea Ben))");
@@ -41,12 +43,14 @@ class PythonDeviceInAPlanTest {
     }
   }
 
-  @Test
-  void itBringsItsOwnWordsToAHomeThatHasNoneForThem() throws IOException, InterruptedException {
+  @ParameterizedTest
+  @ValueSource(strings = {"docs/examples/kettle.py", "rats-bridge/python/examples/kettle.py"})
+  void itBringsItsOwnWordsToAHomeThatHasNoneForThem(String script)
+      throws IOException, InterruptedException {
     assumeTrue(hasPython(), "python3 with paho-mqtt is not installed; .ci/run installs them");
     Home bob = home("bob.ttl");
     try (Stage stage = Stage.paced(SiteSettings.of(SITE, bob).build())) {
-      Process kettle = start(stage.broker());
+      Process kettle = start(script, stage.broker());
       try {
         stage.await("the kettle", () -> stage.platform().presentMembers().contains("kettle-1"));
         MaestroAssertions.assertThat(stage.goal("(served tea Bob)"))
@@ -60,16 +64,20 @@ class PythonDeviceInAPlanTest {
     }
   }
 
-  private static Process start(URI broker) throws IOException {
-    return new ProcessBuilder(
-            List.of(
-                "python3",
-                Path.of("..", "..", "docs", "examples", "kettle.py").toString(),
-                broker.getHost(),
-                String.valueOf(broker.getPort()),
-                SITE))
-        .inheritIO()
-        .start();
+  private static Process start(String script, URI broker) throws IOException {
+    Path project = Path.of("..", "..");
+    ProcessBuilder builder =
+        new ProcessBuilder(
+                List.of(
+                    "python3",
+                    project.resolve(script).toString(),
+                    broker.getHost(),
+                    String.valueOf(broker.getPort()),
+                    SITE))
+            .inheritIO();
+    builder.environment().put("PYTHONPATH", project.resolve("rats-bridge/python/src").toString());
+    builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
+    return builder.start();
   }
 
   private static Home home(String file) throws IOException {
