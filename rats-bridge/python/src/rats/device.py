@@ -76,7 +76,9 @@ class Device:
                 seconds: Any = None, effect: str | None = None, precondition: str | None = None,
                 learns: str | None = None, outputs: Mapping[str, str] | None = None,
                 binds: Mapping[str, str] | None = None, occupies: Iterable[str] = (),
-                sentence: str | None = None, type: str | None = None  # noqa: A002
+                sentence: str | None = None, time_limit: float | None = None,
+                done_when: str | None = None, effect_after: float | None = None,
+                type: str | None = None  # noqa: A002
                 ) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
         """Makes a function a feature. It is called with the call and the inputs by name: names of
         things, numbers, texts. What it returns, a dict, are the outputs.
@@ -84,7 +86,9 @@ class Device:
         ``inputs`` are classes or datatypes by name, such as ``{"drink": "Drink", "level":
         "xsd:decimal"}``; ``type`` names a feature of the vocabulary, such as ``domain:adjustLight``,
         of which then only what differs has to be said. ``cost`` is a number or an expression in
-        MAESTRO-SL; where the function has a ``price`` it is asked for.
+        MAESTRO-SL; where the function has a ``price`` it is asked for. ``done_when`` is a condition
+        of which the device tells when the effect is there, where that is later than the answer;
+        ``time_limit`` is in seconds.
         """
         wanted = dict(inputs or {})
 
@@ -93,7 +97,8 @@ class Device:
                 "id": iri(name), "type": "maestro:Task"}
             text.update({key: value for key, value in {
                 "sentence": sentence, "precondition": precondition, "effect": effect,
-                "learns": learns, "seconds": None if seconds is None else str(seconds),
+                "learns": learns, "timeLimit": time_limit, "doneWhen": done_when,
+                "effectAfter": effect_after, "seconds": None if seconds is None else str(seconds),
                 "input": parameters(wanted), "output": parameters(outputs or {}),
                 "binds": parameters(binds or {})}.items() if value})
             if not type or cost != "1":

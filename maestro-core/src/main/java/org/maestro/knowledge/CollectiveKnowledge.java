@@ -196,13 +196,20 @@ public final class CollectiveKnowledge implements KnowledgeBase {
 
   @Override
   public void describe(Device device) {
-    guarded(() -> redescribe(things.described(device)));
+    guarded(
+        () -> {
+          World before = world;
+          world = described(before, things.with(device));
+          things.described(device);
+          return tellOf(device.id(), before);
+        });
   }
 
-  private Change redescribe(Device device) {
-    Home home = world.home();
+  /** The world in which the device is described so; readers see it when it is {@link #world}. */
+  private World described(World base, Device device) {
+    Home home = base.home();
     if (device.equals(home.devices().get(device.id()))) {
-      return unchanged(HOME);
+      return base;
     }
     home.contradiction(device)
         .ifPresent(
@@ -210,14 +217,19 @@ public final class CollectiveKnowledge implements KnowledgeBase {
               throw new KnowledgeException(contradiction.sentence(device.id()));
             });
     Home changed = home.with(device);
-    world = world.with(changed, measures.apply(changed), world.version() + 1);
     Graphs graphs = new Graphs(changed);
     if (!changed.vocabulary().equals(home.vocabulary())) {
       storage.replace(graphs.vocabularyGraph(), graphs.vocabulary());
     }
     store(graphs, device);
-    Source source = new Source(Source.Kind.DESCRIBED, device.id());
-    return tell(new Change(world.version(), source, List.of()));
+    return base.with(changed, measures.apply(changed), base.version() + 1);
+  }
+
+  @SuppressWarnings("ReferenceEquality") // Another state of the home is another object.
+  private Change tellOf(String device, World before) {
+    return world.home() == before.home()
+        ? unchanged(HOME)
+        : tell(new Change(world.version(), new Source(Source.Kind.DESCRIBED, device), List.of()));
   }
 
   @Override
@@ -235,7 +247,19 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private void state(Source source, List<Fact> facts, Optional<MemberWord> word) {
     guarded(
         () -> {
-          List<Fact> said = withoutThings(source, facts);
+          World before = world;
+          Optional<Device> speaker = speaker(source);
+          speaker.ifPresent(device -> things.add(before.home(), device, facts));
+          World base =
+              speaker.map(device -> described(before, things.present(device))).orElse(before);
+          List<Fact> said =
+              facts.stream()
+                  .filter(
+                      fact ->
+                          speaker
+                              .filter(device -> things.isOfAThing(before.home(), device, fact))
+                              .isEmpty())
+                  .toList();
           word.ifPresent(now -> lastWords.heard(source.agent(), now));
           Predicate<StateVariable> isNews =
               variable ->
@@ -243,11 +267,23 @@ public final class CollectiveKnowledge implements KnowledgeBase {
                       .isEmpty();
           Change change =
               write(
-                  Confidence.voice(world.home(), source),
+                  base,
+                  Confidence.voice(base.home(), source),
                   (draft, positions) -> statements.take(source, said, draft, positions, isNews));
-          speaker(source).ifPresent(device -> forgetThingsThatAreGone(device, facts));
+          speaker.ifPresent(device -> forgetThingsThatAreGone(device, facts));
+          tellOf(source.agent(), before);
           return change;
         });
+  }
+
+  /** What the device told of a thing after its step may have come to be known before. */
+  private void recallThings(FeatureRun run) {
+    Optional<Device> device = Optional.ofNullable(world.home().devices().get(run.member()));
+    if (device.isPresent() && things.recall(world, run.member(), run.bindings().values())) {
+      World before = world;
+      world = described(before, things.present(device.get()));
+      tellOf(run.member(), before);
+    }
   }
 
   /** The device that speaks of itself. */
@@ -256,23 +292,9 @@ public final class CollectiveKnowledge implements KnowledgeBase {
         .filter(device -> source.kind() == Source.Kind.STATED);
   }
 
-  /** Takes the things in that the device tells to be there, and returns what else it says. */
-  private List<Fact> withoutThings(Source source, List<Fact> facts) {
-    Optional<Device> speaker = speaker(source);
-    if (speaker.isEmpty()) {
-      return facts;
-    }
-    Device device = speaker.get();
-    List<Fact> others =
-        facts.stream().filter(fact -> !things.isOfAThing(world.home(), device, fact)).toList();
-    things.add(world.home(), device, facts);
-    redescribe(things.present(device));
-    return others;
-  }
-
   private void forgetThingsThatAreGone(Device device, List<Fact> facts) {
     things.keepOnly(world, device, facts);
-    redescribe(things.present(device));
+    world = described(world, things.present(device));
   }
 
   @Override
@@ -294,6 +316,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
                     }
                     return facts;
                   });
+          recallThings(run);
           return change.with(lesson.reported());
         });
   }
@@ -367,10 +390,17 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   }
 
   private Change write(Voice voice, Lessons lessons) {
+    return write(world, voice, lessons);
+  }
+
+  /**
+   * @param base what is known before; readers see it with what is written
+   */
+  private Change write(World base, Voice voice, Lessons lessons) {
     Instant now = clock.instant();
     long first = serial;
     long[] next = {first};
-    Draft draft = new Draft(world, now, () -> next[0]++);
+    Draft draft = new Draft(base, now, () -> next[0]++);
     PositionKeeping positions = new PositionKeeping(draft, this::view);
     List<Fact> facts = lessons.read(draft, positions);
     positions.write(facts, voice);
@@ -382,11 +412,12 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     serial = next[0];
     Source source = voice.source();
     if (draft.touched().isEmpty() && outcome.news().isEmpty()) {
+      world = base;
       return unchanged(source);
     }
     World written = draft.world();
     boolean isNews = !outcome.facts().isEmpty();
-    world = isNews ? written : written.with(written.cells(), world.version());
+    world = isNews ? written : written.with(written.cells(), base.version());
     store(outcome, first, now);
     ageing.expect(draft.nextExpiry());
     Change change = new Change(world.version(), source, outcome.facts(), outcome.expected());

@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -93,6 +95,32 @@ class SlowMembersTest {
     assertThat(outcome.reached()).isFalse();
     assertThat(house.story).anyMatch(told -> told.contains("rose has not answered for"));
     assertThat(house.cancelled).containsExactlyElementsOf(drivesOfRose());
+  }
+
+  @Test
+  void haveThriceTheExpectedTimeOrWhatTheirMakerAllows() {
+    house.ordered = drives::add;
+    house.achieve("(in rose zone-a)");
+    ActionDispatcher.Request usual = drives.get(0);
+    Home allowed = new HomeLoader().load(withTimeLimit(), "bob.ttl");
+    PretendHouse other = new PretendHouse(allowed);
+    other.ordered = drives::add;
+    drives.clear();
+    other.achieve("(in rose zone-a)");
+
+    Duration bus = Duration.ofSeconds(15);
+    assertThat(usual.timeout())
+        .isEqualTo(Duration.ofMillis((long) (usual.step().seconds() * 3_000)).plus(bus));
+    assertThat(drives.get(0).timeout()).isEqualTo(Duration.ofSeconds(600).plus(bus));
+  }
+
+  private static String withTimeLimit() {
+    try (InputStream turtle = SlowMembersTest.class.getResourceAsStream("/bob.ttl")) {
+      return new String(turtle.readAllBytes(), StandardCharsets.UTF_8)
+          + "\n:MobileRobot maestro:offers [ a :move ; maestro:timeLimit 600 ] .\n";
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   private List<String> drivesOfRose() {

@@ -74,6 +74,27 @@ class ThingsOfDevicesTest {
   void aThingThatLeftStaysAsLongAsSomethingIsKnownOfIt() {
     knowledge.describe(vending);
     tell("(Can can-1)", "(stocked can-1 vending-1)");
+    sell();
+    tell();
+
+    assertThat(knowledge.home().individuals()).containsKey("can-1");
+    assertThat(holds("(exists (?c - Can) (sold ?c Bob))")).isEqualTo(Truth.TRUE);
+  }
+
+  @Test
+  void aSaleThatComesToBeKnownAfterTheStateThatFollowedItCountsToo() {
+    knowledge.describe(vending);
+    tell("(Can can-1)", "(stocked can-1 vending-1)");
+    tell();
+    assertThat(knowledge.home().individuals()).doesNotContainKey("can-1");
+    sell();
+
+    assertThat(holds("(exists (?c - Can) (sold ?c Bob))")).isEqualTo(Truth.TRUE);
+    tell();
+    assertThat(knowledge.home().individuals()).containsKey("can-1");
+  }
+
+  private void sell() {
     knowledge.learn(
         new FeatureRun(
             "vending-1",
@@ -82,10 +103,6 @@ class ThingsOfDevicesTest {
             true,
             Map.of(),
             List.of()));
-    tell();
-
-    assertThat(knowledge.home().individuals()).containsKey("can-1");
-    assertThat(holds("(exists (?c - Can) (sold ?c Bob))")).isEqualTo(Truth.TRUE);
   }
 
   @Test

@@ -97,6 +97,7 @@ final class PlanFollowing {
   }
 
   void knowledgeChanged(KnowledgeBase.Change change, FactFilter changed) {
+    execution.knowledgeChanged();
     if (!isActive()
         || change.version() == ownChange
         || !concern.perhaps(changed)

@@ -47,6 +47,7 @@ final class StepExecution {
   private final StepsUnderway underway;
   private final GoalMonitor monitor;
   private final Consumer<StepEnd> ended;
+  private final LaterEffects laterEffects;
   private final List<ActionDispatcher.Handle> established = new ArrayList<>();
 
   StepExecution(PursuitParts parts, Consumer<StepEnd> ended) {
@@ -60,6 +61,7 @@ final class StepExecution {
     this.underway = parts.underway();
     this.monitor = parts.monitor();
     this.ended = ended;
+    this.laterEffects = new LaterEffects(ports, story);
   }
 
   /**
@@ -101,17 +103,43 @@ final class StepExecution {
       Function<ActionDispatcher.Report, FeatureRun> teaches) {
     Step step = order.step();
     ActionDispatcher.Handle[] performance = new ActionDispatcher.Handle[1];
+    Consumer<ActionDispatcher.Report> done =
+        report -> reported(step, used, before, report, teaches.apply(report), performance[0]);
     AwaitedReport awaited =
         new AwaitedReport(
             ports,
             report ->
                 activeGoals.run(
                     () ->
-                        reported(
-                            step, used, before, report, teaches.apply(report), performance[0])));
-    performance[0] = ports.dispatcher().perform(order, awaited::arrived);
+                        laterEffects.await(
+                            step,
+                            report,
+                            order.timeout(),
+                            end -> activeGoals.run(() -> done.accept(end)))));
+    performance[0] = endingBoth(step, ports.dispatcher().perform(order, awaited::arrived));
     underway.begun(step, before, performance[0]);
     awaited.until(order.timeout().plus(busTime().multipliedBy(2)), step.member(), performance[0]);
+  }
+
+  /** Calls off the step, also while its effect is still to come. */
+  private ActionDispatcher.Handle endingBoth(Step step, ActionDispatcher.Handle call) {
+    return new ActionDispatcher.Handle() {
+      @Override
+      public void cancel() {
+        call.cancel();
+        laterEffects.giveUp(step.key());
+      }
+
+      @Override
+      public Optional<Duration> aliveAt() {
+        return call.aliveAt();
+      }
+    };
+  }
+
+  /** An effect that was to come may be there. */
+  void knowledgeChanged() {
+    laterEffects.look();
   }
 
   /**
@@ -141,9 +169,13 @@ final class StepExecution {
     established.forEach(ActionDispatcher.Handle::cancel);
   }
 
-  /** Thrice the expected time, and what the bus may take. */
+  /** What its maker allows it, else thrice the expected time; and what the bus may take. */
   private Duration timeout(Step step) {
-    return Duration.ofMillis((long) (step.seconds() * 3_000)).plus(busTime());
+    return step.feature()
+        .timing()
+        .limit()
+        .orElseGet(() -> Duration.ofMillis((long) (step.seconds() * 3_000)))
+        .plus(busTime());
   }
 
   private Duration busTime() {

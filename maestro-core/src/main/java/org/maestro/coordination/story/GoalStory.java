@@ -195,6 +195,24 @@ public final class GoalStory {
         "Step " + step.number() + " of " + steps + ": " + sentences().step(step) + ".");
   }
 
+  /**
+   * The member has answered, and what it was called for is still to come.
+   *
+   * @param condition when it will be there; empty: after this time
+   */
+  public void awaitsEffect(Step step, Optional<Formula> condition, Duration atMost) {
+    String seconds = Sentences.number(atMost.toMillis() / 1000.0);
+    String until =
+        condition
+            .map(formula -> SlPrinter.print(new Substitution(step.values()).apply(formula)))
+            .map(formula -> "until %s, %s s at most".formatted(formula, seconds))
+            .orElse(seconds + " s");
+    tell(
+        StoryEntry.Kind.STEP,
+        "%s has begun step %d; its effect is awaited, %s."
+            .formatted(step.member(), step.number(), until));
+  }
+
   public void askedAgain(Step step) {
     tell(
         StoryEntry.Kind.STEP,

@@ -1,7 +1,9 @@
 package org.maestro.knowledge.belief;
 
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -12,6 +14,7 @@ import org.maestro.ontology.home.Extension;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.vocabulary.ClassDeclaration;
+import org.maestro.rats.bounded.BoundedMap;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Term;
 
@@ -23,19 +26,24 @@ import org.maestro.sl.Term;
 public final class ToldThings {
 
   private static final String THING = "Thing";
+  private static final int MOST_REMEMBERED = 256;
 
   private final Map<String, Device> described = new TreeMap<>();
   private final Map<String, Map<String, Individual>> byDevice = new TreeMap<>();
+  private final Map<String, Map<String, Individual>> gone = new TreeMap<>();
 
-  /** The device as it describes itself now, with the things that it has told to be there. */
-  public Device described(Device device) {
+  /** The device describes itself so from now on. */
+  public void described(Device device) {
     described.put(device.id(), device);
-    return present(device);
   }
 
   /** A device of the home with the things that it has told to be there by now. */
   public Device present(Device inHome) {
-    Device device = described.getOrDefault(inHome.id(), inHome);
+    return with(described.getOrDefault(inHome.id(), inHome));
+  }
+
+  /** A device, as it describes itself, with the things that it has told to be there by now. */
+  public Device with(Device device) {
     Map<String, Individual> told = byDevice.getOrDefault(device.id(), Map.of());
     if (told.isEmpty()) {
       return device;
@@ -60,8 +68,34 @@ public final class ToldThings {
     Map<String, Individual> known = byDevice.getOrDefault(device.id(), Map.of());
     if (!known.isEmpty()) {
       Set<String> told = told(world.home(), device, facts).keySet();
-      known.keySet().removeIf(name -> !told.contains(name) && !isKnownOf(world, name));
+      Map<String, Individual> gone = new TreeMap<>(known);
+      gone.keySet().removeIf(name -> told.contains(name) || isKnownOf(world, name));
+      known.keySet().removeAll(gone.keySet());
+      goneOf(device.id()).putAll(gone);
     }
+  }
+
+  /**
+   * The device's step was about these; what it did with a thing that it tells no more may come to
+   * be known after that. Returns whether one is there again.
+   */
+  public boolean recall(World world, String device, Collection<Term> bindings) {
+    boolean isOneBack = false;
+    for (Term term : bindings) {
+      if (term instanceof Term.Name name
+          && goneOf(device).containsKey(name.text())
+          && isKnownOf(world, name.text())) {
+        byDevice
+            .computeIfAbsent(device, id -> new TreeMap<>())
+            .put(name.text(), Objects.requireNonNull(goneOf(device).remove(name.text())));
+        isOneBack = true;
+      }
+    }
+    return isOneBack;
+  }
+
+  private Map<String, Individual> goneOf(String device) {
+    return gone.computeIfAbsent(device, id -> BoundedMap.ofNewest(MOST_REMEMBERED));
   }
 
   /** Whether the fact only says that there is a thing which no other tells of. */

@@ -3,6 +3,7 @@ package org.maestro.ontology.home;
 import jakarta.json.Json;
 import jakarta.json.JsonArrayBuilder;
 import jakarta.json.JsonObjectBuilder;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.function.UnaryOperator;
@@ -12,6 +13,7 @@ import org.maestro.ontology.vocabulary.Doubt;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.Price;
+import org.maestro.ontology.vocabulary.Timing;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.SlPrinter;
 
@@ -72,6 +74,10 @@ final class FeatureWriter {
       json.add("costAtLeast", SlPrinter.print(asked.atLeast()));
     }
     json.add("seconds", SlPrinter.print(feature.seconds()));
+    Timing timing = feature.timing();
+    timing.limit().ifPresent(limit -> json.add("timeLimit", seconds(limit)));
+    timing.doneWhen().ifPresent(when -> json.add("doneWhen", SlPrinter.print(when)));
+    timing.effectAfter().ifPresent(after -> json.add("effectAfter", seconds(after)));
     feature.exit().ifPresent(exit -> json.add("exit", exit));
     json.add("refersTo", namedFacts(feature.refersTo()));
   }
@@ -136,5 +142,9 @@ final class FeatureWriter {
     return vocabulary.features().containsKey(name)
         ? vocabulary.features().get(name).iri()
         : Maestro.NAMESPACE + name;
+  }
+
+  private static double seconds(Duration time) {
+    return time.toMillis() / 1000.0;
   }
 }

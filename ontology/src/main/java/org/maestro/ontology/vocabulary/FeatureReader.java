@@ -1,5 +1,6 @@
 package org.maestro.ontology.vocabulary;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
@@ -28,6 +29,9 @@ import org.maestro.sl.TypedVariable;
 public final class FeatureReader {
 
   private static final Node COST = Maestro.term("cost");
+
+  /** The longest time that a call may have on the bus, in seconds. */
+  private static final double LONGEST = 7 * 24 * 3600;
 
   private final SourceGraph graph;
   private final Literals literals;
@@ -106,9 +110,43 @@ public final class FeatureReader {
         literals
             .parsed(node, "seconds", SlParser::expression)
             .orElse(has(node, "cost") ? lowest(price) : type.seconds()),
+        timing(node).or(type.timing()),
         literals.text(node, "exit").or(type::exit),
         literals.text(node, "procedure").orElse(type.procedure()),
         namedFacts(node, "refersTo", type.refersTo()));
+  }
+
+  private Timing timing(Node node) {
+    Timing timing =
+        new Timing(
+            duration(node, "timeLimit"),
+            literals.parsed(node, "doneWhen", text -> SlParser.formula(text, fluents)),
+            duration(node, "effectAfter"));
+    if (timing.doneWhen().isPresent() && timing.effectAfter().isPresent()) {
+      graph.fault(
+          node,
+          Maestro.term("effectAfter"),
+          Optional.empty(),
+          "is said beside maestro:doneWhen",
+          "keep one of both");
+    }
+    return timing;
+  }
+
+  private Optional<Duration> duration(Node node, String property) {
+    OptionalDouble seconds = literals.number(node, property);
+    if (seconds.isPresent() && !(seconds.getAsDouble() > 0 && seconds.getAsDouble() <= LONGEST)) {
+      graph.fault(
+          node,
+          Maestro.term(property),
+          Optional.empty(),
+          "is no time that a call can have",
+          "write seconds, more than 0 and up to a week");
+      return Optional.empty();
+    }
+    return seconds.stream()
+        .mapToObj(limit -> Duration.ofMillis(Math.max(1, Math.round(limit * 1000))))
+        .findFirst();
   }
 
   /**

@@ -29,6 +29,7 @@ import org.maestro.sl.SlPrinter;
  * @param claims what else it needs for itself while it runs
  * @param doubts why its results are less sure than its member is; none: as sure as the member
  * @param seconds expected duration, an expression
+ * @param timing how long a call may take, and when its effect is there
  * @param procedure the routine in the member's own software that runs it (phi); equals the name
  *     unless stated
  * @param refersTo what the routine calls a quantity (key) and the fact that is meant, such as
@@ -53,6 +54,7 @@ public record FeatureType(
     List<Doubt> doubts,
     Price cost,
     Expression seconds,
+    Timing timing,
     Optional<String> exit,
     String procedure,
     Map<String, String> refersTo) {
@@ -64,6 +66,54 @@ public record FeatureType(
     doubts = List.copyOf(doubts);
     occupies = Collections.unmodifiableSet(new TreeSet<>(occupies));
     refersTo = Collections.unmodifiableMap(new TreeMap<>(refersTo));
+  }
+
+  /** A feature with the usual timing. */
+  public FeatureType(
+      String name,
+      String iri,
+      boolean task,
+      String sentence,
+      List<Parameter> inputs,
+      List<Parameter> binds,
+      List<Parameter> outputs,
+      Formula precondition,
+      Effect effect,
+      Optional<Effect> learns,
+      boolean continuous,
+      Optional<String> endedBy,
+      OptionalDouble frequencyHertz,
+      Set<String> occupies,
+      List<Claim> claims,
+      List<Doubt> doubts,
+      Price cost,
+      Expression seconds,
+      Optional<String> exit,
+      String procedure,
+      Map<String, String> refersTo) {
+    this(
+        name,
+        iri,
+        task,
+        sentence,
+        inputs,
+        binds,
+        outputs,
+        precondition,
+        effect,
+        learns,
+        continuous,
+        endedBy,
+        frequencyHertz,
+        occupies,
+        claims,
+        doubts,
+        cost,
+        seconds,
+        Timing.USUAL,
+        exit,
+        procedure,
+        refersTo);
   }
 
   /** Whether a condition, effect, price or duration of it speaks of that predicate or number. */
@@ -78,6 +128,7 @@ public record FeatureType(
             learns.map(SlPrinter::print).orElse(""),
             SlPrinter.print(price),
             SlPrinter.print(seconds),
+            timing.doneWhen().map(SlPrinter::print).orElse(""),
             String.join(" ", refersTo.values()));
     return all.contains("(" + predicate + " ");
   }
@@ -112,6 +163,7 @@ public record FeatureType(
         doubts,
         cost,
         seconds,
+        timing,
         exit,
         procedure,
         refersTo);

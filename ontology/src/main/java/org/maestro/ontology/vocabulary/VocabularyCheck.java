@@ -144,6 +144,10 @@ public final class VocabularyCheck {
     } else if (feature.cost() instanceof Price.Asked asked) {
       check(node, "costAtLeast", given, names -> names.check(asked.atLeast()));
     }
+    feature
+        .timing()
+        .doneWhen()
+        .ifPresent(f -> check(node, "doneWhen", given, names -> names.check(f)));
     check(node, "seconds", given, names -> names.check(feature.seconds()));
     checkFacts(node, "refersTo", given);
     checkClaims(node, feature, given);

@@ -3,6 +3,7 @@ package org.maestro.ontology.home;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.maestro.ontology.vocabulary.FeatureType;
@@ -92,6 +93,26 @@ class DescriptionTest {
     assertThat(lamp.individual().classes()).contains("Lamp", "Device");
     assertThat(lamp.features().get(0).effect()).isEqualTo(type.effect());
     assertThat(lamp.features().get(0).cost()).isNotEqualTo(type.cost());
+  }
+
+  @Test
+  void aTimeLimitIsKeptOnTheWire() {
+    String blind = BLIND.replace("\"https://example.org/devices#slats\": 24,", "");
+    Device slow =
+        reader.read(
+            blind.replace("\"cost\": \"1.5\"", "\"cost\": \"1.5\", \"timeLimit\": 90.5"),
+            "blind-1");
+    assertThat(slow.features().get(0).timing().limit()).contains(Duration.ofMillis(90_500));
+    assertThat(reader.read(blind, "blind-1").features().get(0).timing().limit()).isEmpty();
+    Home described = bob.with(slow);
+    assertThat(reader.read(new DescriptionWriter(described).write(slow), "blind-1"))
+        .isEqualTo(slow);
+    assertThatThrownBy(
+            () ->
+                reader.read(
+                    blind.replace("\"cost\": \"1.5\"", "\"cost\": \"1.5\", \"timeLimit\": 0"),
+                    "blind-1"))
+        .hasMessageContaining("is no time that a call can have; write seconds, more than 0");
   }
 
   @Test

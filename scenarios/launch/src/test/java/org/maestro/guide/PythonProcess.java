@@ -28,11 +28,13 @@ final class PythonProcess implements AutoCloseable {
     command.add(Path.of(PythonProcess.class.getResource("/devices/" + script).toURI()).toString());
     command.addAll(List.of(broker.getHost(), String.valueOf(broker.getPort()), site));
     command.addAll(List.of(arguments));
-    process =
-        new ProcessBuilder(command)
-            .redirectErrorStream(true)
-            .redirectOutput(printed.toFile())
-            .start();
+    ProcessBuilder builder =
+        new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(printed.toFile());
+    builder
+        .environment()
+        .put("PYTHONPATH", Path.of("..", "..", "rats-bridge", "python", "src").toString());
+    builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
+    process = builder.start();
   }
 
   /** Tells in the test's output when it cannot be shown here. */
