@@ -37,7 +37,7 @@ def tell_state():
 
 
 def announce(*_):  # after each connect, since the broker may have come back empty
-    client.subscribe(ROOT + "call/#", options=SubscribeOptions(1, retainAsPublished=True, retainHandling=2))
+    client.subscribe([(topic, SubscribeOptions(1, retainAsPublished=True, retainHandling=2)) for topic in (ROOT + "call/#", OWN + "status")])
     client.publish(OWN + "description", json.dumps(DESCRIPTION), 1, True)
     tell_state()
     publish(OWN + "status", True, id=ME, status="ready", boot=BOOT)
@@ -51,6 +51,8 @@ def perform(call):
         tell_state()
     elif call["f"] == "$cost":
         return {"outcome": "SUCCEEDED", "values": {"costs": [{"cost": 3, "seconds": 0.1}] * len(call["p"]["sets"])}}
+    elif call["f"] == "$cancel":  # what it is called for is done at once
+        return {"outcome": "SUCCEEDED", "values": {"found": False}}
     elif call["f"] == "$describe":
         announce()
     elif call["f"] not in ("$ping", "$safe"):
@@ -65,12 +67,23 @@ def refusal(code, message):
 
 def heard(_, __, message):
     call = json.loads(message.payload)
-    if message.retain or message.topic != ROOT + "call/" + call["from"] or call.get("r", "") not in (ME, ""):
+    if message.retain or call.get("r", "") not in (ME, "") or message.topic not in (ROOT + "call", ROOT + "call/" + call["from"]):
         return
     if call.get("r") or call["f"] == "brew" or call["f"].startswith("$"):
-        key = call["from"], call["id"]  # the same call again gets the same answer: nothing is done twice
-        answers[key] = answers.get(key) or perform(call)
-        publish(ROOT + f"result/{call['from']}/{ME}", False, id=call["id"], **{"from": ME, "z": "standby"}, **answers[key])
+        key, body = (call["from"], call["id"]), (call["f"], call["p"])
+        if not call["v"].startswith("1."):
+            answer = refusal("UNSUPPORTED_VERSION", "It understands version 1")
+        elif key in answers and answers[key][0] != body:
+            answer = refusal("DUPLICATE_ID", "Another call of that id came before")
+        else:  # the same call again gets the same answer: nothing is done twice
+            answers[key] = answers.get(key) or (body, perform(call))
+            answer = answers[key][1]
+        publish(ROOT + f"result/{call['from']}/{ME}", False, id=call["id"], **{"from": ME, "z": "standby"}, **answer)
+
+
+def said_of_me(_, __, message):  # a will that came late, or another's word, must not be the last
+    if not message.payload or json.loads(message.payload)["status"] != "ready":
+        announce()
 
 
 client = mqtt.Client(mqtt.CallbackAPIVersion.VERSION2, ME, protocol=mqtt.MQTTv5)
@@ -78,6 +91,7 @@ client.will_set(OWN + "status", json.dumps({"v": "1.0", "id": ME, "status": "los
 if len(sys.argv) > 4:
     client.username_pw_set(ME, open(sys.argv[4] + "/password").read().strip())
     client.tls_set(ca_certs=sys.argv[4] + "/ca.pem")
+client.message_callback_add(OWN + "status", said_of_me)
 client.on_connect, client.on_message, client.suppress_exceptions = announce, heard, True  # rubbish must not end it
 client.on_disconnect = lambda *a: a[3] == "Session taken over" and sys.exit(f"Another {ME} is there; rename one")
 client.connect(sys.argv[1], int(sys.argv[2]), keepalive=15)

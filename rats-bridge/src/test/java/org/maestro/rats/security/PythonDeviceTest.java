@@ -18,8 +18,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.maestro.rats.broker.EmbeddedBroker;
 import org.maestro.rats.broker.RunsProgram;
 import org.maestro.rats.broker.TestBroker;
+import org.maestro.rats.conformance.DeviceExamination;
+import org.maestro.rats.conformance.DeviceRule;
+import org.maestro.rats.conformance.Finding;
+import org.maestro.rats.conformance.Patience;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.ErrorCode;
@@ -39,7 +44,7 @@ class PythonDeviceTest {
   @Test
   void isShort() throws IOException {
     assertThat(Files.readAllLines(Path.of("..", "docs", "examples", "kettle.py")))
-        .hasSizeLessThan(90);
+        .hasSizeLessThan(100);
   }
 
   @ParameterizedTest
@@ -86,6 +91,35 @@ class PythonDeviceTest {
         kettle.kill();
         await(() -> phase(link).filter(MemberStatus.Phase.LOST::equals).isPresent());
       }
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void keepsTheRulesOfTheBus(PythonKettle.Script script) throws IOException {
+    Map<String, Object> tea =
+        Map.of("drink", Map.of("ref", "urn:home:x#Tea"), "guest", Map.of("ref", "urn:home:x#Anna"));
+    try (EmbeddedBroker broker = EmbeddedBroker.start();
+        PythonKettle kettle =
+            PythonKettle.start(script, broker.uri(), SecuredSite.SITE, Optional.empty())) {
+      assertThat(kettle.hasEnded()).isFalse();
+      List<Finding> findings =
+          new DeviceExamination(
+                  new PahoTransport(broker.uri(), "examiner"),
+                  SecuredSite.SITE,
+                  PythonKettle.ID,
+                  Optional.of(new DeviceExamination.FeatureCall("brew", tea)),
+                  true,
+                  new Patience(
+                      Duration.ofSeconds(20), Duration.ofSeconds(5), Duration.ofMillis(500)))
+              .run();
+
+      assertThat(findings)
+          .filteredOn(finding -> finding.verdict() == Finding.Verdict.BROKEN)
+          .isEmpty();
+      assertThat(findings)
+          .filteredOn(finding -> finding.verdict() == Finding.Verdict.KEPT)
+          .hasSizeGreaterThanOrEqualTo(DeviceRule.values().length - 2);
     }
   }
 

@@ -25,6 +25,7 @@ import picocli.CommandLine.Spec;
       RunCommand.class,
       ContainerCommand.class,
       DevicesCommand.class,
+      DeviceCommand.class,
       ZigbeeCommand.class,
       GoalCommand.class,
       AgentCommand.class,
