@@ -1,8 +1,10 @@
 package org.maestro.launch;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -50,21 +52,21 @@ final class AgentsCommand implements Callable<Integer> {
               container.ask(
                   ACLMessage.QUERY_REF, AgentNames.SUPERVISOR, Words.content("query-ref")));
       String own = container.name();
-      List<List<String>> rows = new ArrayList<>();
-      for (Words line : lines) {
-        boolean isPlace = line.string("place").isPresent();
-        if (isPlace == containers && !at(line).equals(own)) {
-          rows.add(isPlace ? place(line) : agent(line));
-        }
-      }
-      Table table = new Table(columns(), rows);
+      List<Words> wanted =
+          lines.stream()
+              .filter(line -> line.string("place").isPresent() == containers)
+              .filter(line -> !at(line).equals(own))
+              .toList();
       PrintWriter out = spec.commandLine().getOut();
       if (json) {
-        out.println(table.json(containers ? "containers" : "agents"));
+        out.println(document(wanted));
       } else {
-        table.print(out);
-        lines.stream()
-            .filter(line -> !containers && line.string(WHY).isPresent())
+        new Table(
+                containers ? CONTAINERS : AGENTS,
+                wanted.stream().map(line -> containers ? place(line) : agent(line)).toList())
+            .print(out);
+        wanted.stream()
+            .filter(line -> line.string(WHY).isPresent())
             .map(line -> all(line, "members") + " is refused: " + line.string(WHY).orElse(""))
             .forEach(sentence -> out.println(VisibleText.line(sentence)));
       }
@@ -72,56 +74,80 @@ final class AgentsCommand implements Callable<Integer> {
     }
   }
 
-  /** How a process was started, and why a member is refused, are too long for a table. */
-  private List<String> columns() {
-    List<String> columns = new ArrayList<>(containers ? CONTAINERS : AGENTS);
-    if (containers && json) {
-      columns.addAll(STARTS);
-    } else if (json) {
-      columns.add(WHY);
+  private String document(List<Words> lines) {
+    ObjectNode document = new ObjectMapper().createObjectNode();
+    ArrayNode array = document.putArray(containers ? "containers" : "agents");
+    for (Words line : lines) {
+      ObjectNode node = array.addObject();
+      if (containers) {
+        put(node, "container", line.string("place"));
+        put(node, "process", line.string("process"));
+        put(node, "topics", words(line, "topics"));
+        put(node, "provides", words(line, "provides"));
+        put(node, "address", line.string("address"));
+        Optional<Words> start = start(line);
+        put(node, "machine", start.flatMap(its -> its.string("machine")));
+        start
+            .flatMap(its -> its.string("pid"))
+            .ifPresentOrElse(
+                pid -> node.put("pid", Long.parseLong(pid)), () -> node.putNull("pid"));
+        STARTS.forEach(part -> put(node, part, start.flatMap(its -> its.string(part))));
+        put(node, "agents", words(line, "holds"));
+      } else {
+        put(node, "agent", line.string("agent"));
+        put(node, "container", line.string("container"));
+        put(node, "members", words(line, "members"));
+        put(node, "phase", line.string("phase"));
+        put(node, "state", line.string("state"));
+        put(node, "life", line.string("life"));
+        put(node, "services", words(line, "services"));
+        put(node, WHY, line.string(WHY));
+      }
+      put(node, "since", line.string("since"));
     }
-    return columns;
+    return document.toString();
+  }
+
+  private static void put(ObjectNode node, String name, Optional<String> text) {
+    text.filter(word -> !word.equals("-"))
+        .ifPresentOrElse(word -> node.put(name, word), () -> node.putNull(name));
+  }
+
+  private static void put(ObjectNode node, String name, List<String> words) {
+    ArrayNode array = node.putArray(name);
+    words.forEach(array::add);
   }
 
   private static String at(Words line) {
     return line.string("place").or(() -> line.string("container")).orElse("");
   }
 
-  private List<String> agent(Words line) {
-    List<String> cells = new ArrayList<>();
-    cells.addAll(
-        List.of(
-            line.string("agent").orElse("-"),
-            line.string("container").orElse("-"),
-            all(line, "members"),
-            line.string("phase").orElse("-"),
-            line.string("state").orElse("-"),
-            line.string("life").orElse("-"),
-            since(line),
-            all(line, "services")));
-    if (json) {
-      cells.add(line.string(WHY).orElse("-"));
-    }
-    return cells;
+  private static List<String> agent(Words line) {
+    return List.of(
+        line.string("agent").orElse("-"),
+        line.string("container").orElse("-"),
+        all(line, "members"),
+        line.string("phase").orElse("-"),
+        line.string("state").orElse("-"),
+        line.string("life").orElse("-"),
+        since(line),
+        all(line, "services"));
   }
 
-  private List<String> place(Words line) {
-    Optional<Words> start = line.find("started").filter(its -> its.string("pid").isPresent());
-    List<String> cells = new ArrayList<>();
-    cells.addAll(
-        List.of(
-            line.string("place").orElse("-"),
-            line.string("process").orElse("-"),
-            all(line, "topics"),
-            all(line, "provides"),
-            since(line),
-            line.string("address").orElse("-"),
-            machine(start),
-            all(line, "holds")));
-    if (json) {
-      STARTS.forEach(part -> cells.add(start.flatMap(its -> its.string(part)).orElse("-")));
-    }
-    return cells;
+  private static List<String> place(Words line) {
+    return List.of(
+        line.string("place").orElse("-"),
+        line.string("process").orElse("-"),
+        all(line, "topics"),
+        all(line, "provides"),
+        since(line),
+        line.string("address").orElse("-"),
+        machine(start(line)),
+        all(line, "holds"));
+  }
+
+  private static Optional<Words> start(Words line) {
+    return line.find("started").filter(its -> its.string("pid").isPresent());
   }
 
   private static String machine(Optional<Words> start) {
@@ -131,16 +157,15 @@ final class AgentsCommand implements Callable<Integer> {
   }
 
   private static String all(Words line, String name) {
-    List<String> words =
-        line.find(name).map(Words::terms).orElse(List.of()).stream().map(Words::plain).toList();
+    List<String> words = words(line, name);
     return words.isEmpty() ? "-" : String.join(" ", words);
   }
 
-  /** For programs the moment on the platform's clock, for people how long ago that is. */
-  private String since(Words line) {
-    if (json) {
-      return line.string("since").orElse("-");
-    }
+  private static List<String> words(Words line, String name) {
+    return line.find(name).map(Words::terms).orElse(List.of()).stream().map(Words::plain).toList();
+  }
+
+  private static String since(Words line) {
     long seconds = Math.round(line.number("age", 0));
     if (seconds < MINUTE) {
       return seconds + " s";

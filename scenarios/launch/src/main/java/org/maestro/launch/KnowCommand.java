@@ -1,5 +1,8 @@
 package org.maestro.launch;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
@@ -15,6 +18,7 @@ import org.maestro.platform.JoinedContainer;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
+import org.maestro.sl.Term;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -76,15 +80,45 @@ final class KnowCommand implements Callable<Integer> {
   }
 
   private synchronized void print(List<Content> answers) {
-    Table table =
-        new Table(COLUMNS, answers.stream().map(Words::of).map(KnowCommand::row).toList());
+    List<Words> lines = answers.stream().map(Words::of).toList();
     PrintWriter out = spec.commandLine().getOut();
     if (json) {
-      out.println(table.json("answers"));
+      out.println(document(lines));
     } else {
-      table.print(out);
+      new Table(COLUMNS, lines.stream().map(KnowCommand::row).toList()).print(out);
     }
     out.flush();
+  }
+
+  private static String document(List<Words> answers) {
+    ObjectNode document = new ObjectMapper().createObjectNode();
+    ArrayNode array = document.putArray("answers");
+    for (Words answer : answers) {
+      ObjectNode node = array.addObject();
+      node.put("truth", answer.string("truth").orElse("unknown"));
+      ObjectNode binding = node.putObject("binding");
+      answer
+          .termsOf("binding")
+          .forEach(
+              (variable, term) -> {
+                if (term instanceof Term.Number number) {
+                  binding.put(variable, number.value());
+                } else if (term instanceof Term.Truth truth) {
+                  binding.put(variable, truth.value());
+                } else {
+                  binding.put(variable, Words.plain(term));
+                }
+              });
+      if (answer.term("age").isPresent()) {
+        node.put("age_s", answer.number("age", 0));
+      } else {
+        node.putNull("age_s");
+      }
+      node.put(
+          "source",
+          answer.find("because").flatMap(because -> because.string("source")).orElse(null));
+    }
+    return document.toString();
   }
 
   private static List<String> row(Words answer) {

@@ -4,8 +4,12 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.tuple;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.TextNode;
 import java.io.IOException;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
@@ -64,6 +68,15 @@ class RefusedDescriptionTest {
           .containsPattern("bell-1 +refused")
           .contains("bell-1 is refused: bell-1: ring effect uses the unknown predicate calld");
 
+      JsonNode row = new ObjectMapper().readTree(agents(stage, "--json")).path("agents");
+      assertThat(row)
+          .anySatisfy(
+              one -> {
+                assertThat(one.path("members")).containsExactly(TextNode.valueOf("bell-1"));
+                assertThat(one.path("agent").isNull()).isTrue();
+                assertThat(one.path("why").asText()).contains("unknown predicate calld");
+              });
+
       bell.publish(
           Publication.retained(topics.description("bell-1"), BELL.getBytes(UTF_8)), failure -> {});
       assertThat(next().accepted()).isTrue();
@@ -106,11 +119,12 @@ class RefusedDescriptionTest {
     return verdict;
   }
 
-  private static String agents(Stage stage) throws IOException, InterruptedException {
-    try (JavaProcess asking =
-        JavaProcess.start(
-            Maestro.class.getName(),
-            List.of("agents", "--main", "127.0.0.1:" + stage.platform().port()))) {
+  private static String agents(Stage stage, String... more)
+      throws IOException, InterruptedException {
+    List<String> command =
+        new ArrayList<>(List.of("agents", "--main", "127.0.0.1:" + stage.platform().port()));
+    command.addAll(List.of(more));
+    try (JavaProcess asking = JavaProcess.start(Maestro.class.getName(), command)) {
       return asking.await(Duration.ofSeconds(60)).output();
     }
   }

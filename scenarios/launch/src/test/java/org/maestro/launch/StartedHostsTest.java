@@ -126,7 +126,7 @@ class StartedHostsTest {
   }
 
   private static long pid(JsonNode row) {
-    return Long.parseLong(row.path("machine").asText().replaceAll(".* pid ", ""));
+    return row.path("pid").asLong();
   }
 
   private Iterable<JsonNode> table(String... arguments) {
