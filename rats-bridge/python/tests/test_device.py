@@ -190,13 +190,45 @@ class DeviceTest(unittest.TestCase):
         self.assertEqual("SUCCEEDED", self.broker.results("a")[1]["outcome"])
         self.assertEqual(["slow", "pie"], self.done)
 
+    def test_what_cannot_be_told_has_failed(self):
+        @self.device.feature("odd")
+        def odd(call):
+            return {"x": {1}} if call.id == "a" else 5 if call.id == "b" else {"x": float("nan")}
+
+        for identifier in "abc":
+            self.call(identifier, feature="odd", p={})
+            self.assertEqual(("FAILED", "INTERNAL"), self.error(identifier))
+
+    def test_nothing_begins_while_it_becomes_safe(self):
+        reached, go = threading.Event(), threading.Event()
+
+        @self.device.on_safe
+        def calm():
+            reached.set()
+            go.wait(5)
+
+        self.call("s", feature="$safe", p={})
+        reached.wait(5)
+        self.call("a")
+        self.assertEqual(("REJECTED", "DISABLED"), self.error("a"))
+        go.set()
+        self.assertEqual("SUCCEEDED", self.broker.result("s")["outcome"])
+
+    def test_an_unsafe_end_is_told(self):
+        @self.device.on_safe
+        def breaks():
+            raise OSError("stuck")
+
+        self.call("s", feature="$safe", p={})
+        self.assertEqual(("FAILED", "INTERNAL"), self.error("s"))
+
     def test_what_is_so_is_told(self):
         self.device.tell("(hot oven-1)")
         self.device.tell_number("(heat oven-1)", 20)
-        self.device.tell_number("(heat oven-1)", 220.5)
-        self.assertEqual(["(hot oven-1)", "(= (heat oven-1) 220.5)"], self.device.values)
+        self.device.tell_number("(heat oven-1)", 1234567.5)
+        self.assertEqual(["(hot oven-1)", "(= (heat oven-1) 1234567.5)"], self.device.values)
         self.device.untell("(hot oven-1)")
-        self.assertEqual(["(= (heat oven-1) 220.5)"], self.broker.said[-1][1]["values"])
+        self.assertEqual(["(= (heat oven-1) 1234567.5)"], self.broker.said[-1][1]["values"])
 
     def test_it_calls_others(self):
         answers = []
@@ -206,10 +238,12 @@ class DeviceTest(unittest.TestCase):
             self.broker.news.wait_for(lambda: self.broker.said, 5)
         topic, call, _ = self.broker.said[-1]
         self.assertEqual((ROOT + "call/oven-1", "lamp-1", {"level": 1}), (topic, call["r"], call["p"]))
+        self.device._heard(None, None, Message("result/oven-1/evil", {
+            "id": call["id"], "outcome": "SUCCEEDED", "values": {"ok": 666}}))
         self.device._heard(None, None, Message("result/oven-1/lamp-1", {
             "id": call["id"], "outcome": "SUCCEEDED", "values": {"ok": 1}}))
         asking.join(5)
-        self.assertTrue(answers[0].succeeded)
+        self.assertEqual({"ok": 1}, answers[0].values)
         self.assertEqual("TIMED_OUT", self.device.call("lamp-1", "shine", timeout=0.05).outcome)
 
     def test_a_late_will_is_not_the_last_word(self):

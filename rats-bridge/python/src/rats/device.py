@@ -60,7 +60,7 @@ class Device:
         self._properties = dict(properties or {})
         self._whole = description
         self._values: list[str] = []
-        self._asked: dict[str, tuple[threading.Event, list[dict[str, Any]]]] = {}
+        self._asked: dict[str, tuple[threading.Event, list[dict[str, Any]], str]] = {}
         self._lock = threading.RLock()
         self._client: mqtt.Client | None = None
         self._root = ""
@@ -159,7 +159,7 @@ class Device:
         """Says a number, ``tell_number("(filled kettle-1)", 0.5)``, instead of what it was."""
         with self._lock:
             before = [fact for fact in self._values if fact.startswith(f"(= {fluent} ")]
-            self.tell(f"(= {fluent} {value:g})", instead_of=before)
+            self.tell(f"(= {fluent} {float(value)!r})", instead_of=before)
 
     # --- On the bus
 
@@ -197,8 +197,9 @@ class Device:
         if client is not None and not self._leaves:
             self._leaves = True
             self._reception.make_safe()
-            for part in ("description", "state", "status"):
-                client.publish(self._own(part), b"", 1, True).wait_for_publish(2)
+            if client.is_connected():
+                for part in ("description", "state", "status"):
+                    client.publish(self._own(part), b"", 1, True).wait_for_publish(2)
             client.disconnect()
             client.loop_stop()
         self._left.set()
@@ -240,7 +241,7 @@ class Device:
             if topic.startswith("call"):
                 self._reception.heard(topic, message)
             elif topic.startswith("result/"):
-                self._answered(json.loads(message.payload))
+                self._answered(topic.rsplit("/", 1)[-1], json.loads(message.payload))
             elif topic.startswith("controller/"):
                 self._judged(message.payload)
             else:
@@ -270,7 +271,7 @@ class Device:
             self._next_call += 1
             identifier = f"{self.id}-{self.boot[:6]}-{self._next_call}"
             done, answers = threading.Event(), []
-            self._asked[identifier] = done, answers
+            self._asked[identifier] = done, answers, member
         self._send("call/" + self.id, {
             "id": identifier, "r": member, "f": feature, "p": parameters,
             "t": max(1, int(timeout * 1000)), "from": self.id}, expiry=timeout)
@@ -280,9 +281,9 @@ class Device:
             return Result("TIMED_OUT", {}, {"code": "TIMEOUT", "message": f"{member} does not answer"})
         return Result(answers[0]["outcome"], answers[0].get("values", {}), answers[0].get("error"))
 
-    def _answered(self, result: Mapping[str, Any]) -> None:
+    def _answered(self, speaker: str, result: Mapping[str, Any]) -> None:
         asked = self._asked.get(result["id"])
-        if asked is not None:
+        if asked is not None and asked[2] == speaker:
             asked[1].append(dict(result))
             asked[0].set()
 

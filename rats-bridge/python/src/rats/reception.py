@@ -35,6 +35,7 @@ class Call:
         self._tell = tell
         self._ended = threading.Event()
         self._end: type[Failed] = Canceled
+        self._why = "The call was canceled before it was done"
 
     @property
     def key(self) -> tuple[str, str]:
@@ -53,7 +54,7 @@ class Call:
     def check(self) -> None:
         """Raises Canceled or TimedOut when the call is to end."""
         if self._ended.is_set():
-            raise self._end("The call was ended before it was done")
+            raise self._end(self._why)
 
     def sleep(self, seconds: float) -> None:
         """Waits, and raises Canceled or TimedOut as soon as the call is to end."""
@@ -63,6 +64,8 @@ class Call:
     def _finish(self, how: type[Failed]) -> None:
         if not self._ended.is_set():
             self._end = how
+            if how is TimedOut:
+                self._why = "The time of the call was over before it was done; time_limit gives more"
             self._ended.set()
 
 
@@ -99,7 +102,8 @@ class Reception:
         self._changed = changed
         self._describe = describe
         self._known: OrderedDict[tuple[str, str], _Known] = OrderedDict()
-        self._clocks: dict[str, float] = {}
+        self._clocks: OrderedDict[str, float] = OrderedDict()
+        self._becomes_safe = 0
         self._lock = lock
         self._idle = threading.Condition(self._lock)
 
@@ -145,6 +149,8 @@ class Reception:
             behind = time.monotonic() - sent["ms"] / 1000
             quickest = min(behind, self._clocks.get(str(sent.get("clock")), behind))
             self._clocks[str(sent.get("clock"))] = quickest
+            if len(self._clocks) > MOST_WAITING:
+                self._clocks.popitem(last=False)
             left = min(left, call["t"] / 1000 - (behind - quickest))
         return left
 
@@ -191,6 +197,9 @@ class Reception:
             raise Refused(f"{call.feature} needs the parameters {', '.join(missing)}",
                           code="INVALID_PARAMETERS")
         with self._lock:
+            if self._becomes_safe:
+                raise Refused(f"{self.id} was told to be safe; try when it is", code="DISABLED",
+                              retriable=True)
             if len(self.waiting) >= MOST_WAITING:
                 raise Refused(f"The queue of {self.id} is full; try later", code="QUEUE_FULL",
                               retriable=True)
@@ -212,9 +221,11 @@ class Reception:
             taken |= waiting.feature.occupies
 
     def _perform(self, waiting: _Waiting) -> None:
-        call, outcome = waiting.call, None
+        call, outcome, values = waiting.call, None, {}
         try:
-            values = waiting.feature.run(call, **plain(call.parameters, waiting.feature.inputs))
+            values = dict(waiting.feature.run(
+                call, **plain(call.parameters, waiting.feature.inputs)) or {})
+            json.dumps(values, allow_nan=False)  # what cannot be told has failed
         except Failed as failure:
             outcome = failure
         except Exception as fault:  # noqa: BLE001 - whatever a feature raises is its failure
@@ -228,7 +239,7 @@ class Reception:
             self._begin_what_can()
             self._changed()
             self._idle.notify_all()
-        self._end(call, outcome, {} if outcome or values is None else dict(values))
+        self._end(call, outcome, {} if outcome else values)
 
     def _over(self, call: Call, how: type[Failed]) -> bool:
         """Ends a call that waits or runs; whether there is one."""
@@ -254,8 +265,7 @@ class Reception:
         elif call.feature == "$cancel":
             self._end(call, None, {"found": self._cancel(call)})
         elif call.feature == "$safe":
-            threading.Thread(
-                target=lambda: self._end(call, None, self.make_safe()), daemon=True).start()
+            threading.Thread(target=self._safely, args=(call,), daemon=True).start()
         elif call.feature == "$cost":
             self._end(call, None, {"costs": self._costs(call)})
         else:
@@ -270,12 +280,24 @@ class Reception:
 
     def make_safe(self) -> dict[str, Any]:
         with self._lock:
+            self._becomes_safe += 1
             for one in [*self.waiting, *self.running.values()]:
                 self._over(one.call, Canceled)
             self._idle.wait_for(lambda: not self.running, 10)
-        for action in self.safe_actions:
-            action()
+        try:
+            for action in self.safe_actions:
+                action()
+        finally:
+            with self._lock:
+                self._becomes_safe -= 1
         return {}
+
+    def _safely(self, call: Call) -> None:
+        try:
+            self._end(call, None, self.make_safe())
+        except Exception as fault:  # noqa: BLE001 - whatever an action raises
+            LOG.exception("%s could not be made safe", self.id)
+            self._end(call, Failed(f"{type(fault).__name__}: {fault}", code="INTERNAL"))
 
     def _costs(self, call: Call) -> list[dict[str, Any]]:
         offered = self.features.get(str(call.parameters.get("feature")))

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.Lock;
@@ -217,12 +218,25 @@ public final class CollectiveKnowledge implements KnowledgeBase {
               throw new KnowledgeException(contradiction.sentence(device.id()));
             });
     Home changed = home.with(device);
+    Measures measured = measured(changed, device);
     Graphs graphs = new Graphs(changed);
     if (!changed.vocabulary().equals(home.vocabulary())) {
       storage.replace(graphs.vocabularyGraph(), graphs.vocabulary());
     }
     store(graphs, device);
-    return base.with(changed, measures.apply(changed), base.version() + 1);
+    return base.with(changed, measured, base.version() + 1);
+  }
+
+  /** What cannot be measured is refused before anything of it is kept. */
+  private Measures measured(Home changed, Device device) {
+    try {
+      return measures.apply(changed);
+    } catch (IllegalArgumentException e) {
+      throw new KnowledgeException(
+          "%s brings coordinates that cannot be read: %s"
+              .formatted(device.id(), Objects.requireNonNullElse(e.getMessage(), e.toString())),
+          e);
+    }
   }
 
   @SuppressWarnings("ReferenceEquality") // Another state of the home is another object.

@@ -93,7 +93,10 @@ final class Arrivals {
     if (member.phase() != MemberStatus.Phase.READY) {
       refused.remove(member.id());
     }
-    if (member.phase() == MemberStatus.Phase.READY
+    boolean isRefused =
+        Optional.ofNullable(refused.get(member.id())).filter(one -> one.isOf(member)).isPresent();
+    if (!isRefused
+        && member.phase() == MemberStatus.Phase.READY
         && member.description().isPresent()
         && deployer.deployment().agentOf(member.id()).isEmpty()
         && !deployer.deployment().isDismissed(member.id())
@@ -117,12 +120,17 @@ final class Arrivals {
     String id = member.id();
     try {
       String topic = topic(describedBy.apply(description, id));
-      refused.remove(id);
-      link.tell(DescriptionVerdict.accepted(id, member.boot()));
+      if (isCurrent(member, description)) {
+        refused.remove(id);
+        link.tell(DescriptionVerdict.accepted(id, member.boot()));
+      }
       place(id, topic);
     } catch (RuntimeException e) {
+      if (!isCurrent(member, description)) {
+        return;
+      }
       String why = DescriptionVerdict.inSentences(e);
-      refused.put(id, new Refusal(why, clock.instant()));
+      refused.put(id, new Refusal(why, clock.instant(), description, member.boot()));
       link.tell(DescriptionVerdict.refused(id, member.boot(), e));
       if (complaints.isDue(id)) {
         LOG.warn("The member {} gets no agent: {}", id, Complaints.shortened(why));
@@ -130,13 +138,34 @@ final class Arrivals {
     }
   }
 
+  /** Whether it is there, and has not described itself otherwise meanwhile. */
+  private boolean isCurrent(RatsLink.Member member, String description) {
+    return link.members().stream()
+        .filter(now -> now.id().equals(member.id()))
+        .filter(now -> now.phase() == MemberStatus.Phase.READY)
+        .anyMatch(
+            now ->
+                now.boot().equals(member.boot())
+                    && now.description().equals(Optional.of(description)));
+  }
+
   /** Members that are there and get no agent, since what they say of themselves is faulty. */
   SortedMap<String, Refusal> refused() {
     return Collections.unmodifiableSortedMap(new TreeMap<>(refused));
   }
 
-  /** Why a member gets no agent, and since when. */
-  record Refusal(String why, Instant since) {}
+  /**
+   * Why a member gets no agent, and since when.
+   *
+   * @param description the one that is refused
+   * @param boot the life that has told it
+   */
+  record Refusal(String why, Instant since, String description, String boot) {
+
+    boolean isOf(RatsLink.Member member) {
+      return boot.equals(member.boot()) && member.description().equals(Optional.of(description));
+    }
+  }
 
   private void place(String member, String topic) {
     AgentStart start = AgentStart.of(member, topic);

@@ -142,4 +142,59 @@ class ThingsOfDevicesTest {
 
     assertThat(knowledge.home().individuals()).containsKey("can-1");
   }
+
+  /** Nobody but the device knew it, and the device comes back without it. */
+  @Test
+  void whatAFormerLifeSaidOfOthersIsWithdrawnByTheFirstWordOfTheNext() {
+    knowledge.describe(vending);
+    tell("(Can can-1)", "(stocked can-1 vending-1)", "(sold can-7 Bob)");
+    knowledge.lost("vending-1");
+    assertThat(holds("(sold can-7 Bob)")).isEqualTo(Truth.TRUE);
+    knowledge.describe(vending);
+    tell("(stocked can-1 vending-1)");
+
+    assertThat(holds("(sold can-7 Bob)")).isEqualTo(Truth.FALSE);
+    assertThat(holds("(stocked can-1 vending-1)")).isEqualTo(Truth.TRUE);
+  }
+
+  @Test
+  void aThingThatAnotherTellsByNowIsNotTakenBack() {
+    knowledge.describe(vending);
+    Device other =
+        DescriptionReader.of(bob).read(VENDING.replace("vending-1", "vending-2"), "vending-2");
+    knowledge.describe(other);
+    tell("(Can can-1)");
+    tell();
+    knowledge.state(new Source(Source.Kind.STATED, "vending-2"), List.of("(Can can-1)"));
+    sell();
+    tell("(stocked can-1 vending-1)");
+
+    assertThat(holds("(sold can-1 Bob)")).isEqualTo(Truth.TRUE);
+    assertThat(holds("(stocked can-1 vending-1)")).isEqualTo(Truth.TRUE);
+  }
+
+  @Test
+  void aThingThatIsCalledLikeADeviceGivesWay() {
+    knowledge.describe(vending);
+    tell("(Can vending-2)");
+    knowledge.describe(
+        DescriptionReader.of(bob).read(VENDING.replace("vending-1", "vending-2"), "vending-2"));
+    tell("(Can vending-2)", "(stocked can-1 vending-1)");
+    tell();
+
+    assertThat(knowledge.home().individuals().get("vending-2").classes()).contains("Device");
+  }
+
+  @Test
+  void aPermissionDoesNotComeAsAThing() {
+    String withClass =
+        VENDING.replace(
+            "{\"id\": \"v:Can\"",
+            "{\"id\": \"v:Pass\", \"type\": \"owl:Class\", \"subClassOf\": [\"maestro:Thing\", \"maestro:Permission\"]},"
+                + " {\"id\": \"v:Can\"");
+    knowledge.describe(DescriptionReader.of(bob).read(withClass, "vending-1"));
+    tell("(Pass x-1)");
+
+    assertThat(knowledge.home().individuals()).doesNotContainKey("x-1");
+  }
 }

@@ -105,27 +105,31 @@ final class StepExecution {
     ActionDispatcher.Handle[] performance = new ActionDispatcher.Handle[1];
     Consumer<ActionDispatcher.Report> done =
         report -> reported(step, used, before, report, teaches.apply(report), performance[0]);
+    boolean[] isUnwanted = {order.ends()};
+    Consumer<ActionDispatcher.Report> answered =
+        report -> {
+          if (isUnwanted[0]) {
+            done.accept(report);
+          } else {
+            laterEffects.await(
+                step, report, order.timeout(), end -> activeGoals.run(() -> done.accept(end)));
+          }
+        };
     AwaitedReport awaited =
-        new AwaitedReport(
-            ports,
-            report ->
-                activeGoals.run(
-                    () ->
-                        laterEffects.await(
-                            step,
-                            report,
-                            order.timeout(),
-                            end -> activeGoals.run(() -> done.accept(end)))));
-    performance[0] = endingBoth(step, ports.dispatcher().perform(order, awaited::arrived));
+        new AwaitedReport(ports, report -> activeGoals.run(() -> answered.accept(report)));
+    performance[0] =
+        endingBoth(step, ports.dispatcher().perform(order, awaited::arrived), isUnwanted);
     underway.begun(step, before, performance[0]);
     awaited.until(order.timeout().plus(busTime().multipliedBy(2)), step.member(), performance[0]);
   }
 
   /** Calls off the step, also while its effect is still to come. */
-  private ActionDispatcher.Handle endingBoth(Step step, ActionDispatcher.Handle call) {
+  private ActionDispatcher.Handle endingBoth(
+      Step step, ActionDispatcher.Handle call, boolean[] isUnwanted) {
     return new ActionDispatcher.Handle() {
       @Override
       public void cancel() {
+        isUnwanted[0] = true;
         call.cancel();
         laterEffects.giveUp(step.key());
       }

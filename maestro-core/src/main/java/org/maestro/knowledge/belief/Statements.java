@@ -3,6 +3,7 @@ package org.maestro.knowledge.belief;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Predicate;
@@ -18,6 +19,7 @@ import org.maestro.sl.Fact;
 public final class Statements {
 
   private final Map<String, Set<StateVariable>> byDevice = new TreeMap<>();
+  private final Map<String, Set<StateVariable>> inFormerLives = new TreeMap<>();
   private final Map<String, Set<StateVariable>> expectedOf = new TreeMap<>();
 
   /**
@@ -86,13 +88,14 @@ public final class Statements {
         || !world.home().devices().containsKey(source.agent())) {
       return List.of();
     }
-    Set<StateVariable> before = byDevice.put(source.agent(), new LinkedHashSet<>(said));
-    return before == null
-        ? List.of()
-        : before.stream()
-            .filter(variable -> !said.contains(variable))
-            .filter(variable -> isOnItsWord(world, variable, source))
-            .toList();
+    Set<StateVariable> before = new LinkedHashSet<>();
+    Optional.ofNullable(inFormerLives.remove(source.agent())).ifPresent(before::addAll);
+    Optional.ofNullable(byDevice.put(source.agent(), new LinkedHashSet<>(said)))
+        .ifPresent(before::addAll);
+    return before.stream()
+        .filter(variable -> !said.contains(variable))
+        .filter(variable -> isOnItsWord(world, variable, source))
+        .toList();
   }
 
   /** Whether it is what a device says of itself, and goes on saying until it says otherwise. */
@@ -102,8 +105,12 @@ public final class Statements {
         && byDevice.getOrDefault(source.agent(), Set.of()).contains(variable);
   }
 
+  /** The device is gone; what it has said of others is withdrawn when it comes without it. */
   public void forget(String device) {
-    byDevice.remove(device);
+    Optional.ofNullable(byDevice.remove(device))
+        .ifPresent(
+            said ->
+                inFormerLives.computeIfAbsent(device, name -> new LinkedHashSet<>()).addAll(said));
     expectedOf.remove(device);
   }
 

@@ -25,7 +25,6 @@ import org.maestro.sl.Term;
  */
 public final class ToldThings {
 
-  private static final String THING = "Thing";
   private static final int MOST_REMEMBERED = 256;
 
   private final Map<String, Device> described = new TreeMap<>();
@@ -56,6 +55,8 @@ public final class ToldThings {
 
   /** Notes what the device tells to be there now, beside what it has told before. */
   public void add(Home home, Device device, List<Fact> facts) {
+    // A device has come that is called so.
+    byDevice.getOrDefault(device.id(), new TreeMap<>()).keySet().removeAll(home.devices().keySet());
     Map<String, Individual> told = told(home, device, facts);
     if (!told.isEmpty()) {
       described.putIfAbsent(device.id(), device);
@@ -84,6 +85,7 @@ public final class ToldThings {
     for (Term term : bindings) {
       if (term instanceof Term.Name name
           && goneOf(device).containsKey(name.text())
+          && !world.home().individuals().containsKey(name.text())
           && isKnownOf(world, name.text())) {
         byDevice
             .computeIfAbsent(device, id -> new TreeMap<>())
@@ -125,11 +127,12 @@ public final class ToldThings {
       return Optional.empty();
     }
     boolean isItsOwn =
-        byDevice.getOrDefault(device.id(), Map.of()).containsKey(name.text())
-            || !home.individuals().containsKey(name.text());
+        !home.devices().containsKey(name.text())
+            && (byDevice.getOrDefault(device.id(), Map.of()).containsKey(name.text())
+                || !home.individuals().containsKey(name.text()));
     String type = holds.atom().predicate();
     return Optional.ofNullable(home.vocabulary().classes().get(type))
-        .filter(declared -> isItsOwn && declared.ancestors().contains(THING))
+        .filter(declared -> isItsOwn && Extension.mayBring(declared.ancestors()))
         .filter(declared -> home.vocabulary().predicate(type).isEmpty())
         .map(declared -> individual(declared, device, name.text()));
   }

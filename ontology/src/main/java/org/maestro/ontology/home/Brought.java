@@ -104,10 +104,22 @@ final class Brought {
     return new Vocabulary(read.classes(), read.predicates(), Map.of());
   }
 
-  /** The things that it brings. */
+  /** The things that it brings; what has a say in the home's map or rights is refused. */
   Map<String, Individual> things(IndividualReader reader) {
     Map<String, Individual> read = new TreeMap<>();
-    things.forEach((name, node) -> read.put(name, reader.read(node)));
+    things.forEach(
+        (name, node) -> {
+          Individual thing = reader.read(node);
+          read.put(name, thing);
+          if (!Extension.mayBring(thing.classes())) {
+            graph.fault(
+                node,
+                "is of classes that a device does not bring ("
+                    + String.join(", ", thing.classes())
+                    + ")",
+                "give it a class under maestro:Thing, and none of places, devices or permissions");
+          }
+        });
     return read;
   }
 

@@ -32,7 +32,13 @@ public final class DescriptionCheck {
    */
   public DescriptionCheck(Home home, BiFunction<String, String, Device> reader) {
     this.home = home;
-    this.descriptions = new DeviceFile(reader);
+    this.descriptions =
+        new DeviceFile(
+            reader,
+            name ->
+                Optional.ofNullable(home.vocabulary().classes().get(name))
+                    .filter(declared -> Extension.mayBring(declared.ancestors()))
+                    .isPresent());
   }
 
   /**

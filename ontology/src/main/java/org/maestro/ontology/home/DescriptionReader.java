@@ -1,7 +1,9 @@
 package org.maestro.ontology.home;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.apache.jena.graph.Node;
 import org.maestro.ontology.validation.Fault;
 import org.maestro.ontology.validation.Maestro;
@@ -21,6 +23,9 @@ import org.maestro.ontology.vocabulary.VocabularyCheck;
 public final class DescriptionReader {
 
   private static final String BASE = "https://w3id.org/maestro/member/";
+
+  /** What no device can be by its own word. */
+  private static final Set<String> NO_DEVICE = Set.of("Permission", "GroupAgent", "Home");
 
   private final Vocabulary vocabulary;
   private final Background background;
@@ -97,6 +102,12 @@ public final class DescriptionReader {
           "add the type "
               + Maestro.NAMESPACE
               + "Device, or a class that the vocabulary has under it");
+    }
+    if (!Collections.disjoint(individual.classes(), NO_DEVICE)) {
+      graph.fault(
+          node,
+          "is said to be " + String.join(", ", individual.classes()),
+          "leave away " + String.join(", ", NO_DEVICE) + "; these are the home's to say");
     }
     VocabularyCheck words = new VocabularyCheck(graph, all, name -> true);
     Device device = new DeviceReader(graph, all, words).read(node, individual);

@@ -9,6 +9,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.BiFunction;
+import java.util.function.Predicate;
 import org.apache.jena.graph.Node;
 import org.apache.jena.vocabulary.RDF;
 import org.maestro.ontology.validation.Fault;
@@ -27,6 +28,7 @@ public final class DeviceFile {
   private static final Node OFFERS = Maestro.term("offers");
 
   private final BiFunction<String, String, Device> reader;
+  private final Predicate<String> isOfThings;
 
   /** A device's id, what the file says of it, and what that means. */
   public record Described(String id, String text, Device device) {}
@@ -35,7 +37,15 @@ public final class DeviceFile {
    * @param reader of single descriptions (first argument) of devices (second)
    */
   public DeviceFile(BiFunction<String, String, Device> reader) {
+    this(reader, name -> false);
+  }
+
+  /**
+   * @param isOfThings which classes, by local name, are of things that devices bring
+   */
+  DeviceFile(BiFunction<String, String, Device> reader, Predicate<String> isOfThings) {
     this.reader = reader;
+    this.isOfThings = isOfThings;
   }
 
   /**
@@ -108,7 +118,7 @@ public final class DeviceFile {
    * that the file declares, and for things of classes that only it has, where there is a device
    * beside them.
    */
-  private static Set<Node> devices(SourceGraph graph) {
+  private Set<Node> devices(SourceGraph graph) {
     Set<Node> offered = new LinkedHashSet<>();
     for (Node subject : graph.subjects()) {
       for (Node feature : graph.objects(subject, OFFERS)) {
@@ -124,7 +134,10 @@ public final class DeviceFile {
           && !types.isEmpty()
           && !offered.contains(subject)
           && !Brought.isWord(graph, subject)) {
-        boolean isOfOwnClasses = types.stream().allMatch(type -> Brought.isWord(graph, type));
+        boolean isOfOwnClasses =
+            types.stream()
+                .allMatch(
+                    type -> Brought.isWord(graph, type) || isOfThings.test(Literals.name(type)));
         boolean offers = !graph.objects(subject, OFFERS).isEmpty();
         (isOfOwnClasses && !offers ? things : devices).add(subject);
       }

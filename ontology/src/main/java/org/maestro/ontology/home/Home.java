@@ -60,9 +60,18 @@ public record Home(
     if (before != null) {
       before.extension().things().keySet().stream()
           .filter(name -> joined.values().stream().noneMatch(other -> other.brings(name)))
+          .filter(name -> !joined.containsKey(name))
           .forEach(things::remove);
     }
-    things.putAll(device.extension().things());
+    device
+        .extension()
+        .things()
+        .forEach(
+            (name, thing) -> {
+              if (!joined.containsKey(name)) {
+                things.put(name, thing);
+              }
+            });
     things.put(device.id(), device.individual());
     return new Home(
         iri, label, vocabulary.with(device.extension().words()), things, joined, groups, words);
@@ -87,6 +96,10 @@ public record Home(
                     + " (owl:equivalentProperty, owl:equivalentClass)"));
       }
     }
+    Optional<Contradiction> ofItsName = nameTaken(device);
+    if (ofItsName.isPresent()) {
+      return ofItsName;
+    }
     Device before = devices.get(device.id());
     for (Individual thing : own.things().values()) {
       Individual there = individuals.get(thing.name());
@@ -94,7 +107,8 @@ public record Home(
           before != null
               && before.brings(thing.name())
               && others.stream().noneMatch(other -> other.brings(thing.name()));
-      if (there != null && !isOnlyItsOwn && !there.equals(thing)) {
+      boolean isADevice = devices.containsKey(thing.name()) || thing.name().equals(device.id());
+      if (there != null && (isADevice || !isOnlyItsOwn && !there.equals(thing))) {
         return Optional.of(
             new Contradiction(
                 "brings %s, and there is another %s here already (%s)"
@@ -103,5 +117,19 @@ public record Home(
       }
     }
     return Optional.empty();
+  }
+
+  /** A place or a thing of the home is called so; what another device brought gives way. */
+  private Optional<Contradiction> nameTaken(Device device) {
+    boolean isTaken =
+        individuals.containsKey(device.id())
+            && !devices.containsKey(device.id())
+            && devices.values().stream().noneMatch(other -> other.brings(device.id()));
+    return isTaken
+        ? Optional.of(
+            new Contradiction(
+                "has the name of something else that is here already",
+                "give the device another id"))
+        : Optional.empty();
   }
 }

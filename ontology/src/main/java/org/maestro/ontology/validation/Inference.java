@@ -2,7 +2,9 @@ package org.maestro.ontology.validation;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.apache.jena.graph.Node;
 import org.apache.jena.graph.Triple;
@@ -39,11 +41,18 @@ public final class Inference {
   }
 
   private List<Derived> round() {
-    List<Derived> derived = new ArrayList<>();
-    graph.forEach((triple, origin) -> consequences(triple, origin, derived));
-    return derived.stream()
-        .filter(found -> !graph.contains(found.triple()))
-        .sorted(Comparator.comparingInt(found -> found.origin().line()))
+    Map<Triple, Derived> derived = new LinkedHashMap<>();
+    List<Derived> found = new ArrayList<>();
+    graph.forEach(
+        (triple, origin) -> {
+          consequences(triple, origin, found);
+          found.stream()
+              .filter(one -> !graph.contains(one.triple()))
+              .forEach(one -> derived.putIfAbsent(one.triple(), one));
+          found.clear();
+        });
+    return derived.values().stream()
+        .sorted(Comparator.comparingInt(one -> one.origin().line()))
         .toList();
   }
 

@@ -235,7 +235,8 @@ public final class SourceGraph {
   public List<Node> list(Node head) {
     List<Node> members = new ArrayList<>();
     Node rest = head;
-    while (!rest.equals(RDF.nil.asNode())) {
+    Set<Node> seen = new LinkedHashSet<>();
+    while (!rest.equals(RDF.nil.asNode()) && seen.add(rest)) {
       Optional<Node> first = object(rest, RDF.first.asNode());
       if (first.isEmpty()) {
         return List.of(head);

@@ -9,4 +9,9 @@ public record ClassDeclaration(String name, String iri, String label, Set<String
   public ClassDeclaration {
     ancestors = Collections.unmodifiableSet(new TreeSet<>(ancestors));
   }
+
+  /** The same without what people read. */
+  ClassDeclaration unlabelled() {
+    return new ClassDeclaration(name, iri, "", ancestors);
+  }
 }

@@ -1,6 +1,7 @@
 package org.maestro.ontology.vocabulary;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -10,6 +11,8 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
 import org.maestro.sl.TypedVariable;
 
 /**
@@ -64,5 +67,35 @@ public record PredicateDeclaration(
   /** The unit as people write it after a number, with a blank before it; "" when there is none. */
   public String unitAfterNumber() {
     return unit.map(name -> " " + UNIT_SYMBOLS.getOrDefault(name, name)).orElse("");
+  }
+
+  /** The same without what people read, and with its arguments called by their places. */
+  PredicateDeclaration unlabelled() {
+    Map<String, Term> places = new TreeMap<>();
+    List<TypedVariable> numbered = new ArrayList<>();
+    for (TypedVariable parameter : parameters) {
+      String place = String.valueOf(numbered.size() + 1);
+      places.put(parameter.name(), new Term.Variable(place));
+      numbered.add(new TypedVariable(place, parameter.className()));
+    }
+    Substitution called = new Substitution(places);
+    return new PredicateDeclaration(
+        name,
+        iri,
+        "",
+        numbered,
+        fluent,
+        observable,
+        functional,
+        symmetric,
+        validFor,
+        validForByClass,
+        derivedWhen.map(called::apply),
+        observedWhen.map(called::apply),
+        likelyWhen.map(called::apply),
+        computedBy,
+        unit,
+        least,
+        takenFrom);
   }
 }

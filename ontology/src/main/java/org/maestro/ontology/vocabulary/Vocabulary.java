@@ -1,6 +1,7 @@
 package org.maestro.ontology.vocabulary;
 
 import java.util.Collections;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -49,22 +50,29 @@ public record Vocabulary(
     return all;
   }
 
-  /** A word that the other vocabulary has too, and declares otherwise. */
+  /**
+   * A word that the other vocabulary has too, and declares otherwise: as another kind of word, or
+   * with another meaning. How arguments are called, and what people read, does not count.
+   */
   public Optional<String> unlike(Vocabulary other) {
-    return Stream.of(
-            unlike(classes, other.classes),
-            unlike(predicates, other.predicates),
-            unlike(features, other.features))
-        .flatMap(Optional::stream)
+    return other
+        .names()
+        .filter(name -> iri(name).isPresent())
+        .filter(name -> !comparable(name).equals(other.comparable(name)))
         .findFirst();
   }
 
-  private static <T> Optional<String> unlike(Map<String, T> one, Map<String, T> other) {
-    return one.entrySet().stream()
-        .filter(word -> other.containsKey(word.getKey()))
-        .filter(word -> !word.getValue().equals(other.get(word.getKey())))
-        .map(Map.Entry::getKey)
-        .findFirst();
+  private Stream<String> names() {
+    return Stream.of(classes, predicates, features).flatMap(words -> words.keySet().stream());
+  }
+
+  private List<Object> comparable(String name) {
+    return Stream.<Optional<Object>>of(
+            Optional.ofNullable(classes.get(name)).map(ClassDeclaration::unlabelled),
+            Optional.ofNullable(predicates.get(name)).map(PredicateDeclaration::unlabelled),
+            Optional.ofNullable(features.get(name)))
+        .flatMap(Optional::stream)
+        .toList();
   }
 
   /** Whether the name is a numeric fluent's; the parser wants to know. */

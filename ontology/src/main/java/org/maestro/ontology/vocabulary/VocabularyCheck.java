@@ -2,8 +2,12 @@ package org.maestro.ontology.vocabulary;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
@@ -12,6 +16,7 @@ import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceGraph;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Leaves;
 import org.maestro.sl.Self;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlSyntaxException;
@@ -55,7 +60,42 @@ public final class VocabularyCheck {
     return node.isURI() ? node.getURI() : "";
   }
 
+  /** How many words may follow from each other one behind the other; more would take too long. */
+  private static final int LONGEST_CHAIN = 20;
+
+  /** Over how many words it follows from facts; too many when it follows from itself. */
+  private int chain(String name, Set<String> above, Map<String, Integer> known) {
+    Optional<Formula> rule = vocabulary.predicate(name).flatMap(PredicateDeclaration::derivedWhen);
+    if (rule.isEmpty()) {
+      return 0;
+    }
+    if (!above.add(name) || above.size() > LONGEST_CHAIN) {
+      return LONGEST_CHAIN + 1;
+    }
+    Integer before = known.get(name);
+    if (before != null) {
+      above.remove(name);
+      return before;
+    }
+    Set<String> used = new LinkedHashSet<>();
+    Leaves.of(rule.get(), atom -> used.add(atom.predicate()), fluent -> used.add(fluent.name()));
+    int longest = 0;
+    for (String word : used) {
+      longest = Math.max(longest, chain(word, above, known));
+    }
+    above.remove(name);
+    known.put(name, longest + 1);
+    return longest + 1;
+  }
+
   private void check(Node node, PredicateDeclaration predicate) {
+    if (chain(predicate.name(), new LinkedHashSet<>(), new HashMap<>()) > LONGEST_CHAIN) {
+      fault(
+          node,
+          "derivedWhen",
+          "follows from itself, or over more than " + LONGEST_CHAIN + " other words",
+          "let it follow from facts");
+    }
     List<String> variables = predicate.parameters().stream().map(TypedVariable::name).toList();
     predicate.derivedWhen().ifPresent(f -> check(node, "derivedWhen", variables, c -> c.check(f)));
     predicate

@@ -36,6 +36,9 @@ public final class VocabularyReader {
           "Task",
           "Home");
 
+  /** A hundred years, beyond which clocks have no instants to reckon with. */
+  private static final Duration LONGEST_AGE = Duration.ofDays(36_500);
+
   private final SourceGraph graph;
   private final Vocabulary known;
   private final Literals literals;
@@ -220,8 +223,13 @@ public final class VocabularyReader {
     Node property = Maestro.term("validFor");
     Optional<Node> value = graph.object(node, property);
     try {
-      return value.map(Literals::name).map(Duration::parse);
-    } catch (DateTimeParseException e) {
+      Optional<Duration> age = value.map(Literals::name).map(Duration::parse);
+      if (age.filter(given -> given.isNegative() || given.compareTo(LONGEST_AGE) > 0).isPresent()) {
+        graph.fault(node, property, value, "is no age that a fact can have", "write up to P36500D");
+        return Optional.empty();
+      }
+      return age;
+    } catch (DateTimeParseException | ArithmeticException e) {
       graph.fault(
           node, property, value, "is not a duration", "write days to seconds, such as PT10M");
       return Optional.empty();

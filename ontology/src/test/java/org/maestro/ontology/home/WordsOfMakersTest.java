@@ -177,4 +177,92 @@ class WordsOfMakersTest {
                     .map(Object::toString)
                     .anyMatch(sentence -> sentence.contains(told)));
   }
+
+  @Test
+  void howArgumentsAreCalledAndWhatPeopleReadIsNoContradiction() {
+    Home bridged = new HomeLoader().load(ShippedHomes.text("bob.ttl") + BRIDGE, "bob.ttl");
+    String labelled =
+        KETTLE
+            .replace("\"id\": \"k:served\",", "\"id\": \"k:served\", \"label\": \"served to\",")
+            .replace("\"?d - Drink\", \"?g - Guest\"", "\"?drink - Drink\", \"?guest - Guest\"");
+
+    assertThat(
+            bridged
+                .with(read(bridged, labelled, "kettle-1"))
+                .contradiction(read(bridged, OTHER, "table-1")))
+        .isEmpty();
+  }
+
+  @Test
+  void aClassAndAPredicateOfOneNameContradict() {
+    Home joined = bob.with(read(bob, KETTLE, "kettle-1"));
+    Device table =
+        read(bob, OTHER.replace("t:cleared", "t:Drink").replace("(cleared", "(Drink"), "table-1");
+
+    assertThat(joined.contradiction(table)).isPresent();
+  }
+
+  @Test
+  void whatHasASayInTheHomeIsNotBrought() {
+    for (String type :
+        new String[] {"maestro:Permission", "maestro:Wall", "maestro:Zone", "maestro:GroupAgent"}) {
+      faulty(
+          "\"type\": \"k:Drink\", \"label\"",
+          "\"type\": [\"k:Drink\", \"" + type + "\"], \"label\"",
+          "tea is of classes that a device does not bring");
+    }
+    faulty(
+        "\"type\": \"k:Kettle\",",
+        "\"type\": [\"k:Kettle\", \"maestro:Permission\"], \"maestro:caller\": \"*\",",
+        "these are the home's to say");
+    faulty(
+        "\"k:Drink\", \"type\": \"owl:Class\", \"subClassOf\": \"maestro:Thing\"",
+        "\"k:Drink\", \"type\": \"owl:Class\", \"subClassOf\": [\"maestro:Thing\", \"maestro:Permission\"]",
+        "tea is of classes that a device does not bring");
+  }
+
+  @Test
+  void aWordThatFollowsFromItselfIsRefused() {
+    faulty(
+        "\"arguments\": [\"?d - Drink\", \"?g - Guest\"]",
+        "\"arguments\": [\"?d - Drink\", \"?g - Guest\"], \"derivedWhen\": \"(not (served ?d ?g))\"",
+        "follows from itself");
+  }
+
+  @Test
+  void anAgeThatNoClockHasIsRefused() {
+    faulty(
+        "\"arguments\": [\"?d - Drink\", \"?g - Guest\"]",
+        "\"arguments\": [\"?d - Drink\", \"?g - Guest\"], \"validFor\": \"P1000000D\"",
+        "is no age that a fact can have");
+  }
+
+  @Test
+  void aListWithoutEndIsReadToItsFirstRepetition() {
+    String circle =
+        """
+        @prefix k: <https://example.org/kitchen#> .
+        @prefix m: <https://w3id.org/maestro#> .
+        @prefix rdf: <http://www.w3.org/1999/02/22-rdf-syntax-ns#> .
+        k:bell-1 a m:Device .
+        k:odd a m:Predicate ; m:arguments _:l .
+        _:l rdf:first "?x" ; rdf:rest _:l .
+        """;
+
+    assertThat(read(bob, circle, "bell-1").extension().words().predicates()).containsKey("odd");
+  }
+
+  @Test
+  void aDeviceIsNotCalledLikeAPlaceAndGivesItsNameToNoThing() {
+    Device zone = read(bob, KETTLE.replace("kettle-1", "zone-b"), "zone-b");
+    assertThat(bob.contradiction(zone)).isPresent();
+    Device rose =
+        read(bob, KETTLE.replace("\"id\": \"k:tea\"", "\"id\": \"k:kettle-9\""), "kettle-1");
+    Home joined = bob.with(rose);
+    Device kettle = read(bob, withoutTea(KETTLE).replace("kettle-1", "kettle-9"), "kettle-9");
+    assertThat(joined.contradiction(kettle)).isEmpty();
+    Home both = joined.with(kettle).with(read(bob, withoutTea(KETTLE), "kettle-1"));
+
+    assertThat(both.individuals().get("kettle-9").classes()).contains("Device");
+  }
 }

@@ -1,5 +1,6 @@
 package org.maestro.rats.link;
 
+import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
 import org.maestro.rats.protocol.Topics;
@@ -22,7 +23,7 @@ final class Verdicts {
   private final Topics topics;
   private final Transport transport;
   private final WireFormat wire = new WireFormat();
-  private final Map<String, Verdict> latest = new TreeMap<>();
+  private final Map<String, byte[]> latest = new TreeMap<>();
 
   Verdicts(String controller, Topics topics, Transport transport) {
     this.controller = controller;
@@ -33,14 +34,17 @@ final class Verdicts {
   /** Tells the member, unless it has been told just that, or all was right before, too. */
   synchronized void tell(Verdict verdict) {
     boolean isNews = latest.containsKey(verdict.member()) || !verdict.accepted();
-    if (isNews && !verdict.equals(latest.put(verdict.member(), verdict))) {
-      publish(verdict);
+    if (isNews) {
+      byte[] message = wire.encode(verdict);
+      if (!Arrays.equals(message, latest.put(verdict.member(), message))) {
+        publish(verdict.member(), message);
+      }
     }
   }
 
   /** The broker may have come back empty. */
   synchronized void tellAgain() {
-    latest.values().forEach(this::publish);
+    latest.forEach(this::publish);
   }
 
   /** The controller leaves for good. */
@@ -49,8 +53,8 @@ final class Verdicts {
     latest.clear();
   }
 
-  private void publish(Verdict verdict) {
-    send(Publication.retained(topic(verdict.member()), wire.encode(verdict)));
+  private void publish(String member, byte[] message) {
+    send(Publication.retained(topic(member), message));
   }
 
   private String topic(String member) {

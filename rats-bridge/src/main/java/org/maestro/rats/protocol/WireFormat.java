@@ -315,12 +315,23 @@ public final class WireFormat {
         fields.objects("recent").stream().map(WireFormat::ended).toList());
   }
 
+  /** With as many faults as a message holds. */
   public byte[] encode(Verdict verdict) {
-    Map<String, Object> fields = message(verdict.member());
-    fields.put("boot", verdict.boot());
-    fields.put("accepted", verdict.accepted());
-    fields.put("faults", verdict.faults().stream().map(WireFormat::fault).toList());
-    return bytes(fields);
+    List<Verdict.Fault> faults = verdict.faults();
+    while (true) {
+      Map<String, Object> fields = message(verdict.member());
+      fields.put("boot", verdict.boot());
+      fields.put("accepted", verdict.accepted());
+      fields.put("faults", faults.stream().map(WireFormat::fault).toList());
+      try {
+        return bytes(fields);
+      } catch (IllegalArgumentException tooMuch) {
+        if (faults.isEmpty()) {
+          throw tooMuch;
+        }
+        faults = faults.subList(0, faults.size() / 2);
+      }
+    }
   }
 
   public Verdict decodeVerdict(byte[] payload) {
@@ -342,9 +353,14 @@ public final class WireFormat {
     return fields;
   }
 
-  /** What a description says wrongly may be quoted, however long it is. */
+  /** What a description says wrongly may be quoted, however long and odd it is. */
   private static String shortened(String text) {
-    return text.length() <= MOST_QUOTED ? text : text.substring(0, MOST_QUOTED) + "...";
+    StringBuilder whole = new StringBuilder();
+    text.codePoints()
+        .limit(MOST_QUOTED)
+        .map(c -> Character.getType(c) == Character.SURROGATE ? '?' : c)
+        .forEach(whole::appendCodePoint);
+    return text.codePointCount(0, text.length()) <= MOST_QUOTED ? whole.toString() : whole + "...";
   }
 
   private static Verdict.Fault fault(Fields fields) {

@@ -98,4 +98,17 @@ class VerdictsTest {
     assertThat(heard).hasSize(1);
     assertThat(heard.get(0).orElseThrow().faults()).hasSize(Verdict.MOST_FAULTS);
   }
+
+  @Test
+  void whatIsOddInAFaultIsToldAllTheSame() {
+    String astral = "x" + "\ud835\udc00".repeat(600) + "\ud835";
+    Verdict.Fault odd = new Verdict.Fault(0, astral, astral, astral, "\u0001".repeat(9000));
+    link.tell(new Verdict("bell", "b1", false, Collections.nCopies(50, odd)));
+    pass();
+    bus.stop();
+    bus.restart();
+    pass();
+    assertThat(heard).hasSize(2);
+    assertThat(heard.get(0).orElseThrow().faults()).isNotEmpty();
+  }
 }

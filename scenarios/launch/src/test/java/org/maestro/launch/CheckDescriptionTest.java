@@ -48,6 +48,12 @@ class CheckDescriptionTest {
         .isEqualToIgnoringNewLines(
             "0 bell-1 could join, and would offer ring.bell.json: no fault.");
     assertThat(check(BELL, "--home", "bob")).startsWith("0 ");
+    String withItem =
+        BELL.replace(
+                "\"brings\": {",
+                "\"brings\": [{\"id\": \"b:clapper\", \"type\": \"domain:Item\"}, {")
+            .replace("\"?p - Person\"]}}", "\"?p - Person\"]}]}");
+    assertThat(check(withItem, "--home", "bob")).startsWith("0 bell-1 could join");
     assertThat(check(BELL.replace("bell-1", "rose"), "--home", "bob")).startsWith("0 ");
   }
 
