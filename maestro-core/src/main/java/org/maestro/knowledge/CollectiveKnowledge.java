@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.Lock;
@@ -14,7 +13,6 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
 import org.apache.jena.graph.NodeFactory;
 import org.apache.jena.sparql.core.Quad;
 import org.maestro.knowledge.api.Belief;
@@ -42,7 +40,6 @@ import org.maestro.knowledge.belief.Outcome;
 import org.maestro.knowledge.belief.PositionKeeping;
 import org.maestro.knowledge.belief.Remembered;
 import org.maestro.knowledge.belief.Statements;
-import org.maestro.knowledge.belief.ToldThings;
 import org.maestro.knowledge.belief.View;
 import org.maestro.knowledge.belief.Voice;
 import org.maestro.knowledge.belief.World;
@@ -77,7 +74,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private static final Source HOME = new Source(Source.Kind.DESCRIBED, "home");
 
   private final Clock clock;
-  private final Function<Home, Measures> measures;
+  private final DescribedDevices devices;
   private final GraphStorage storage;
   private final KnowledgeSettings settings;
   private final Instant opened;
@@ -87,7 +84,6 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private final Optional<HistoryFile> file;
   private final WritingAside aside;
   private final Statements statements = new Statements();
-  private final ToldThings things = new ToldThings();
   private final LastWords lastWords = new LastWords();
   private final Sights sights = new Sights();
   private final Ageing ageing;
@@ -118,7 +114,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
             ? WritingAside.atOnce(HISTORY)
             : WritingAside.begin(HISTORY);
     this.clock = clock;
-    this.measures = measures;
+    this.devices = new DescribedDevices(measures, storage);
     this.storage = storage;
     this.settings = settings;
     this.opened = clock.instant();
@@ -132,7 +128,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
             .filter(individual -> !home.devices().containsKey(individual.name()))
             .flatMap(individual -> graphs.individual(individual).stream())
             .toList());
-    home.devices().values().forEach(device -> store(graphs, device));
+    home.devices().values().forEach(device -> devices.store(graphs, device));
   }
 
   /**
@@ -200,43 +196,9 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     guarded(
         () -> {
           World before = world;
-          world = described(before, things.with(device));
-          things.described(device);
+          world = devices.described(before, device);
           return tellOf(device.id(), before);
         });
-  }
-
-  /** The world in which the device is described so; readers see it when it is {@link #world}. */
-  private World described(World base, Device device) {
-    Home home = base.home();
-    if (device.equals(home.devices().get(device.id()))) {
-      return base;
-    }
-    home.contradiction(device)
-        .ifPresent(
-            contradiction -> {
-              throw new KnowledgeException(contradiction.sentence(device.id()));
-            });
-    Home changed = home.with(device);
-    Measures measured = measured(changed, device);
-    Graphs graphs = new Graphs(changed);
-    if (!changed.vocabulary().equals(home.vocabulary())) {
-      storage.replace(graphs.vocabularyGraph(), graphs.vocabulary());
-    }
-    store(graphs, device);
-    return base.with(changed, measured, base.version() + 1);
-  }
-
-  /** What cannot be measured is refused before anything of it is kept. */
-  private Measures measured(Home changed, Device device) {
-    try {
-      return measures.apply(changed);
-    } catch (IllegalArgumentException e) {
-      throw new KnowledgeException(
-          "%s brings coordinates that cannot be read: %s"
-              .formatted(device.id(), Objects.requireNonNullElse(e.getMessage(), e.toString())),
-          e);
-    }
   }
 
   @SuppressWarnings("ReferenceEquality") // Another state of the home is another object.
@@ -262,18 +224,8 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     guarded(
         () -> {
           World before = world;
-          Optional<Device> speaker = speaker(source);
-          speaker.ifPresent(device -> things.add(before.home(), device, facts));
-          World base =
-              speaker.map(device -> described(before, things.present(device))).orElse(before);
-          List<Fact> said =
-              facts.stream()
-                  .filter(
-                      fact ->
-                          speaker
-                              .filter(device -> things.isOfAThing(before.home(), device, fact))
-                              .isEmpty())
-                  .toList();
+          World base = devices.telling(before, source, facts);
+          List<Fact> said = devices.others(before, source, facts);
           word.ifPresent(now -> lastWords.heard(source.agent(), now));
           Predicate<StateVariable> isNews =
               variable ->
@@ -284,31 +236,10 @@ public final class CollectiveKnowledge implements KnowledgeBase {
                   base,
                   Confidence.voice(base.home(), source),
                   (draft, positions) -> statements.take(source, said, draft, positions, isNews));
-          speaker.ifPresent(device -> forgetThingsThatAreGone(device, facts));
+          world = devices.withoutWhatIsGone(world, source, facts);
           tellOf(source.agent(), before);
           return change;
         });
-  }
-
-  /** What the device told of a thing after its step may have come to be known before. */
-  private void recallThings(FeatureRun run) {
-    Optional<Device> device = Optional.ofNullable(world.home().devices().get(run.member()));
-    if (device.isPresent() && things.recall(world, run.member(), run.bindings().values())) {
-      World before = world;
-      world = described(before, things.present(device.get()));
-      tellOf(run.member(), before);
-    }
-  }
-
-  /** The device that speaks of itself. */
-  private Optional<Device> speaker(Source source) {
-    return Optional.ofNullable(world.home().devices().get(source.agent()))
-        .filter(device -> source.kind() == Source.Kind.STATED);
-  }
-
-  private void forgetThingsThatAreGone(Device device, List<Fact> facts) {
-    things.keepOnly(world, device, facts);
-    world = described(world, things.present(device));
   }
 
   @Override
@@ -330,7 +261,9 @@ public final class CollectiveKnowledge implements KnowledgeBase {
                     }
                     return facts;
                   });
-          recallThings(run);
+          World before = world;
+          world = devices.recalling(before, run);
+          tellOf(run.member(), before);
           return change.with(lesson.reported());
         });
   }
@@ -486,14 +419,6 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private List<History.Note> note(Outcome.News news, Belief belief, Instant now) {
     return history.add(
         new History.Note(news.variable(), belief, news.current(), news.held().serial()), now);
-  }
-
-  private void store(Graphs graphs, Device device) {
-    storage.replace(
-        graphs.memberGraph(device.id()),
-        Stream.concat(Stream.of(device.individual()), device.extension().things().values().stream())
-            .flatMap(individual -> graphs.individual(individual).stream())
-            .toList());
   }
 
   private Change tell(Change change) {

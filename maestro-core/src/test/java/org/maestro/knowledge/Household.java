@@ -23,6 +23,7 @@ import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Price;
+import org.maestro.ontology.vocabulary.Timing;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.sl.Effect;
@@ -158,6 +159,7 @@ public final class Household {
         List.of(),
         new Price.Stated(SlParser.expression("1")),
         SlParser.expression("1"),
+        Timing.USUAL,
         Optional.empty(),
         "feature",
         Map.of());

@@ -34,6 +34,7 @@ import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Price;
+import org.maestro.ontology.vocabulary.Timing;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.rats.link.BusLink;
 import org.maestro.rats.link.RatsLink;
@@ -502,6 +503,7 @@ abstract class CountedOnceContract {
           List.of(),
           new Price.Stated(SlParser.expression("1")),
           SlParser.expression("1"),
+          Timing.USUAL,
           Optional.empty(),
           "fill",
           Map.of());

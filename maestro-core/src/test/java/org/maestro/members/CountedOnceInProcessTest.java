@@ -11,7 +11,7 @@ import org.maestro.rats.transport.Transport;
 
 class CountedOnceInProcessTest extends CountedOnceContract {
   private final SteppedClock clock = new SteppedClock();
-  private final InProcessBus bus = new InProcessBus(clock);
+  final InProcessBus bus = new InProcessBus(clock);
 
   @Override
   int usualSeeds() {

@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Price;
+import org.maestro.ontology.vocabulary.Timing;
 import org.maestro.planning.api.OpenPrice;
 import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.PlanningResult.Found;
@@ -42,6 +43,7 @@ class PriceQuestionsTest {
           List.of(),
           new Price.Asked(SlParser.expression("0.5")),
           SlParser.expression("1"),
+          Timing.USUAL,
           Optional.empty(),
           "move",
           Map.of());

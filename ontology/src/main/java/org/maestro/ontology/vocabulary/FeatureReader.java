@@ -73,6 +73,7 @@ public final class FeatureReader {
             List.of(),
             new Price.Stated(new Expression.OfTerm(new Term.Number(0))),
             new Expression.OfTerm(new Term.Number(0)),
+            Timing.USUAL,
             Optional.empty(),
             Literals.name(node),
             Map.of());

@@ -68,54 +68,6 @@ public record FeatureType(
     refersTo = Collections.unmodifiableMap(new TreeMap<>(refersTo));
   }
 
-  /** A feature with the usual timing. */
-  public FeatureType(
-      String name,
-      String iri,
-      boolean task,
-      String sentence,
-      List<Parameter> inputs,
-      List<Parameter> binds,
-      List<Parameter> outputs,
-      Formula precondition,
-      Effect effect,
-      Optional<Effect> learns,
-      boolean continuous,
-      Optional<String> endedBy,
-      OptionalDouble frequencyHertz,
-      Set<String> occupies,
-      List<Claim> claims,
-      List<Doubt> doubts,
-      Price cost,
-      Expression seconds,
-      Optional<String> exit,
-      String procedure,
-      Map<String, String> refersTo) {
-    this(
-        name,
-        iri,
-        task,
-        sentence,
-        inputs,
-        binds,
-        outputs,
-        precondition,
-        effect,
-        learns,
-        continuous,
-        endedBy,
-        frequencyHertz,
-        occupies,
-        claims,
-        doubts,
-        cost,
-        seconds,
-        Timing.USUAL,
-        exit,
-        procedure,
-        refersTo);
-  }
-
   /** Whether a condition, effect, price or duration of it speaks of that predicate or number. */
   public boolean speaksOf(String predicate) {
     Expression price =
