@@ -8,6 +8,7 @@ import java.net.URI;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.function.IntFunction;
 import org.apache.activemq.artemis.api.core.SimpleString;
 import org.apache.activemq.artemis.api.core.TransportConfiguration;
 import org.apache.activemq.artemis.core.config.Configuration;
@@ -33,6 +34,7 @@ public final class EmbeddedBroker implements AutoCloseable {
   private static final long EXPIRED_LOOKED_FOR_EVERY_MILLIS = 2_000;
 
   private static final String HOST = "127.0.0.1";
+  private static final int MOST_ATTEMPTS = 10;
 
   private final EmbeddedActiveMQ server;
   private final URI uri;
@@ -57,10 +59,13 @@ public final class EmbeddedBroker implements AutoCloseable {
    * @throws BrokerStartException when the port is taken, or the broker does not start
    */
   public static EmbeddedBroker start(int port) {
-    int chosen = usable(port);
-    EmbeddedActiveMQ server = new EmbeddedActiveMQ();
-    start(server, configuration(chosen), chosen);
-    return new EmbeddedBroker(server, uri("tcp", chosen), () -> {});
+    return started(
+        port,
+        chosen -> {
+          EmbeddedActiveMQ server = new EmbeddedActiveMQ();
+          start(server, configuration(chosen), chosen);
+          return new EmbeddedBroker(server, uri("tcp", chosen), () -> {});
+        });
   }
 
   /**
@@ -72,13 +77,35 @@ public final class EmbeddedBroker implements AutoCloseable {
    * @throws BrokerStartException when the port is taken, or the broker does not start
    */
   public static EmbeddedBroker startSecured(Path files, int port) {
-    int chosen = usable(port);
-    SecuredConfiguration secured = SecuredConfiguration.read(files);
-    EmbeddedActiveMQ server = new EmbeddedActiveMQ();
-    server.setSecurityManager(secured.securityManager());
-    start(server, secured.configuration(HOST, chosen), chosen);
-    return new EmbeddedBroker(
-        server, uri("ssl", chosen), SiteWatch.begin(server.getActiveMQServer(), files));
+    return started(
+        port,
+        chosen -> {
+          SecuredConfiguration secured = SecuredConfiguration.read(files);
+          EmbeddedActiveMQ server = new EmbeddedActiveMQ();
+          server.setSecurityManager(secured.securityManager());
+          start(server, secured.configuration(HOST, chosen), chosen);
+          return new EmbeddedBroker(
+              server, uri("ssl", chosen), SiteWatch.begin(server.getActiveMQServer(), files));
+        });
+  }
+
+  /** A port that was free may be taken by somebody else just before the broker has it. */
+  private static EmbeddedBroker started(int port, IntFunction<EmbeddedBroker> starting) {
+    for (int attempt = 1; ; attempt++) {
+      int chosen = usable(port);
+      try {
+        return starting.apply(chosen);
+      } catch (PortTakenException taken) {
+        if (port != 0 || attempt == MOST_ATTEMPTS) {
+          throw new BrokerStartException(chosen, taken);
+        }
+      }
+    }
+  }
+
+  /** Somebody else was quicker. */
+  private static final class PortTakenException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
   }
 
   private static URI uri(String scheme, int port) {
@@ -97,6 +124,19 @@ public final class EmbeddedBroker implements AutoCloseable {
       stop(server);
       throw new BrokerStartException(chosen);
     }
+    if (!listens(server, configuration)) {
+      stop(server);
+      throw new PortTakenException();
+    }
+  }
+
+  /** Artemis only logs that it has not got its port, and goes on. */
+  private static boolean listens(EmbeddedActiveMQ server, Configuration configuration) {
+    return configuration.getAcceptorConfigurations().stream()
+        .map(
+            acceptor ->
+                server.getActiveMQServer().getRemotingService().getAcceptor(acceptor.getName()))
+        .allMatch(acceptor -> acceptor != null && acceptor.getActualPort() > 0);
   }
 
   /** What clients connect to. */
