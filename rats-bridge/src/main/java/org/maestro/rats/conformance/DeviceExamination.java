@@ -130,11 +130,7 @@ public final class DeviceExamination {
     Set<String> notRetained = new LinkedHashSet<>();
     for (String topic :
         List.of(topics.status(member), topics.description(member), topics.state(member))) {
-      Optional<Examiner.Heard> seen =
-          examiner.await(
-              0,
-              heard -> heard.topic().equals(topic) && !heard.isEmpty(),
-              patience.appearsWithin());
+      Optional<Examiner.Heard> seen = examiner.retained(topic);
       String part = topic.substring(topic.lastIndexOf('/') + 1);
       seen.ifPresent(heard -> told.add(topic));
       if (seen.isEmpty()) {

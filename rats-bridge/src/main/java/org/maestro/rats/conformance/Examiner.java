@@ -132,6 +132,22 @@ final class Examiner implements AutoCloseable {
     }
   }
 
+  /**
+   * What stands on the topic. What is told while the examiner is there comes without the retain
+   * flag, whatever its sender wished: only the broker's answer to a question shows that it is kept.
+   *
+   * @return retained if it is; otherwise what was told there, if anything was
+   */
+  Optional<Heard> retained(String topic) {
+    Predicate<Heard> told = heard -> heard.topic().equals(topic) && !heard.isEmpty();
+    Optional<Heard> first = await(0, told, patience.appearsWithin());
+    if (first.filter(Heard::retained).isPresent()) {
+      return first;
+    }
+    transport.askForRetained(topic);
+    return await(0, told.and(Heard::retained), patience.answersWithin()).or(() -> first);
+  }
+
   List<Heard> since(int number) {
     synchronized (heard) {
       return List.copyOf(heard.subList(Math.min(number, heard.size()), heard.size()));

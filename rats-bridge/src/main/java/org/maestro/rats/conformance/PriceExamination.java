@@ -16,6 +16,9 @@ final class PriceExamination {
 
   private static final Duration PRICE_WITHIN = Duration.ofMillis(50);
 
+  /** A machine that does other things at the moment makes some answers late. */
+  private static final int MOST_TRIES = 10;
+
   private final Dialogue dialogue;
   private final Optional<String> offered;
   private final Optional<DeviceExamination.FeatureCall> harmless;
@@ -87,22 +90,25 @@ final class PriceExamination {
       return notTried(
           DeviceRule.PRICE_IN_TIME, "the description offers nothing that could be read");
     }
-    long pinged = millis(() -> dialogue.result(dialogue.ping()));
-    long asked = millis(this::prices);
-    long more = asked - pinged;
+    long pinged = Long.MAX_VALUE;
+    long asked = Long.MAX_VALUE;
+    for (int times = 0; times < MOST_TRIES && !isInTime(pinged, asked); times++) {
+      pinged = Math.min(pinged, millis(() -> dialogue.result(dialogue.ping())));
+      asked = Math.min(asked, millis(this::prices));
+    }
     String seen = "$cost took %d ms, $ping %d ms".formatted(asked, pinged);
-    return more <= PRICE_WITHIN.toMillis()
+    return isInTime(pinged, asked)
         ? kept(DeviceRule.PRICE_IN_TIME, seen)
         : broken(DeviceRule.PRICE_IN_TIME, seen);
   }
 
+  private static boolean isInTime(long pingedMillis, long askedMillis) {
+    return askedMillis != Long.MAX_VALUE && askedMillis - pingedMillis <= PRICE_WITHIN.toMillis();
+  }
+
   private static long millis(Runnable work) {
-    long best = Long.MAX_VALUE;
-    for (int times = 0; times < 3; times++) {
-      long began = System.nanoTime();
-      work.run();
-      best = Math.min(best, Duration.ofNanos(System.nanoTime() - began).toMillis());
-    }
-    return best;
+    long began = System.nanoTime();
+    work.run();
+    return Duration.ofNanos(System.nanoTime() - began).toMillis();
   }
 }

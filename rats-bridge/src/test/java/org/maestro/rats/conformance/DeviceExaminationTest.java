@@ -3,6 +3,7 @@ package org.maestro.rats.conformance;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.lang.reflect.Proxy;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -10,6 +11,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -21,12 +23,13 @@ import org.maestro.rats.member.RatsMember;
 import org.maestro.rats.member.TestDevice;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.rats.transport.PahoTransport;
+import org.maestro.rats.transport.Transport;
 
 /** Devices that break one rule are found to break that one, and no other. */
 class DeviceExaminationTest {
   private static final String SITE = "examined";
   private static final Patience PATIENCE =
-      new Patience(Duration.ofSeconds(3), Duration.ofSeconds(2), Duration.ofMillis(250));
+      new Patience(Duration.ofSeconds(3), Duration.ofSeconds(3), Duration.ofMillis(250));
 
   private static EmbeddedBroker broker;
 
@@ -42,9 +45,12 @@ class DeviceExaminationTest {
 
   private static List<Finding> examine(
       URI broker, String member, Optional<DeviceExamination.FeatureCall> call) {
-    return new DeviceExamination(
-            new PahoTransport(broker, "examiner"), SITE, member, call, true, PATIENCE)
-        .run();
+    return examine(new PahoTransport(broker, "examiner"), member, call);
+  }
+
+  private static List<Finding> examine(
+      Transport transport, String member, Optional<DeviceExamination.FeatureCall> call) {
+    return new DeviceExamination(transport, SITE, member, call, true, PATIENCE).run();
   }
 
   @ParameterizedTest
@@ -111,6 +117,70 @@ class DeviceExaminationTest {
           .isEmpty();
     } finally {
       clock.close();
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"NONE", "RETAINS_NOTHING"})
+  void whoComesLaterIsJudgedByWhatTheBrokerKeeps(FlawedDevice.Flaw flaw) {
+    List<DeviceRule> expected =
+        flaw == FlawedDevice.Flaw.NONE ? List.of() : List.of(DeviceRule.RETAINED);
+    try (Late late = new Late(new PahoTransport(broker.uri(), "examiner"), flaw)) {
+      List<Finding> findings = examine(late.examiner(), "bell-1", Optional.empty());
+
+      assertThat(findings)
+          .filteredOn(finding -> finding.verdict() == Finding.Verdict.BROKEN)
+          .as(findings.toString())
+          .extracting(Finding::rule)
+          .containsExactlyElementsOf(expected);
+    }
+  }
+
+  /** A device that is there as soon as its examiner is. */
+  private static final class Late implements AutoCloseable {
+    private final Transport examiner;
+    private final FlawedDevice.Flaw flaw;
+    private @Nullable FlawedDevice device;
+
+    Late(Transport transport, FlawedDevice.Flaw flaw) {
+      this.flaw = flaw;
+      this.examiner =
+          (Transport)
+              Proxy.newProxyInstance(
+                  Late.class.getClassLoader(),
+                  new Class<?>[] {Transport.class},
+                  (proxy, method, arguments) -> {
+                    if (method.getName().equals("open")) {
+                      transport.open(
+                          Optional.empty(), whenThere((Transport.ConnectionListener) arguments[1]));
+                      return null;
+                    }
+                    return method.invoke(transport, arguments);
+                  });
+    }
+
+    private Transport.ConnectionListener whenThere(Transport.ConnectionListener listener) {
+      return new Transport.ConnectionListener() {
+        @Override
+        public void connected() {
+          device = new FlawedDevice(flaw, broker.uri(), SITE);
+          listener.connected();
+        }
+
+        @Override
+        public void lost(String reason) {}
+      };
+    }
+
+    Transport examiner() {
+      return examiner;
+    }
+
+    @Override
+    public void close() {
+      if (device != null) {
+        device.close();
+      }
     }
   }
 
