@@ -30,6 +30,7 @@ import org.maestro.coordination.api.WaitsFor;
 import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.coordination.facts.FactFilter;
+import org.maestro.coordination.lessons.VainDeeds;
 import org.maestro.coordination.maintenance.MaintenanceGoal;
 import org.maestro.coordination.maintenance.Reaching;
 import org.maestro.coordination.maintenance.Wish;
@@ -170,9 +171,10 @@ public final class Coordinator {
           ended(new Recovery.EndedGoal(request, outcome));
           ports.journal().afterwards(() -> told.accept(outcome));
         };
+    VainDeeds deeds = new VainDeeds();
     Reaching reaching =
         (wish, with, then) ->
-            new AchievementGoal(id, wish, with, roster, activeGoals, exactPrices, then);
+            new AchievementGoal(id, wish, with, roster, activeGoals, exactPrices, deeds, then);
     ActiveGoal pursuit =
         request.goal() instanceof Formula.Keep
             ? new MaintenanceGoal(

@@ -19,6 +19,7 @@ import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.coordination.contention.StepsUnderway;
 import org.maestro.coordination.facts.FactFilter;
+import org.maestro.coordination.lessons.VainDeeds;
 import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.coordination.recovery.FormerLessons;
 import org.maestro.coordination.story.Decisions;
@@ -44,6 +45,9 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
   private final PlanFollowing following;
   private final GoalEnding ending;
 
+  /**
+   * @param deeds what was done for the goal before, when it is tried again
+   */
   public AchievementGoal(
       String id,
       GoalRequest request,
@@ -51,10 +55,11 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
       Roster roster,
       ActiveGoals activeGoals,
       ExactPrices exactPrices,
+      VainDeeds deeds,
       Consumer<GoalOutcome> ended) {
     GoalStory story = new GoalStory(id, ports.story(), ports.clock(), ports.knowledge());
     this.life = new GoalLife(id, request, ports, story, ended);
-    this.parts = PursuitParts.of(life, story, ports, roster, activeGoals, exactPrices);
+    this.parts = PursuitParts.of(life, story, ports, roster, activeGoals, exactPrices, deeds);
     this.planning = new GoalPlanning(parts, this);
     this.following = new PlanFollowing(parts, this);
     this.ending = new GoalEnding(parts, following::release, this);

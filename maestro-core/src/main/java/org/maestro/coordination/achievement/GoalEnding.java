@@ -66,6 +66,9 @@ final class GoalEnding {
       GoalState how, boolean confirmed, Map<String, Term> binding, List<String> reasons) {
     awaited.forget();
     life.become(GoalPhase.ENDING);
+    if (how == GoalState.ACHIEVED) {
+      monitor.reached();
+    }
     release.run();
     life.end(how, confirmed, binding, reasons);
     parts.activeGoals().leave(life.id());
@@ -179,6 +182,7 @@ final class GoalEnding {
   private List<String> reasons(PlanningRound.Ended round) {
     List<String> reasons = new ArrayList<>(monitor.reasonsOfLeavingAlone());
     reasons.addAll(story.reasons(round.result()));
+    reasons.addAll(monitor.reasonsOfVainDeeds());
     reasons.addAll(awaited.perhapsWithTheLost(round.result()));
     round.notCountedOn().ifPresent(reasons::add);
     if (monitor.restsOnRefusals(round.result())) {

@@ -3,6 +3,7 @@ package org.maestro.coordination.achievement;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -64,9 +65,11 @@ final class GoalMonitor {
   private final PlanCheck check;
   private final FailureMemory failures;
   private final SearchLog searches;
-  private final VainDeeds deeds = new VainDeeds();
+  private final VainDeeds deeds;
   private final Map<StepKey, String> leftAlone = new LinkedHashMap<>();
   private final Map<StepKey, String> tooLate = new LinkedHashMap<>();
+  private final Set<Step> inVain = new LinkedHashSet<>();
+  private boolean hasTriedVainDeedsAgain;
 
   /** What became of it when a step failed, nobody knew. */
   private final FactFilter leftOpen;
@@ -78,11 +81,13 @@ final class GoalMonitor {
   private PlanPurpose nextPurpose = PlanPurpose.REACH;
   private int timesFoundOut;
 
-  GoalMonitor(String goalId, GoalRequest request, Ports ports, ActiveGoals activeGoals) {
+  GoalMonitor(
+      String goalId, GoalRequest request, Ports ports, ActiveGoals activeGoals, VainDeeds deeds) {
     this.goalId = goalId;
     this.goal = Assured.of(request.goal(), ports.knowledge().home().vocabulary());
     this.ports = ports;
     this.activeGoals = activeGoals;
+    this.deeds = deeds;
     this.failures = new FailureMemory(goalId, ports.journal());
     this.searches = new SearchLog(goalId, ports.journal());
     this.leftOpen = new FactFilter(vocabulary());
@@ -255,6 +260,10 @@ final class GoalMonitor {
   boolean giveLastChances() {
     boolean any = failures.giveLastChances(this::factsUnder) || !tooLate.isEmpty();
     tooLate.clear();
+    if (!hasTriedVainDeedsAgain && deeds.giveLastChances()) {
+      hasTriedVainDeedsAgain = true;
+      any = true;
+    }
     return any;
   }
 
@@ -269,6 +278,31 @@ final class GoalMonitor {
   /** Its member takes so much longer than it said that others are preferred as long as any can. */
   void tooLate(Step step, String why) {
     tooLate.put(step.key(), why);
+  }
+
+  /**
+   * Why the step is not to be begun, as it came to nothing so often; plans do without it as long as
+   * nothing changes.
+   */
+  Optional<String> isInVain(Step step) {
+    Optional<String> why = deeds.leftAlone(step, ports.knowledge().snapshot());
+    why.ifPresent(reason -> inVain.add(step));
+    return why;
+  }
+
+  /** What was said to be done again and again, and came to nothing; one sentence each. */
+  List<String> reasonsOfVainDeeds() {
+    Snapshot now = ports.knowledge().snapshot();
+    return inVain.stream()
+        .flatMap(step -> deeds.leftAlone(step, now).stream())
+        .distinct()
+        .map(why -> why + ".")
+        .toList();
+  }
+
+  /** The goal is reached: what was done was not in vain. */
+  void reached() {
+    deeds.reached();
   }
 
   /** The step would end what another goal keeps for good; as long as it does, nobody does it. */
@@ -298,6 +332,10 @@ final class GoalMonitor {
         .removeIf(keeper -> activeGoals.find(keeper).filter(ActiveGoal::isHolding).isEmpty());
     Map<StepKey, String> barred = new LinkedHashMap<>(failures.barred(this::factsUnder));
     barred.putAll(tooLate);
+    Snapshot now = ports.knowledge().snapshot();
+    inVain.removeIf(step -> deeds.leftAlone(step, now).isEmpty());
+    inVain.forEach(
+        step -> deeds.leftAlone(step, now).ifPresent(why -> barred.put(step.key(), why)));
     leftAlone.forEach((step, keeper) -> barred.put(step, "it would end what " + keeper + " keeps"));
     if (!isConfirming()) {
       // How often it is looked whether it is done, is counted by itself.
@@ -360,15 +398,19 @@ final class GoalMonitor {
    * to be, counts as a failure from the second time on.
    *
    * @param factsBefore under its precondition
+   * @param begun what was known when it was begun
    */
-  void done(Step step, String factsBefore, Map<String, Term> outputs) {
-    if (!Sensing.isIn(step.feature().effect()) && deeds.isVain(step.key(), factsBefore)) {
-      failures.note(
-          step.key(),
-          factsBefore,
-          "it was said to be done, and is needed again",
-          List.of(),
-          Optional.empty());
+  void done(Step step, String factsBefore, Snapshot begun, Map<String, Term> outputs) {
+    if (!Sensing.isIn(step.feature().effect())) {
+      deeds.said(step, begun);
+      if (deeds.isVain(step.key(), factsBefore)) {
+        failures.note(
+            step.key(),
+            factsBefore,
+            "it was said to be done, and is needed again",
+            List.of(),
+            Optional.empty());
+      }
     }
     searches.done(
         step,

@@ -191,6 +191,11 @@ final class PlanFollowing {
         leaveAlone(step, spoiled.get());
         return;
       }
+      Optional<String> why = monitor.isInVain(step);
+      if (why.isPresent()) {
+        course.makePlan(why);
+        return;
+      }
       if (obstacles.isEmpty()) {
         begin(step);
       } else {
@@ -249,7 +254,7 @@ final class PlanFollowing {
     List<Insistence> insisted = List.of();
     if (ended.report().succeeded()) {
       plan.done(ended.step());
-      monitor.done(ended.step(), ended.factsBefore(), ended.report().outputs());
+      monitor.done(ended.step(), ended.factsBefore(), ended.begun(), ended.report().outputs());
       story.done(ended.step(), ended.change());
     } else if (!ended.calledOff()) {
       String problem = ended.report().problem().orElse("no reason given");

@@ -7,6 +7,7 @@ import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.coordination.contention.PlanUnderway;
 import org.maestro.coordination.contention.ResourceClaims;
 import org.maestro.coordination.contention.StepsUnderway;
+import org.maestro.coordination.lessons.VainDeeds;
 import org.maestro.coordination.story.GoalLife;
 import org.maestro.coordination.story.GoalStory;
 
@@ -33,7 +34,8 @@ record PursuitParts(
       Ports ports,
       Roster roster,
       ActiveGoals activeGoals,
-      ExactPrices exactPrices) {
+      ExactPrices exactPrices,
+      VainDeeds deeds) {
     PlanUnderway plan = new PlanUnderway();
     StepsUnderway underway = new StepsUnderway();
     ResourceClaims resourceClaims =
@@ -45,7 +47,7 @@ record PursuitParts(
         exactPrices,
         life,
         story,
-        new GoalMonitor(life.id(), life.request(), ports, activeGoals),
+        new GoalMonitor(life.id(), life.request(), ports, activeGoals, deeds),
         plan,
         underway,
         resourceClaims,

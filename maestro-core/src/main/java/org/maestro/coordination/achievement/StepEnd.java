@@ -2,6 +2,7 @@ package org.maestro.coordination.achievement;
 
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Snapshot;
 import org.maestro.planning.api.Step;
 
 /**
@@ -9,6 +10,7 @@ import org.maestro.planning.api.Step;
  *
  * @param calledOff by the coordinator itself, so that its failure says nothing
  * @param factsBefore on which it rested, before its report taught anything
+ * @param begun what was known when it was begun
  * @param change what its report taught
  */
 record StepEnd(
@@ -16,4 +18,5 @@ record StepEnd(
     ActionDispatcher.Report report,
     boolean calledOff,
     String factsBefore,
+    Snapshot begun,
     KnowledgeBase.Change change) {}

@@ -208,7 +208,7 @@ final class StepExecution {
         keepOrEnd(step, performance);
       }
     }
-    ended.accept(new StepEnd(step, judged, calledOff, factsBefore, change));
+    ended.accept(new StepEnd(step, judged, calledOff, factsBefore, before, change));
   }
 
   /** A result that teaches nothing is none; what was sound in it is known all the same. */

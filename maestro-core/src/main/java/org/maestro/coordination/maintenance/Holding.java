@@ -52,6 +52,11 @@ final class Holding {
     return !lastReasons.isEmpty();
   }
 
+  /** Why it is tried again; empty when it was not in vain before. */
+  String whyAgain() {
+    return isDespaired() ? "tried again; it could not be kept so: " + lastReasons : "";
+  }
+
   /** How long it is to be waited before it is tried again. */
   Duration pause() {
     return patience.left(clock.now());

@@ -164,7 +164,7 @@ public final class MaintenanceGoal implements ActiveGoal {
     return work.bringingAbout()
         .filter(pursuit -> !own.state().isFinal())
         .map(ActiveGoal::status)
-        .map(now -> own.as(now.state(), now.detail()))
+        .map(now -> own.as(now.state(), now.detail().isEmpty() ? holding.whyAgain() : now.detail()))
         .orElse(own);
   }
 

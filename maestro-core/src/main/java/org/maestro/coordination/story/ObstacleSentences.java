@@ -1,5 +1,6 @@
 package org.maestro.coordination.story;
 
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -204,13 +205,12 @@ public final class ObstacleSentences {
   private String cures(Obstacle obstacle) {
     StringBuilder text = new StringBuilder();
     if (obstacle.kind() != Kind.GOAL) {
-      text.append(" It would do if ").append(cure(obstacle));
+      // Steps that differ in an amount only read the same.
+      Set<String> ways = new LinkedHashSet<>(List.of(cure(obstacle)));
       for (Cure cure : obstacle.cures()) {
-        text.append(", or if ")
-            .append(
-                cure.conditions().stream().map(this::cure).collect(Collectors.joining(" and ")));
+        ways.add(cure.conditions().stream().map(this::cure).collect(Collectors.joining(" and ")));
       }
-      text.append('.');
+      text.append(" It would do if ").append(String.join(", or if ", ways)).append('.');
     }
     return text.toString();
   }

@@ -20,6 +20,7 @@ import org.maestro.planning.problem.ConditionCompiler;
 import org.maestro.planning.problem.EffectCompiler;
 import org.maestro.planning.problem.Signature;
 import org.maestro.planning.problem.StaticFacts;
+import org.maestro.sl.EffectTarget;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;

@@ -19,6 +19,7 @@ import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.planning.api.PricedFeature;
 import org.maestro.planning.problem.Signature;
 import org.maestro.planning.problem.VariableValue;
+import org.maestro.sl.EffectTarget;
 import org.maestro.sl.FreeVariables;
 import org.maestro.sl.Self;
 import org.maestro.sl.Term;

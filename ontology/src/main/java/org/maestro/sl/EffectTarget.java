@@ -1,17 +1,13 @@
-package org.maestro.planning.grounding;
+package org.maestro.sl;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.maestro.sl.Effect;
-import org.maestro.sl.Expression;
-import org.maestro.sl.Formula;
-import org.maestro.sl.Term;
 
 /** A predicate or number that a part of an effect names, with its arguments, the value included. */
-record EffectTarget(String name, List<Term> arguments) {
+public record EffectTarget(String name, List<Term> arguments) {
 
   /** In the order in which they stand in the effect. */
-  static List<EffectTarget> of(Effect effect) {
+  public static List<EffectTarget> of(Effect effect) {
     List<EffectTarget> targets = new ArrayList<>();
     collect(effect, targets);
     return targets;
