@@ -78,6 +78,8 @@ class Device:
                 binds: Mapping[str, str] | None = None, occupies: Iterable[str] = (),
                 sentence: str | None = None, time_limit: float | None = None,
                 done_when: str | None = None, effect_after: float | None = None,
+                grace: float | None = None, meanwhile: str | None = None,
+                chance: float | None = None, tries: int | None = None,
                 type: str | None = None  # noqa: A002
                 ) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
         """Makes a function a feature. It is called with the call and the inputs by name: names of
@@ -88,7 +90,9 @@ class Device:
         of which then only what differs has to be said. ``cost`` is a number or an expression in
         MAESTRO-SL; where the function has a ``price`` it is asked for. ``done_when`` is a condition
         of which the device tells when the effect is there, where that is later than the answer;
-        ``time_limit`` is in seconds.
+        ``time_limit`` is in seconds, and so is ``grace``, for a safe end and the answer beyond it.
+        ``meanwhile`` has to hold until the answer; ``chance`` is how often it works, ``tries`` how
+        often in all it may be tried.
         """
         wanted = dict(inputs or {})
 
@@ -98,7 +102,9 @@ class Device:
             text.update({key: value for key, value in {
                 "sentence": sentence, "precondition": precondition, "effect": effect,
                 "learns": learns, "timeLimit": time_limit, "doneWhen": done_when,
-                "effectAfter": effect_after, "seconds": None if seconds is None else str(seconds),
+                "effectAfter": effect_after, "grace": grace, "meanwhile": meanwhile,
+                "chance": chance, "tries": tries,
+                "seconds": None if seconds is None else str(seconds),
                 "input": parameters(wanted), "output": parameters(outputs or {}),
                 "binds": parameters(binds or {})}.items() if value})
             if not type or cost != "1":

@@ -72,7 +72,15 @@ public final class MemberOrders {
 
     private RatsLink.Order to(String member) {
       return new RatsLink.Order(
-          call, member, boot, feature.name(), json(arguments), timeout, goal, expects);
+          call,
+          member,
+          boot,
+          feature.name(),
+          json(arguments),
+          timeout,
+          feature.timing().grace(),
+          goal,
+          expects);
     }
   }
 

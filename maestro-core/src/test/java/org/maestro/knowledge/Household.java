@@ -23,6 +23,7 @@ import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Price;
+import org.maestro.ontology.vocabulary.Reliability;
 import org.maestro.ontology.vocabulary.Timing;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.rats.time.SteppedClock;
@@ -160,6 +161,7 @@ public final class Household {
         new Price.Stated(SlParser.expression("1")),
         SlParser.expression("1"),
         Timing.USUAL,
+        Reliability.USUAL,
         Optional.empty(),
         "feature",
         Map.of());

@@ -34,6 +34,7 @@ import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Price;
+import org.maestro.ontology.vocabulary.Reliability;
 import org.maestro.ontology.vocabulary.Timing;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.rats.link.BusLink;
@@ -504,6 +505,7 @@ abstract class CountedOnceContract {
           new Price.Stated(SlParser.expression("1")),
           SlParser.expression("1"),
           Timing.USUAL,
+          Reliability.USUAL,
           Optional.empty(),
           "fill",
           Map.of());

@@ -15,6 +15,7 @@ import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Price;
+import org.maestro.ontology.vocabulary.Reliability;
 import org.maestro.ontology.vocabulary.Timing;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.api.PlanningTask;
@@ -153,6 +154,7 @@ public final class SmallWorld implements Facts {
             new Price.Stated(SlParser.expression("1")),
             SlParser.expression(seconds.getOrDefault(name, "1")),
             Timing.USUAL,
+            Reliability.USUAL,
             Optional.empty(),
             name,
             Map.of()));

@@ -141,7 +141,8 @@ public final class OrderUnderway implements ActionDispatcher.Handle {
   }
 
   private Duration timeLimit() {
-    return order.timeout().plus(agent.patience(agent.patience().report()));
+    Duration grace = order.step().feature().timing().grace().orElse(Duration.ZERO);
+    return order.timeout().plus(grace).plus(agent.patience(agent.patience().report()));
   }
 
   private void overdue() {

@@ -34,6 +34,7 @@ import org.maestro.coordination.lessons.VainDeeds;
 import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.Reliability;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.PlanningResult;
@@ -88,7 +89,7 @@ final class GoalMonitor {
     this.ports = ports;
     this.activeGoals = activeGoals;
     this.deeds = deeds;
-    this.failures = new FailureMemory(goalId, ports.journal());
+    this.failures = new FailureMemory(goalId, ports.journal(), this::tries);
     this.searches = new SearchLog(goalId, ports.journal());
     this.leftOpen = new FactFilter(vocabulary());
     this.check = new PlanCheck(ports.planner());
@@ -300,6 +301,11 @@ final class GoalMonitor {
         .toList();
   }
 
+  /** What is known has changed. */
+  void knowledgeChanged() {
+    deeds.look(ports.knowledge().snapshot());
+  }
+
   /** The goal is reached: what was done was not in vain. */
   void reached() {
     deeds.reached();
@@ -449,6 +455,10 @@ final class GoalMonitor {
         .flatMap(device -> device.features().stream())
         .filter(feature -> feature.name().equals(key.feature()))
         .findFirst();
+  }
+
+  private int tries(StepKey key) {
+    return describedFeature(key).map(FeatureType::reliability).orElse(Reliability.USUAL).tries();
   }
 
   private PlanningTask task() {

@@ -98,6 +98,7 @@ final class PlanFollowing {
 
   void knowledgeChanged(KnowledgeBase.Change change, FactFilter changed) {
     execution.knowledgeChanged();
+    monitor.knowledgeChanged();
     if (!isActive()
         || change.version() == ownChange
         || !concern.perhaps(changed)

@@ -47,6 +47,7 @@ final class StepExecution {
   private final StepsUnderway underway;
   private final GoalMonitor monitor;
   private final Consumer<StepEnd> ended;
+  private final StandingConditions standing;
   private final LaterEffects laterEffects;
   private final List<ActionDispatcher.Handle> established = new ArrayList<>();
 
@@ -62,6 +63,7 @@ final class StepExecution {
     this.monitor = parts.monitor();
     this.ended = ended;
     this.laterEffects = new LaterEffects(ports, story);
+    this.standing = new StandingConditions(ports);
   }
 
   /**
@@ -104,7 +106,10 @@ final class StepExecution {
     Step step = order.step();
     ActionDispatcher.Handle[] performance = new ActionDispatcher.Handle[1];
     Consumer<ActionDispatcher.Report> done =
-        report -> reported(step, used, before, report, teaches.apply(report), performance[0]);
+        report -> {
+          ActionDispatcher.Report told = standing.over(step, report);
+          reported(step, used, before, told, teaches.apply(told), performance[0]);
+        };
     boolean[] isUnwanted = {order.ends()};
     Consumer<ActionDispatcher.Report> answered =
         report -> {
@@ -120,7 +125,13 @@ final class StepExecution {
     performance[0] =
         endingBoth(step, ports.dispatcher().perform(order, awaited::arrived), isUnwanted);
     underway.begun(step, before, performance[0]);
-    awaited.until(order.timeout().plus(busTime().multipliedBy(2)), step.member(), performance[0]);
+    standing.begun(step, performance[0]);
+    Duration longest =
+        order
+            .timeout()
+            .plus(step.feature().timing().grace().orElse(Duration.ZERO))
+            .plus(busTime().multipliedBy(2));
+    awaited.until(longest, step.member(), performance[0]);
   }
 
   /** Calls off the step, also while its effect is still to come. */
@@ -141,8 +152,9 @@ final class StepExecution {
     };
   }
 
-  /** An effect that was to come may be there. */
+  /** An effect that was to come may be there, or what has to hold meanwhile may not any more. */
   void knowledgeChanged() {
+    standing.look();
     laterEffects.look();
   }
 

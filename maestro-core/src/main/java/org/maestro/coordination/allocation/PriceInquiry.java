@@ -14,6 +14,7 @@ import org.maestro.coordination.api.CallArguments;
 import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Sentences;
+import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.planning.api.OpenPrice;
 import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Evaluation;
@@ -133,7 +134,7 @@ final class PriceInquiry {
       StepKey step = price.step();
       ContractNet.Quote quote =
           i < quotes.size()
-              ? quotes.get(i)
+              ? expected(quotes.get(i), price.feature())
               : new ContractNet.Quote.Unanswered("named too few prices");
       if (quote instanceof ContractNet.Quote.Priced priced
           && priced.cost() < price.cost() - SAME_PRICE
@@ -161,6 +162,14 @@ final class PriceInquiry {
         exactPrices.put(step, quote, begun, ports.clock().now());
       }
     }
+  }
+
+  /** A member prices one call; a plan counts those that it takes in the mean. */
+  private static ContractNet.Quote expected(ContractNet.Quote quote, FeatureType feature) {
+    return quote instanceof ContractNet.Quote.Priced priced
+        ? new ContractNet.Quote.Priced(
+            priced.cost() * feature.reliability().expectedCalls(), priced.seconds())
+        : quote;
   }
 
   /**

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.function.ToIntFunction;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
@@ -15,25 +16,25 @@ import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Formula;
 
 /**
- * Remembers failed steps with the facts under their preconditions. A step that failed twice with
- * the same facts, or was refused once, is barred until one of them changes: so that a goal never
- * tries the same in vain for ever. Before the goal is given up each has one chance more, unless its
- * member says that it would be refused again.
+ * Remembers failed steps with the facts under their preconditions. A step that failed so often as
+ * its feature may be tried, but for one last time, or was refused once, is barred until one of them
+ * changes: so that a goal never tries the same in vain for ever. Before the goal is given up each
+ * has its last chance, unless its member says that it would be refused again.
  */
 public final class FailureMemory {
-  private static final int CHANCES = 2;
-  private static final int WITH_THE_LAST = CHANCES + 1;
-
   private final String goalId;
   private final Journal journal;
+  private final ToIntFunction<StepKey> tries;
   private final Map<StepKey, JournalEntry.Failed> failures = new LinkedHashMap<>();
 
   /**
    * @param journal where it is written down, to be remembered beyond a restart
+   * @param tries how often in all a step may be tried, the last chance included; 1 or more
    */
-  public FailureMemory(String goalId, Journal journal) {
+  public FailureMemory(String goalId, Journal journal, ToIntFunction<StepKey> tries) {
     this.goalId = goalId;
     this.journal = journal;
+    this.tries = tries;
   }
 
   /** What was remembered before a restart. */
@@ -56,14 +57,19 @@ public final class FailureMemory {
         Optional.ofNullable(failures.get(step))
             .filter(failed -> FactsUnder.areSame(failed.facts(), facts));
     int count = before.map(failed -> failed.count() + 1).orElse(1);
-    int chances = before.map(JournalEntry.Failed::chances).orElse(CHANCES);
-    if (refusal.isPresent() && chances < WITH_THE_LAST) {
-      chances = refusal.get() == ActionDispatcher.Refusal.FOR_NOW ? 1 : WITH_THE_LAST;
+    int chances = before.map(JournalEntry.Failed::chances).orElse(beforeTheLast(step));
+    int withTheLast = tries.applyAsInt(step);
+    if (refusal.isPresent() && chances < withTheLast) {
+      chances = refusal.get() == ActionDispatcher.Refusal.FOR_NOW ? 1 : withTheLast;
       count = Math.max(count, chances);
     }
     remember(
         new JournalEntry.Failed(
             goalId, step, facts, count, chances, refusal.isPresent(), problem, taught));
+  }
+
+  private int beforeTheLast(StepKey step) {
+    return Math.max(1, tries.applyAsInt(step) - 1);
   }
 
   /** What the step's failure has taught of. */
@@ -119,10 +125,12 @@ public final class FailureMemory {
   public boolean giveLastChances(Function<StepKey, String> factsUnder) {
     List<JournalEntry.Failed> given =
         failures.values().stream()
-            .filter(failed -> failed.chances() <= CHANCES)
+            .filter(failed -> failed.chances() < tries.applyAsInt(failed.step()))
             .filter(failed -> isBarred(failed.step(), failed, factsUnder))
             .toList();
-    given.forEach(failed -> remember(failed.with(CHANCES, WITH_THE_LAST)));
+    given.forEach(
+        failed ->
+            remember(failed.with(beforeTheLast(failed.step()), tries.applyAsInt(failed.step()))));
     return !given.isEmpty();
   }
 }

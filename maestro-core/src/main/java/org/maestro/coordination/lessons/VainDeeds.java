@@ -1,18 +1,28 @@
 package org.maestro.coordination.lessons;
 
+import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.maestro.coordination.facts.FactsUnder;
+import org.maestro.knowledge.api.Belief;
 import org.maestro.knowledge.api.Snapshot;
+import org.maestro.knowledge.api.Source;
 import org.maestro.planning.api.Step;
 import org.maestro.planning.api.StepKey;
 import org.maestro.sl.EffectTarget;
+import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
+import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 
@@ -23,9 +33,6 @@ import org.maestro.sl.Term;
  * is not to be asked for every amount there is. The coordinator's thread only.
  */
 public final class VainDeeds {
-  /** After so many repetitions in a row a deed is left alone. */
-  private static final int MOST_REPETITIONS = 2;
-
   private final Map<StepKey, String> done = new HashMap<>();
   private final Map<Deed, Repeated> deeds = new HashMap<>();
 
@@ -44,28 +51,71 @@ public final class VainDeeds {
   }
 
   /**
-   * @param before what was known of its targets each time before it was done
+   * What is told of the targets, and not only expected.
+   *
+   * @param latest when it was told last
+   */
+  private record Told(String facts, Instant latest) {
+    Told or(Told later) {
+      return later.latest().isAfter(latest) ? later : this;
+    }
+  }
+
+  /**
+   * @param from what was told each time before it was done
+   * @param told what was told last
+   * @param judged when what was told was compared last
    * @param times how often it was done
    * @param inVain how often in a row from where it had been begun already
+   * @param tries how often it may be tried from there, the last chance included
    */
-  private record Repeated(List<String> before, int times, int inVain) {
-    static final Repeated NEVER = new Repeated(List.of(), 0, 0);
+  private record Repeated(
+      List<String> from, Told told, Instant judged, int times, int inVain, int tries) {
 
-    boolean wasBegunFrom(String facts) {
-      return before.stream().anyMatch(former -> FactsUnder.areSame(former, facts));
+    static Repeated once(Told told, int tries) {
+      return new Repeated(List.of(told.facts()), told, told.latest(), 1, 0, tries);
     }
 
-    Repeated with(String facts) {
-      boolean again = wasBegunFrom(facts);
-      List<String> all = new ArrayList<>(before);
-      if (!again) {
-        all.add(facts);
+    Repeated told(Told now) {
+      return new Repeated(from, told.or(now), judged, times, inVain, tries);
+    }
+
+    /** As long as nobody has told anything since, nothing shows what has come of it. */
+    boolean isJudged() {
+      return !told.latest().isAfter(judged);
+    }
+
+    boolean isWhereItBegan() {
+      return from.contains(told.facts());
+    }
+
+    Repeated again() {
+      if (isJudged()) {
+        return new Repeated(from, told, judged, times + 1, inVain, tries);
       }
-      return new Repeated(List.copyOf(all), times + 1, again ? inVain + 1 : 0);
+      List<String> all = new ArrayList<>(from);
+      if (!isWhereItBegan()) {
+        all.add(told.facts());
+      }
+      return new Repeated(
+          List.copyOf(all),
+          told,
+          told.latest(),
+          times + 1,
+          isWhereItBegan() ? inVain + 1 : 0,
+          tries);
+    }
+
+    boolean hasALastChance() {
+      return isTooOften() && tries > 1;
+    }
+
+    Repeated withALastChance() {
+      return new Repeated(from, told, told.latest(), times, tries - 2, tries);
     }
 
     boolean isTooOften() {
-      return inVain >= MOST_REPETITIONS;
+      return isWhereItBegan() && inVain + (isJudged() ? 0 : 1) >= Math.max(1, tries - 1);
     }
   }
 
@@ -78,7 +128,7 @@ public final class VainDeeds {
   /**
    * The step is said to be done.
    *
-   * @param before when it was begun
+   * @param before what was known when it was begun
    */
   public void said(Step step, Snapshot before) {
     Deed deed = deed(step);
@@ -86,10 +136,16 @@ public final class VainDeeds {
       return;
     }
     deeds.keySet().removeIf(other -> !other.equals(deed) && other.concerns(deed));
+    Told told = told(deed, before);
     deeds.merge(
         deed,
-        Repeated.NEVER.with(facts(deed, before)),
-        (former, first) -> former.with(facts(deed, before)));
+        Repeated.once(told, step.feature().reliability().tries()),
+        (former, first) -> former.told(told).again());
+  }
+
+  /** What is known has changed. */
+  public void look(Snapshot now) {
+    deeds.replaceAll((deed, repeated) -> repeated.told(told(deed, now)));
   }
 
   /**
@@ -100,8 +156,8 @@ public final class VainDeeds {
   public Optional<String> leftAlone(Step step, Snapshot now) {
     Deed deed = deed(step);
     return Optional.ofNullable(deeds.get(deed))
+        .map(repeated -> repeated.told(told(deed, now)))
         .filter(Repeated::isTooOften)
-        .filter(repeated -> repeated.wasBegunFrom(facts(deed, now)))
         .map(
             repeated ->
                 "%s said %d times that it had done %s, and nothing had changed when it was needed again"
@@ -110,12 +166,9 @@ public final class VainDeeds {
 
   /** Lets each deed that is left alone be done once more; returns whether there is any. */
   public boolean giveLastChances() {
-    boolean any = deeds.values().stream().anyMatch(Repeated::isTooOften);
+    boolean any = deeds.values().stream().anyMatch(Repeated::hasALastChance);
     deeds.replaceAll(
-        (deed, repeated) ->
-            repeated.isTooOften()
-                ? new Repeated(repeated.before(), repeated.times(), MOST_REPETITIONS - 1)
-                : repeated);
+        (deed, repeated) -> repeated.hasALastChance() ? repeated.withALastChance() : repeated);
     return any;
   }
 
@@ -138,7 +191,28 @@ public final class VainDeeds {
     return new Deed(step.member(), step.feature().name(), targets);
   }
 
-  private static String facts(Deed deed, Snapshot snapshot) {
-    return FactsUnder.with("", deed.targets(), snapshot);
+  private static Told told(Deed deed, Snapshot snapshot) {
+    SortedMap<String, Belief> latest = new TreeMap<>();
+    for (Formula.Atom target : deed.targets()) {
+      claims(target, snapshot)
+          .filter(claim -> claim.source().kind() != Source.Kind.EXPECTED)
+          .max(Comparator.comparing(Belief::since))
+          .ifPresent(claim -> latest.put(SlPrinter.print(target), claim));
+    }
+    return new Told(
+        latest.entrySet().stream()
+            .map(entry -> entry.getKey() + " " + entry.getValue().fact())
+            .collect(Collectors.joining(" ")),
+        latest.values().stream()
+            .map(Belief::since)
+            .max(Comparator.naturalOrder())
+            .orElse(Instant.MIN));
+  }
+
+  /** Of a number, or else of whether it is so. */
+  private static Stream<Belief> claims(Formula.Atom target, Snapshot snapshot) {
+    List<Belief> ofNumber =
+        snapshot.claims(new Expression.Fluent(target.predicate(), target.arguments()));
+    return (ofNumber.isEmpty() ? snapshot.claims(target) : ofNumber).stream();
   }
 }

@@ -113,11 +113,21 @@ final class FeatureTemplate {
     return names;
   }
 
-  /** The price's expression, a lower bound where only the member knows. */
+  /**
+   * The price's expression, a lower bound where only the member knows: of all calls that it takes
+   * in the mean.
+   */
   static Expression statedPrice(PricedFeature feature) {
-    return feature.price() instanceof Price.Stated stated
-        ? stated.cost()
-        : ((Price.Asked) feature.price()).atLeast();
+    Expression once =
+        feature.price() instanceof Price.Stated stated
+            ? stated.cost()
+            : ((Price.Asked) feature.price()).atLeast();
+    double calls = feature.type().reliability().expectedCalls();
+    return calls == 1
+        ? once
+        : new Expression.Arithmetic(
+            Expression.Operator.TIMES,
+            List.of(new Expression.OfTerm(new Term.Number(calls)), once));
   }
 
   private static List<Term> domain(Parameter parameter, StaticFacts facts) {

@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Price;
+import org.maestro.ontology.vocabulary.Reliability;
 import org.maestro.ontology.vocabulary.Timing;
 import org.maestro.planning.api.OpenPrice;
 import org.maestro.planning.api.Plan;
@@ -44,6 +45,7 @@ class PriceQuestionsTest {
           new Price.Asked(SlParser.expression("0.5")),
           SlParser.expression("1"),
           Timing.USUAL,
+          Reliability.USUAL,
           Optional.empty(),
           "move",
           Map.of());

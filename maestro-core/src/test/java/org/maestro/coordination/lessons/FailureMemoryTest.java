@@ -11,7 +11,7 @@ import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Term;
 
 class FailureMemoryTest {
-  private final FailureMemory memory = new FailureMemory("G1", Journal.none());
+  private final FailureMemory memory = new FailureMemory("G1", Journal.none(), step -> 3);
   private final StepKey look =
       new StepKey("cam-b", "observeObject", Map.of("object", new Term.Name("Cup")));
 

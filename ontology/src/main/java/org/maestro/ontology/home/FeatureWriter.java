@@ -76,8 +76,12 @@ final class FeatureWriter {
     json.add("seconds", SlPrinter.print(feature.seconds()));
     Timing timing = feature.timing();
     timing.limit().ifPresent(limit -> json.add("timeLimit", seconds(limit)));
+    timing.grace().ifPresent(grace -> json.add("grace", seconds(grace)));
+    timing.meanwhile().ifPresent(needed -> json.add("meanwhile", SlPrinter.print(needed)));
     timing.doneWhen().ifPresent(when -> json.add("doneWhen", SlPrinter.print(when)));
     timing.effectAfter().ifPresent(after -> json.add("effectAfter", seconds(after)));
+    feature.reliability().chance().ifPresent(chance -> json.add("chance", chance));
+    feature.reliability().statedTries().ifPresent(tries -> json.add("tries", tries));
     feature.exit().ifPresent(exit -> json.add("exit", exit));
     json.add("refersTo", namedFacts(feature.refersTo()));
   }

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.DoublePredicate;
 import java.util.function.Predicate;
 import org.apache.jena.graph.Node;
 import org.maestro.ontology.validation.Maestro;
@@ -74,6 +75,7 @@ public final class FeatureReader {
             new Price.Stated(new Expression.OfTerm(new Term.Number(0))),
             new Expression.OfTerm(new Term.Number(0)),
             Timing.USUAL,
+            Reliability.USUAL,
             Optional.empty(),
             Literals.name(node),
             Map.of());
@@ -86,6 +88,7 @@ public final class FeatureReader {
   /** The feature type with what the node says otherwise. */
   public FeatureType read(Node node, FeatureType type) {
     Price price = price(node).orElse(type.cost());
+    Timing timing = timing(node).or(type.timing());
     return new FeatureType(
         type.name(),
         type.iri(),
@@ -94,9 +97,11 @@ public final class FeatureReader {
         parameters(node, "input", type.inputs()),
         parameters(node, "binds", type.binds()),
         parameters(node, "output", type.outputs()),
-        literals
-            .parsed(node, "precondition", text -> SlParser.formula(text, fluents))
-            .orElse(type.precondition()),
+        with(
+            timing.meanwhile(),
+            literals
+                .parsed(node, "precondition", text -> SlParser.formula(text, fluents))
+                .orElse(type.precondition())),
         effect(node, "effect").orElse(type.effect()),
         effect(node, "learns").or(type::learns),
         has(node, "continuous") ? literals.flag(node, "continuous") : type.continuous(),
@@ -111,7 +116,8 @@ public final class FeatureReader {
         literals
             .parsed(node, "seconds", SlParser::expression)
             .orElse(has(node, "cost") ? lowest(price) : type.seconds()),
-        timing(node).or(type.timing()),
+        timing,
+        reliability(node).or(type.reliability()),
         literals.text(node, "exit").or(type::exit),
         literals.text(node, "procedure").orElse(type.procedure()),
         namedFacts(node, "refersTo", type.refersTo()));
@@ -121,6 +127,8 @@ public final class FeatureReader {
     Timing timing =
         new Timing(
             duration(node, "timeLimit"),
+            duration(node, "grace"),
+            literals.parsed(node, "meanwhile", text -> SlParser.formula(text, fluents)),
             literals.parsed(node, "doneWhen", text -> SlParser.formula(text, fluents)),
             duration(node, "effectAfter"));
     if (timing.doneWhen().isPresent() && timing.effectAfter().isPresent()) {
@@ -132,6 +140,47 @@ public final class FeatureReader {
           "keep one of both");
     }
     return timing;
+  }
+
+  /** What has to hold meanwhile has to hold at the beginning, too; said once if said twice. */
+  private static Formula with(Optional<Formula> meanwhile, Formula precondition) {
+    if (meanwhile.isEmpty() || meanwhile.get().equals(precondition)) {
+      return precondition;
+    }
+    List<Formula> parts =
+        new ArrayList<>(
+            precondition instanceof Formula.And and ? and.operands() : List.of(precondition));
+    if (!parts.contains(meanwhile.get())) {
+      parts.add(meanwhile.get());
+    }
+    return parts.size() == 1 ? parts.get(0) : new Formula.And(parts);
+  }
+
+  private Reliability reliability(Node node) {
+    return new Reliability(
+        number(node, "chance", chance -> chance > 0 && chance <= 1, "above 0 and at most 1")
+            .filter(chance -> chance < 1),
+        number(
+                node,
+                "tries",
+                tries -> tries >= 1 && tries <= 100 && tries == Math.rint(tries),
+                "from 1 to 100, whole")
+            .map(Double::intValue));
+  }
+
+  private Optional<Double> number(
+      Node node, String property, DoublePredicate isRight, String right) {
+    OptionalDouble number = literals.number(node, property);
+    if (number.isPresent() && !isRight.test(number.getAsDouble())) {
+      graph.fault(
+          node,
+          Maestro.term(property),
+          Optional.empty(),
+          "is " + SlPrinter.print(number.getAsDouble()),
+          "write a number " + right);
+      return Optional.empty();
+    }
+    return number.stream().boxed().findFirst();
   }
 
   private Optional<Duration> duration(Node node, String property) {

@@ -30,6 +30,7 @@ import org.maestro.sl.SlPrinter;
  * @param doubts why its results are less sure than its member is; none: as sure as the member
  * @param seconds expected duration, an expression
  * @param timing how long a call may take, and when its effect is there
+ * @param reliability how often it works, and how often it may be tried
  * @param procedure the routine in the member's own software that runs it (phi); equals the name
  *     unless stated
  * @param refersTo what the routine calls a quantity (key) and the fact that is meant, such as
@@ -55,6 +56,7 @@ public record FeatureType(
     Price cost,
     Expression seconds,
     Timing timing,
+    Reliability reliability,
     Optional<String> exit,
     String procedure,
     Map<String, String> refersTo) {
@@ -116,6 +118,7 @@ public record FeatureType(
         cost,
         seconds,
         timing,
+        reliability,
         exit,
         procedure,
         refersTo);

@@ -188,6 +188,10 @@ public final class VocabularyCheck {
         .timing()
         .doneWhen()
         .ifPresent(f -> check(node, "doneWhen", given, names -> names.check(f)));
+    feature
+        .timing()
+        .meanwhile()
+        .ifPresent(f -> check(node, "meanwhile", given, names -> names.check(f)));
     check(node, "seconds", given, names -> names.check(feature.seconds()));
     checkFacts(node, "refersTo", given);
     checkClaims(node, feature, given);

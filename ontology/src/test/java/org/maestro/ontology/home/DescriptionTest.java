@@ -5,9 +5,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
+import org.maestro.ontology.vocabulary.Reliability;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
@@ -113,6 +117,40 @@ class DescriptionTest {
                     blind.replace("\"cost\": \"1.5\"", "\"cost\": \"1.5\", \"timeLimit\": 0"),
                     "blind-1"))
         .hasMessageContaining("is no time that a call can have; write seconds, more than 0");
+  }
+
+  @Test
+  void whatAFeatureSaysOfItsConductIsKeptOnTheWire() {
+    String blind = BLIND.replace("\"https://example.org/devices#slats\": 24,", "");
+    String conduct =
+        """
+        "cost": "1.5", "grace": 20, "chance": 0.8, "tries": 5,
+        "meanwhile": "(>= (illuminance ?zone) 0)\"""";
+    Device slow = reader.read(blind.replace("\"cost\": \"1.5\"", conduct), "blind-1");
+    FeatureType tilt = slow.features().get(0);
+
+    assertThat(tilt.timing().grace()).contains(Duration.ofSeconds(20));
+    assertThat(tilt.reliability()).isEqualTo(new Reliability(Optional.of(0.8), Optional.of(5)));
+    assertThat(SlPrinter.print(tilt.precondition()))
+        .isEqualTo("(and (inside ?self ?zone) (>= (illuminance ?zone) 0))");
+    assertThat(reader.read(new DescriptionWriter(bob.with(slow)).write(slow), "blind-1"))
+        .isEqualTo(slow);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "\"chance\": 0 | chance is 0; write a number above 0 and at most 1",
+        "\"chance\": 80 | chance is 80; write a number above 0 and at most 1",
+        "\"tries\": 2.5 | tries is 2.5; write a number from 1 to 100, whole",
+        "\"tries\": 0 | tries is 0; write a number from 1 to 100, whole",
+        "\"grace\": -1 | grace is no time that a call can have; write seconds, more than 0",
+        "\"meanwhile\": \"(open ?angel)\" | angel"
+      })
+  void wrongConductIsRefusedWithItsCure(String conduct, String expected) {
+    String wrong = BLIND.replace("\"cost\": \"1.5\"", "\"cost\": \"1.5\", " + conduct);
+    assertThatThrownBy(() -> reader.read(wrong, "blind-1")).hasMessageContaining(expected);
   }
 
   @Test

@@ -147,14 +147,16 @@ public final class BusLink implements RatsLink {
   @Override
   public CallHandle call(Order order, CallListener listener) {
     Call call = worded(order);
-    perform(() -> calls.begin(call, roster.readyBoot(order.member()), listener));
+    perform(() -> calls.begin(call, order.grace(), roster.readyBoot(order.member()), listener));
     return handle(call);
   }
 
   @Override
   public CallHandle end(Order order, CallListener listener) {
     Call call = worded(order);
-    perform(() -> calls.end(call, roster.readyBoot(order.member()), ids.next(), listener));
+    perform(
+        () ->
+            calls.end(call, order.grace(), roster.readyBoot(order.member()), ids.next(), listener));
     return handle(call);
   }
 

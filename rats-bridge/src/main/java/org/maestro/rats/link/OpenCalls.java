@@ -36,7 +36,7 @@ final class OpenCalls {
 
   private static final Logger LOG = LoggerFactory.getLogger(OpenCalls.class);
 
-  /** Simulated time beyond t for the member's exit strategy and its answer. */
+  /** Simulated time beyond t for the member's exit strategy and its answer, unless stated. */
   private static final Duration GRACE = Duration.ofSeconds(5);
 
   /** The same on the wall, for a real bus. */
@@ -74,7 +74,15 @@ final class OpenCalls {
    * @param boot the member's present life; empty: it is not there, and the call fails
    */
   void begin(Call call, Optional<String> boot, RatsLink.CallListener listener) {
-    begin(call, boot, listener, this::send);
+    begin(call, Optional.empty(), boot, listener);
+  }
+
+  /**
+   * @param grace beyond t, for the member's exit strategy and its answer
+   */
+  void begin(
+      Call call, Optional<Duration> grace, Optional<String> boot, RatsLink.CallListener listener) {
+    begin(call, grace, boot, listener, this::send);
   }
 
   /**
@@ -82,8 +90,13 @@ final class OpenCalls {
    *
    * @param cancelId of the call that ends it
    */
-  void end(Call call, Optional<String> boot, String cancelId, RatsLink.CallListener listener) {
-    begin(call, boot, listener, former -> haveEnded(former, boot, cancelId));
+  void end(
+      Call call,
+      Optional<Duration> grace,
+      Optional<String> boot,
+      String cancelId,
+      RatsLink.CallListener listener) {
+    begin(call, grace, boot, listener, former -> haveEnded(former, boot, cancelId));
   }
 
   private void haveEnded(Open former, Optional<String> boot, String cancelId) {
@@ -99,8 +112,12 @@ final class OpenCalls {
   }
 
   private void begin(
-      Call call, Optional<String> boot, RatsLink.CallListener listener, Consumer<Open> first) {
-    Open begun = new Open(addressed(call, boot), listener);
+      Call call,
+      Optional<Duration> grace,
+      Optional<String> boot,
+      RatsLink.CallListener listener,
+      Consumer<Open> first) {
+    Open begun = new Open(addressed(call, boot), grace.orElse(GRACE), listener);
     if (open.containsKey(call.id())) {
       String message = "A call of the id " + call.id() + " is under way; each call needs its own";
       Result refused = result(begun, Outcome.FAILED, ErrorCode.DUPLICATE_ID, message);
@@ -325,7 +342,7 @@ final class OpenCalls {
     call.timer =
         Optional.of(
             clock.schedule(
-                limit.plus(GRACE).plus(clock.ofWall(WALL_GRACE)),
+                limit.plus(call.grace).plus(clock.ofWall(WALL_GRACE)),
                 controller,
                 () ->
                     end(
@@ -376,6 +393,7 @@ final class OpenCalls {
 
   private static final class Open {
     private final Call call;
+    private final Duration grace;
     private final RatsLink.CallListener listener;
     private Optional<Clock.Timer> timer = Optional.empty();
     private Duration deadline = Duration.ZERO;
@@ -383,8 +401,9 @@ final class OpenCalls {
     private boolean established;
     private boolean isToEnd;
 
-    private Open(Call call, RatsLink.CallListener listener) {
+    private Open(Call call, Duration grace, RatsLink.CallListener listener) {
       this.call = call;
+      this.grace = grace;
       this.listener = listener;
     }
 

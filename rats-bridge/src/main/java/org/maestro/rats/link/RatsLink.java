@@ -114,6 +114,8 @@ public interface RatsLink extends AutoCloseable {
    *     present one
    * @param parameters JSON values
    * @param timeout simulated time for queueing and execution
+   * @param grace simulated time beyond that for the member to end it safely and to answer; absent:
+   *     some seconds
    * @param task the goal it serves
    * @param expects what is counted on; whoever could do it for less may offer to
    */
@@ -124,6 +126,7 @@ public interface RatsLink extends AutoCloseable {
       String feature,
       Map<String, Object> parameters,
       Duration timeout,
+      Optional<Duration> grace,
       Optional<String> task,
       Optional<Call.Expectation> expects) {
 
@@ -136,7 +139,8 @@ public interface RatsLink extends AutoCloseable {
         Map<String, Object> parameters,
         Duration timeout,
         Optional<String> task) {
-      this(id, member, boot, feature, parameters, timeout, task, Optional.empty());
+      this(
+          id, member, boot, feature, parameters, timeout, Optional.empty(), task, Optional.empty());
     }
   }
 

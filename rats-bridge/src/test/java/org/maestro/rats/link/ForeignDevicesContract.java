@@ -21,7 +21,7 @@ import org.maestro.rats.transport.Transport;
 
 /** Devices that were not made with this project's runtime, and answer as they see fit. */
 abstract class ForeignDevicesContract extends HearsayContract {
-  private static final String SITE = "abroad";
+  static final String SITE = "abroad";
 
   @Test
   void aNumberThatIsNoneIsToldAsATextAndWhatHasNoValueIsLeftOut() {

@@ -60,6 +60,37 @@ class SteppedLinkTest extends LinkContract {
     }
   }
 
+  @Test
+  void aMemberHasItsGraceBeyondTheTimeOfTheCall() {
+    Stranger stranger = new Stranger("odd");
+    assertThat(silentFor(Optional.empty())).isBetween(Duration.ofSeconds(5), Duration.ofSeconds(9));
+    assertThat(silentFor(Optional.of(Duration.ofSeconds(40))))
+        .isBetween(Duration.ofSeconds(40), Duration.ofSeconds(44));
+    assertThat(stranger.calls).hasSize(2);
+  }
+
+  /** How long it is waited for one that says nothing to a call of 0.3 s. */
+  private Duration silentFor(Optional<Duration> grace) {
+    RatsLink link = connect("cca-" + grace.isPresent(), SITE);
+    await(() -> usable(link, "odd"));
+    Listener listener = new Listener();
+    Duration begun = clock.now();
+    link.call(
+        new RatsLink.Order(
+            Optional.empty(),
+            "odd",
+            Optional.empty(),
+            "measure",
+            Map.of(),
+            Duration.ofMillis(300),
+            grace,
+            Optional.empty(),
+            Optional.empty()),
+        listener);
+    await(listener::ended);
+    return clock.now().minus(begun);
+  }
+
   private static String exchange() {
     SteppedClock own = new SteppedClock();
     InProcessBus ownBus = new InProcessBus(own);

@@ -294,6 +294,7 @@ class TakeoverTest {
                     "carry",
                     Map.of("object", "cup"),
                     Duration.ofMinutes(2),
+                    Optional.empty(),
                     Optional.of("G1"),
                     expected),
                 heard)
