@@ -224,9 +224,12 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     guarded(
         () -> {
           World before = world;
-          World base = devices.telling(before, source, facts);
+          boolean isWhole = word.map(MemberWord::isWhole).orElse(true);
+          World base = isWhole ? devices.telling(before, source, facts) : before;
           List<Fact> said = devices.others(before, source, facts);
-          word.ifPresent(now -> lastWords.heard(source.agent(), now));
+          word.filter(MemberWord::isWhole).ifPresent(now -> lastWords.heard(source.agent(), now));
+          Predicate<StateVariable> isMeant =
+              variable -> word.map(w -> w.isOf(variable.predicate())).orElse(true);
           Predicate<StateVariable> isNews =
               variable ->
                   word.filter(w -> !lastWords.takes(source.agent(), variable, w.moment()))
@@ -235,8 +238,11 @@ public final class CollectiveKnowledge implements KnowledgeBase {
               write(
                   base,
                   Confidence.voice(base.home(), source),
-                  (draft, positions) -> statements.take(source, said, draft, positions, isNews));
-          world = devices.withoutWhatIsGone(world, source, facts);
+                  (draft, positions) ->
+                      statements.take(source, said, draft, positions, isMeant, isNews));
+          if (isWhole) {
+            world = devices.withoutWhatIsGone(world, source, facts);
+          }
           tellOf(source.agent(), before);
           return change;
         });

@@ -86,7 +86,7 @@ public final class MemberOrders {
 
   public RatsLink.CallHandle begin(Order order, CallReporter.Listener listener) {
     Accounted accounted = new Accounted(String.valueOf(++lastOrder), order.feature(), listener);
-    view.begun(accounted.conversation);
+    view.begun(accounted.conversation, order.feature());
     CallReporter reporter = new CallReporter(worker, view::understood, accounted);
     RatsLink.CallHandle handle =
         order.ends() ? link.end(order.to(member), reporter) : link.call(order.to(member), reporter);

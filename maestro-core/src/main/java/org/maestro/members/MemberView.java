@@ -34,6 +34,8 @@ public final class MemberView {
   /** When calls were begun; one may be asked for again that had no answer. */
   private final Map<String, Moment> firstBegun = latest();
 
+  private final Map<String, FeatureType> features = new TreeMap<>();
+
   /** When each call that is under way was begun. */
   private final Map<String, Moment> underway = new TreeMap<>();
 
@@ -44,6 +46,7 @@ public final class MemberView {
   private boolean inDoubt;
   private Optional<Heard> last = Optional.empty();
   private Optional<MemberWord> heldBack = Optional.empty();
+  private List<String> toldMeanwhile = List.of();
 
   /**
    * The last word of the member about itself.
@@ -114,8 +117,9 @@ public final class MemberView {
   }
 
   /** A call is begun: what is heard from now on is said after it. */
-  public void begun(String conversation) {
+  public void begun(String conversation, FeatureType feature) {
     running++;
+    features.put(conversation, feature);
     underway.put(conversation, next());
   }
 
@@ -162,11 +166,12 @@ public final class MemberView {
 
   public void forget(String conversation) {
     underway.remove(conversation);
+    features.remove(conversation);
   }
 
   /**
    * While a call runs, what the member says of itself waits for the call's report, so that
-   * knowledge never shows half a step.
+   * knowledge never shows half a step; but for what is awaited and no call under way changes.
    *
    * @return what may be told now
    */
@@ -189,10 +194,22 @@ public final class MemberView {
       }
     }
     if (running == 0) {
+      toldMeanwhile = List.of();
       return Optional.of(word);
     }
     heldBack = Optional.of(word);
-    return Optional.empty();
+    return device.flatMap(known -> awaited(known, word));
+  }
+
+  private Optional<MemberWord> awaited(Device known, MemberWord word) {
+    Set<String> names = AwaitedFacts.names(known, features.values());
+    List<String> facts =
+        AwaitedFacts.among(word.facts().stream().map(this::understood).toList(), names);
+    if (names.isEmpty() || facts.equals(toldMeanwhile)) {
+      return Optional.empty();
+    }
+    toldMeanwhile = facts;
+    return Optional.of(new MemberWord(facts, word.moment(), names));
   }
 
   /**

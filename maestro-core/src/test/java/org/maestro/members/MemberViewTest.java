@@ -2,12 +2,16 @@ package org.maestro.members;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.maestro.knowledge.api.MemberWord;
 import org.maestro.knowledge.api.StepAccount;
+import org.maestro.ontology.home.DescriptionReader;
+import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.HomeLoader;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.rats.protocol.MemberState;
 import org.maestro.rats.protocol.Outcome;
@@ -16,23 +20,58 @@ class MemberViewTest {
   private static final MemberState HOLDS = state("(in Cup rose)");
   private static final FeatureType DEED = CountedOnceContract.FILL;
 
+  private static final Device DRIER =
+      new DescriptionReader(
+              new HomeLoader()
+                  .load(Path.of("../scenarios/assembly/src/main/resources/homes/bob.ttl"))
+                  .vocabulary())
+          .read(
+              """
+              {"@context": ["https://w3id.org/maestro/context.jsonld", {"d": "https://example.org/d#"}],
+               "id": "d:drier-1", "type": "d:Drier",
+               "offers": [{"id": "d:dry", "type": "maestro:Task", "effect": "(warm ?self)",
+                 "meanwhile": "(and (shut ?self) (not (warm ?self)))", "cost": "1"}],
+               "brings": [
+                 {"id": "d:Drier", "type": "owl:Class", "subClassOf": "maestro:Device"},
+                 {"id": "d:warm", "type": ["maestro:Predicate", "maestro:Observable"],
+                  "arguments": ["?d - Drier"]},
+                 {"id": "d:shut", "type": ["maestro:Predicate", "maestro:Observable"],
+                  "arguments": ["?d - Drier"]}]}
+              """,
+              "drier-1");
+
   private final AtomicInteger asked = new AtomicInteger();
   private final MemberView view = new MemberView("listener", asked::incrementAndGet);
 
   @Test
   void whatItSaysWhileACallRunsWaitsForTheReport() {
     view.ready(true);
-    view.begun("c1");
+    view.begun("c1", DEED);
 
     assertThat(view.said(HOLDS)).isEmpty();
     assertThat(view.over()).map(MemberWord::facts).contains(HOLDS.values());
+  }
+
+  /** The drier dries, and tells that it is open: its call has to be ended. */
+  @Test
+  void whatHasToHoldMeanwhileIsToldAtOnceButForWhatTheCallChanges() {
+    view.ready(true);
+    view.describedAs(DRIER);
+    view.begun("c1", DRIER.features().get(0));
+
+    MemberWord told = view.said(state("(warm drier-1)", "(not (shut drier-1))")).orElseThrow();
+    assertThat(told.facts()).containsExactly("(not (shut drier-1))");
+    assertThat(told.only()).containsExactly("shut");
+    assertThat(view.said(state("(warm drier-1)", "(not (shut drier-1))"))).isEmpty();
+    assertThat(view.said(state("(warm drier-1)")).orElseThrow().facts()).isEmpty();
+    assertThat(view.over()).map(MemberWord::facts).contains(List.of("(warm drier-1)"));
   }
 
   /** It was lost with the cup in its hand: the end of its call must not tell that it holds it. */
   @Test
   void whatALostMemberSaidBeforeIsNoNews() {
     view.ready(true);
-    view.begun("c1");
+    view.begun("c1", DEED);
     view.said(HOLDS);
     view.ready(false);
 
@@ -42,7 +81,7 @@ class MemberViewTest {
   @Test
   void tellsWhatWasSaidBeforeACallFromWhatWasSaidSince() {
     view.said(state("(open)"));
-    view.begun("c1");
+    view.begun("c1", DEED);
     StepAccount before = account("c1", "call");
     view.said(HOLDS);
     StepAccount since = account("c1", "call");
@@ -55,7 +94,7 @@ class MemberViewTest {
 
   @Test
   void aStateThatNamesTheCallAmongThoseThatAreOverIncludesIt() {
-    view.begun("c1");
+    view.begun("c1", DEED);
     view.said(over("call"));
 
     assertThat(account("c1", "call").includesStep()).isTrue();
@@ -64,7 +103,7 @@ class MemberViewTest {
 
   @Test
   void aStateThatComesAfterTheResultAndSaysThatTheCallGoesOnWasSaidBefore() {
-    view.begun("c1");
+    view.begun("c1", DEED);
     StepAccount account = account("c1", "call");
     view.over();
     MemberWord late =
@@ -79,10 +118,10 @@ class MemberViewTest {
 
   @Test
   void soWasOneThatSaysThatAnotherWasOverLast() {
-    view.begun("c1");
+    view.begun("c1", DEED);
     StepAccount first = account("c1", "first");
     view.over();
-    view.begun("c2");
+    view.begun("c2", DEED);
     StepAccount second = account("c2", "second");
     view.over();
 
@@ -95,11 +134,11 @@ class MemberViewTest {
 
   @Test
   void aCallThatIsAskedForAgainWasBegunTheFirstTime() {
-    view.begun("c1");
+    view.begun("c1", DEED);
     StepAccount unanswered = view.account("c1", "call", DEED, false).orElseThrow();
     view.over();
     view.said(HOLDS);
-    view.begun("c2");
+    view.begun("c2", DEED);
     StepAccount again = account("c2", "call");
 
     assertThat(again.begun()).isEqualTo(unanswered.begun());
@@ -109,7 +148,7 @@ class MemberViewTest {
   @Test
   void whoSpeaksAroundACallAndDoesNotTellWhatIsOverIsAskedOnce() {
     view.said(HOLDS);
-    view.begun("c1");
+    view.begun("c1", DEED);
     view.said(HOLDS);
     account("c1", "call");
     assertThat(asked).as("it spoke before its result").hasValue(1);
@@ -117,7 +156,7 @@ class MemberViewTest {
     view.said(HOLDS);
     assertThat(asked).as("it has been asked").hasValue(1);
 
-    view.begun("c2");
+    view.begun("c2", DEED);
     account("c2", "another");
     view.over();
     assertThat(asked).as("it has said nothing").hasValue(1);
@@ -127,7 +166,7 @@ class MemberViewTest {
 
   @Test
   void whoTellsWhatIsOverIsNotAsked() {
-    view.begun("c1");
+    view.begun("c1", DEED);
     view.said(over("call"));
     account("c1", "call");
     view.over();
@@ -152,7 +191,7 @@ class MemberViewTest {
         Stream.of(calls).map(call -> new MemberState.Ended(call, Outcome.SUCCEEDED)).toList());
   }
 
-  private static MemberState state(String fact) {
-    return new MemberState("rose", "1", "standby", List.of(fact), List.of(), List.of(), List.of());
+  private static MemberState state(String... facts) {
+    return new MemberState("rose", "1", "standby", List.of(facts), List.of(), List.of(), List.of());
   }
 }

@@ -3,6 +3,7 @@ package org.maestro.agents.content;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.maestro.knowledge.api.MemberWord;
 import org.maestro.knowledge.api.Moment;
 import org.maestro.knowledge.api.StepAccount;
@@ -28,7 +29,20 @@ public final class AccountWords {
     return Words.named("account", parts);
   }
 
-  public static Content.Argument.Named facts(MemberWord word) {
+  /** What a member says of itself. */
+  public static List<Content.Argument> of(String member, MemberWord word) {
+    List<Content.Argument> parts = new ArrayList<>();
+    parts.add(Words.named("source", Words.name(member)));
+    parts.add(Words.named("listener", Words.text(word.moment().listener())));
+    parts.add(Words.named("said", Words.number((double) word.moment().number())));
+    parts.add(facts(word));
+    if (!word.isWhole()) {
+      parts.add(Words.named("only", word.only().stream().sorted().map(Words::text).toList()));
+    }
+    return parts;
+  }
+
+  private static Content.Argument.Named facts(MemberWord word) {
     return Words.named("facts", word.facts().stream().map(Words::text).toList());
   }
 
@@ -55,9 +69,11 @@ public final class AccountWords {
   }
 
   public static MemberWord word(Words words, Moment moment) {
-    return new MemberWord(
-        words.find("facts").map(Words::terms).orElse(List.of()).stream().map(Words::plain).toList(),
-        moment);
+    return new MemberWord(texts(words, "facts"), moment, Set.copyOf(texts(words, "only")));
+  }
+
+  private static List<String> texts(Words words, String name) {
+    return words.find(name).map(Words::terms).orElse(List.of()).stream().map(Words::plain).toList();
   }
 
   public static Optional<Moment> moment(Words words, String name) {

@@ -258,12 +258,7 @@ public final class MemberProxy implements MemberNews.Listener {
           agent.message(
               ACLMessage.INFORM,
               agent.getAID(AgentNames.KNOWLEDGE),
-              Words.content(
-                  "inform",
-                  Words.named("source", Words.name(member)),
-                  Words.named("listener", Words.text(word.moment().listener())),
-                  Words.named("said", Words.number((double) word.moment().number())),
-                  AccountWords.facts(word))));
+              new Content("inform", AccountWords.of(member, word))));
     }
   }
 }

@@ -97,7 +97,7 @@ final class PlanFollowing {
   }
 
   void knowledgeChanged(KnowledgeBase.Change change, FactFilter changed) {
-    execution.knowledgeChanged();
+    execution.knowledgeChanged(change);
     monitor.knowledgeChanged();
     if (!isActive()
         || change.version() == ownChange

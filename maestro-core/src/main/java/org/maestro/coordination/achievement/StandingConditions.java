@@ -7,6 +7,8 @@ import java.util.Optional;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.ActionDispatcher.Report;
 import org.maestro.coordination.api.Ports;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Source;
 import org.maestro.planning.api.Step;
 import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Evaluation;
@@ -38,9 +40,9 @@ final class StandingConditions {
   }
 
   /** What is known has changed. */
-  void look() {
+  void look(KnowledgeBase.Change change) {
     for (Standing one : new ArrayList<>(standing.values())) {
-      if (!one.isBroken() && isBroken(one.step())) {
+      if (!one.isBroken() && isBroken(one.step(), change.source())) {
         standing.put(one.step().key(), new Standing(one.step(), one.call(), true));
         one.call().cancel();
       }
@@ -62,12 +64,14 @@ final class StandingConditions {
         .formatted(step.member(), step.feature().name(), SlPrinter.print(needed));
   }
 
-  private boolean isBroken(Step step) {
+  /** What is not known any more may be so still, unless its own member has taken back its word. */
+  private boolean isBroken(Step step, Source source) {
+    boolean hasSpoken = source.equals(new Source(Source.Kind.STATED, step.member()));
     return step.feature()
         .timing()
         .meanwhile()
         .map(needed -> new Evaluation(ports.knowledge().snapshot()).truth(needed, step.values()))
-        .filter(Truth.FALSE::equals)
+        .filter(truth -> truth == Truth.FALSE || hasSpoken && truth == Truth.UNKNOWN)
         .isPresent();
   }
 }

@@ -153,8 +153,8 @@ final class StepExecution {
   }
 
   /** An effect that was to come may be there, or what has to hold meanwhile may not any more. */
-  void knowledgeChanged() {
-    standing.look();
+  void knowledgeChanged(KnowledgeBase.Change change) {
+    standing.look(change);
     laterEffects.look();
   }
 

@@ -25,6 +25,7 @@ public final class Statements {
   /**
    * Withdraws what the source does not say any more, and returns what is to be written.
    *
+   * @param isMeant whether it is spoken of it now; of all else nothing is said
    * @param isNews of what is spoken of or left out; else somebody knows better already
    */
   public List<Fact> take(
@@ -32,14 +33,15 @@ public final class Statements {
       List<Fact> facts,
       Draft draft,
       PositionKeeping positions,
+      Predicate<StateVariable> isMeant,
       Predicate<StateVariable> isNews) {
     Set<StateVariable> said = new LinkedHashSet<>();
     facts.forEach(fact -> said.add(draft.variable(FactReader.atom(fact))));
-    withdrawn(draft.base(), source, said).stream()
+    withdrawn(draft.base(), source, said, isMeant).stream()
         .filter(isNews)
         .forEach(variable -> positions.withdraw(variable, source));
     Source expected = new Source(Source.Kind.EXPECTED, source.agent());
-    notBroughtAbout(source, said, isNews)
+    notBroughtAbout(source, said, isMeant, isNews)
         .forEach(variable -> positions.withdraw(variable, expected));
     said.removeIf(isNews.negate());
     return facts.stream()
@@ -69,12 +71,15 @@ public final class Statements {
    * @param isNews what was told of otherwise since is still expected
    */
   private List<StateVariable> notBroughtAbout(
-      Source source, Set<StateVariable> said, Predicate<StateVariable> isNews) {
+      Source source,
+      Set<StateVariable> said,
+      Predicate<StateVariable> isMeant,
+      Predicate<StateVariable> isNews) {
     if (source.kind() != Source.Kind.STATED || !expectedOf.containsKey(source.agent())) {
       return List.of();
     }
     Set<StateVariable> expected = expectedOf.get(source.agent());
-    List<StateVariable> decided = expected.stream().filter(isNews).toList();
+    List<StateVariable> decided = expected.stream().filter(isMeant).filter(isNews).toList();
     decided.forEach(expected::remove);
     return decided.stream().filter(variable -> !said.contains(variable)).toList();
   }
@@ -83,17 +88,20 @@ public final class Statements {
    * Notes what is said now, and returns what was said before, is still believed on that word, and
    * is not repeated.
    */
-  private List<StateVariable> withdrawn(World world, Source source, Set<StateVariable> said) {
+  private List<StateVariable> withdrawn(
+      World world, Source source, Set<StateVariable> said, Predicate<StateVariable> isMeant) {
     if (source.kind() != Source.Kind.STATED
         || !world.home().devices().containsKey(source.agent())) {
       return List.of();
     }
     Set<StateVariable> before = new LinkedHashSet<>();
     Optional.ofNullable(inFormerLives.remove(source.agent())).ifPresent(before::addAll);
-    Optional.ofNullable(byDevice.put(source.agent(), new LinkedHashSet<>(said)))
-        .ifPresent(before::addAll);
+    Optional.ofNullable(byDevice.remove(source.agent())).ifPresent(before::addAll);
+    Set<StateVariable> now = new LinkedHashSet<>(said);
+    before.stream().filter(isMeant.negate()).forEach(now::add);
+    byDevice.put(source.agent(), now);
     return before.stream()
-        .filter(variable -> !said.contains(variable))
+        .filter(variable -> !now.contains(variable))
         .filter(variable -> isOnItsWord(world, variable, source))
         .toList();
   }

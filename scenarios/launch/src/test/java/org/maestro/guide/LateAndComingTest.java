@@ -36,6 +36,22 @@ class LateAndComingTest {
   }
 
   @Test
+  void aDrierIsEndedWhenItsDoorIsOpened() throws Exception {
+    PythonProcess.assumePython();
+    try (Stage stage = Stage.paced(SiteSettings.of(SITE, bob()).build());
+        PythonProcess drier = new PythonProcess("drier.py", directory, stage.broker(), SITE)) {
+      stage.await("the drier", () -> stage.platform().presentMembers().contains("drier-1"));
+
+      MaestroAssertions.assertThat(stage.goal("(dry drier-1)"))
+          .isNotReached()
+          .tells("as it has to hold meanwhile that (shut drier-1), and it did not any more")
+          .hasCalls(1);
+      assertThat(drier.lines("TUMBLE")).hasSize(1);
+      assertThat(drier.lines("STOPPED")).hasSize(1);
+    }
+  }
+
+  @Test
   void cansAreSoldUntilThereIsNone() throws Exception {
     PythonProcess.assumePython();
     try (Stage stage = Stage.paced(SiteSettings.of(SITE, bob()).build());
