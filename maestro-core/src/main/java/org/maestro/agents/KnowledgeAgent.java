@@ -17,6 +17,7 @@ import org.maestro.agents.content.VerdictWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.device.Rights;
 import org.maestro.agents.knowledge.KnowledgeSubscriptions;
+import org.maestro.agents.knowledge.ToldFacts;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Caller;
 import org.maestro.agents.runtime.MaestroAgent;
@@ -27,6 +28,7 @@ import org.maestro.knowledge.api.Belief;
 import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.KnowledgeException;
+import org.maestro.knowledge.api.MemberWord;
 import org.maestro.knowledge.api.Moment;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.knowledge.api.Source;
@@ -71,6 +73,7 @@ public final class KnowledgeAgent extends MaestroAgent {
 
   private final transient KnowledgeBase knowledge;
   private final transient BiFunction<String, String, Device> describedBy;
+  private final transient ToldFacts toldFacts = new ToldFacts();
   private final transient KnowledgeSubscriptions subscriptions =
       new KnowledgeSubscriptions(this::inform);
 
@@ -157,12 +160,12 @@ public final class KnowledgeAgent extends MaestroAgent {
   /** Who does not count what is heard of the speaker is believed in the order of arrival. */
   private void state(String speaker, Words words) {
     Optional<Moment> moment = AccountWords.moment(words, "said");
+    MemberWord word = AccountWords.word(words, moment.orElse(new Moment(speaker, 0)));
+    List<String> possible = toldFacts.possible(speaker, word.facts(), knowledge.home());
     if (moment.isPresent()) {
-      knowledge.state(speaker, AccountWords.word(words, moment.get()));
+      knowledge.state(speaker, new MemberWord(possible, word.moment(), word.only()));
     } else {
-      knowledge.state(
-          new Source(Source.Kind.STATED, speaker),
-          words.find("facts").orElseThrow().terms().stream().map(Words::plain).toList());
+      knowledge.state(new Source(Source.Kind.STATED, speaker), possible);
     }
   }
 

@@ -26,6 +26,12 @@ import org.maestro.platform.jade.ContainerEnds;
 import org.maestro.platform.jade.JadeRuntime;
 import org.maestro.platform.jade.Sockets;
 import org.maestro.rats.time.SteppedClock;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Fact;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
 
 /** What the knowledge agent tells those who ask and those who subscribe. */
 class KnowledgeAgentTest {
@@ -91,6 +97,29 @@ class KnowledgeAgentTest {
         .singleElement()
         .asString()
         .contains("(:source \"cam-b\")", "(:confidence 1)", "(:since \"2026-01-01T");
+  }
+
+  /** A typing error of a maker, and a thing in the wrong place of a word. */
+  @Test
+  void whatCannotBeSoIsPassedOverAndWhatStandsBesideItCounts() {
+    guest.ask(
+        "w1",
+        ACLMessage.REQUEST,
+        "(inform (:source lamp-b1) (:facts \"(in zone-b Cup)\" \"(levl lamp-b1)\""
+            + " \"(= (level lamp-b1) 0.5)\" \"(in parcel-7 zone-b)\"))");
+
+    assertThat(knowledge.snapshot().claims(atom("(in zone-b Cup)"))).isEmpty();
+    assertThat(knowledge.snapshot().claims(atom("(levl lamp-b1)"))).isEmpty();
+    assertThat(knowledge.snapshot().truth(atom("(in parcel-7 zone-b)"))).isEqualTo(Truth.TRUE);
+    assertThat(
+            knowledge
+                .snapshot()
+                .number(new Expression.Fluent("level", List.of(new Term.Name("lamp-b1")))))
+        .hasValue(0.5);
+  }
+
+  private static Formula.Atom atom(String text) {
+    return ((Fact.Holds) SlParser.fact(text)).atom();
   }
 
   @Test

@@ -6,6 +6,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiPredicate;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.maestro.ontology.vocabulary.NameCheck;
 import org.maestro.ontology.vocabulary.Nearest;
@@ -51,12 +53,35 @@ public final class StatementCheck {
     return faults.stream().findFirst();
   }
 
+  /** The same, but things that the home does not know may be of any class. */
+  public Optional<String> misfit(Fact fact) {
+    List<String> faults = new ArrayList<>();
+    names(
+            name -> true,
+            (name, className) -> !home.individuals().containsKey(name) || isA(name, className),
+            FreeVariables.of(fact),
+            faults)
+        .check(fact);
+    return faults.stream().findFirst();
+  }
+
+  private boolean isA(String name, String className) {
+    return HomeCheck.named(home.individuals(), name).classes().contains(className);
+  }
+
   private NameCheck names(Collection<String> variables, List<String> faults) {
+    return names(home.individuals()::containsKey, this::isA, variables, faults);
+  }
+
+  private NameCheck names(
+      Predicate<String> individuals,
+      BiPredicate<String, String> instances,
+      Collection<String> variables,
+      List<String> faults) {
     return new NameCheck(
         home.vocabulary(),
-        home.individuals()::containsKey,
-        (name, className) ->
-            HomeCheck.named(home.individuals(), name).classes().contains(className),
+        individuals,
+        instances,
         variables,
         this::known,
         (problem, cure) -> faults.add("%s %s; %s.".formatted(subject, problem, cure)));
