@@ -277,7 +277,9 @@ public final class KnowledgeAgent extends MaestroAgent {
         "word",
         Words.named("kind", Words.text(entry.kind())),
         Words.named("form", Words.text(entry.form())),
-        Words.named("meaning", Words.text(entry.meaning())));
+        Words.named("meaning", Words.text(entry.meaning())),
+        Words.named("unit", Words.text(entry.unit())),
+        Words.named("devices", entry.devices().stream().map(Words::text).toList()));
   }
 
   private QuestionReader reader() {

@@ -31,6 +31,11 @@ public record Plan(
     return PlanTime.seconds(steps);
   }
 
+  /** When each step begins, by its number; seconds from the first one's beginning. */
+  public Map<Integer, Double> starts() {
+    return PlanTime.starts(steps);
+  }
+
   /** Whoever has a step in it, in the order of the steps. */
   public Set<String> members() {
     Set<String> members = new LinkedHashSet<>();

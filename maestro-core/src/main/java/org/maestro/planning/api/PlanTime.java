@@ -17,6 +17,15 @@ public final class PlanTime {
 
   /** Seconds from the first step's beginning to the last one's end. */
   static double seconds(List<Step> steps) {
+    Map<Integer, Double> starts = starts(steps);
+    return steps.stream()
+        .mapToDouble(step -> Objects.requireNonNull(starts.get(step.number())) + step.seconds())
+        .max()
+        .orElse(0);
+  }
+
+  /** Seconds from the first step's beginning to that of each, by its number. */
+  static Map<Integer, Double> starts(List<Step> steps) {
     Map<Integer, Set<Integer>> before = new HashMap<>();
     Set<Integer> serving = new HashSet<>();
     for (Step step : steps) {
@@ -28,6 +37,7 @@ public final class PlanTime {
         serving.addAll(all);
       }
     }
+    Map<Integer, Double> starts = new HashMap<>();
     Map<Integer, Double> end = new HashMap<>();
     double sensed = 0;
     for (boolean first : new boolean[] {true, false}) {
@@ -37,12 +47,13 @@ public final class PlanTime {
           for (int number : step.after()) {
             start = Math.max(start, Objects.requireNonNull(end.get(number)));
           }
+          starts.put(step.number(), start);
           end.put(step.number(), start + step.seconds());
         }
       }
       sensed = end.values().stream().mapToDouble(Double::doubleValue).max().orElse(0);
     }
-    return sensed;
+    return starts;
   }
 
   /** Whether the steps of a feature count as sensing. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -31,8 +32,40 @@ public final class WordList {
    * @param kind predicate, number, place, thing, device or feature
    * @param form how it is written, with its arguments
    * @param meaning what it says, or what it is
+   * @param unit of a number; "" where there is none
+   * @param devices that have this feature; none for other kinds
    */
-  public record Entry(String kind, String form, String meaning) {
+  public record Entry(String kind, String form, String meaning, String unit, List<String> devices) {
+    public Entry {
+      devices = List.copyOf(devices);
+    }
+
+    private Entry(String kind, String form, String meaning) {
+      this(kind, form, meaning, "", List.of());
+    }
+
+    /** The word alone. */
+    public String name() {
+      return parts()[0];
+    }
+
+    /** What it is said of, in order. */
+    public List<TypedVariable> arguments() {
+      String[] parts = parts();
+      List<TypedVariable> arguments = new ArrayList<>();
+      for (int i = 1; i < parts.length; i++) {
+        boolean typed = i + 2 < parts.length && parts[i + 1].equals("-");
+        arguments.add(
+            new TypedVariable(
+                parts[i].substring(1), typed ? Optional.of(parts[i + 2]) : Optional.empty()));
+        i += typed ? 2 : 0;
+      }
+      return arguments;
+    }
+
+    private String[] parts() {
+      return form.replaceAll("[()]", "").split(" ");
+    }
 
     /** Whether this is the word that is called so. */
     public boolean names(String word) {
@@ -73,7 +106,9 @@ public final class WordList {
             new Entry(
                 fluents ? "number" : "predicate",
                 predicate.form(),
-                unit.isEmpty() ? predicate.label() : predicate.label() + ", in" + unit));
+                unit.isEmpty() ? predicate.label() : predicate.label() + ", in" + unit,
+                unit.strip(),
+                List.of()));
       }
     }
   }
@@ -116,7 +151,13 @@ public final class WordList {
     }
     offering.forEach(
         (form, devices) ->
-            entries.add(new Entry("feature", form, "of " + String.join(", ", devices))));
+            entries.add(
+                new Entry(
+                    "feature",
+                    form,
+                    "of " + String.join(", ", devices),
+                    "",
+                    List.copyOf(devices))));
   }
 
   private static String form(FeatureType feature) {

@@ -12,13 +12,13 @@ import java.util.stream.Stream;
  *
  * @param summary lines for people, after the figures
  */
-public record BenchReport(String bench, String machine, List<Row> rows, List<String> summary) {
+public record BenchReport(String bench, Machine machine, List<Row> rows, List<String> summary) {
   public BenchReport {
     rows = List.copyOf(rows);
     summary = List.copyOf(summary);
   }
 
-  public BenchReport(String bench, String machine, List<Row> rows) {
+  public BenchReport(String bench, Machine machine, List<Row> rows) {
     this(bench, machine, rows, List.of());
   }
 
@@ -40,12 +40,19 @@ public record BenchReport(String bench, String machine, List<Row> rows, List<Str
     }
   }
 
-  public static String thisMachine() {
-    return "%d cores, %s, Java %s"
-        .formatted(
-            Runtime.getRuntime().availableProcessors(),
-            System.getProperty("os.arch"),
-            Runtime.version());
+  /** A machine, as far as its Java tells. */
+  public record Machine(int cores, String architecture, String java) {
+    @Override
+    public String toString() {
+      return "%d cores, %s, Java %s".formatted(cores, architecture, java);
+    }
+  }
+
+  public static Machine thisMachine() {
+    return new Machine(
+        Runtime.getRuntime().availableProcessors(),
+        System.getProperty("os.arch"),
+        Runtime.version().toString());
   }
 
   /** A line for each figure, and the summary. */
@@ -67,20 +74,36 @@ public record BenchReport(String bench, String machine, List<Row> rows, List<Str
     return (figure + compared).stripTrailing();
   }
 
-  /** One document. */
+  /** One document; null where nothing was measured. */
   public String json() {
     ObjectNode document = new ObjectMapper().createObjectNode();
     document.put("bench", bench);
-    document.put("machine", machine);
+    document
+        .putObject("machine")
+        .put("cores", machine.cores())
+        .put("architecture", machine.architecture())
+        .put("java", machine.java());
     var array = document.putArray("rows");
     for (Row row : rows) {
-      ObjectNode node = array.addObject();
-      node.put("name", row.name());
-      node.put("value", row.value());
-      node.put("unit", row.unit());
-      row.baseline().ifPresentOrElse(b -> node.put("baseline", b), () -> node.putNull("baseline"));
-      row.ratio().ifPresentOrElse(r -> node.put("ratio", r), () -> node.putNull("ratio"));
+      ObjectNode node = array.addObject().put("name", row.name());
+      put(node, "value", OptionalDouble.of(row.value()));
+      if (row.unit().isEmpty()) {
+        node.putNull("unit");
+      } else {
+        node.put("unit", row.unit());
+      }
+      put(node, "baseline", row.baseline());
+      put(node, "ratio", row.ratio());
     }
+    summary.forEach(document.putArray("summary")::add);
     return document.toString();
+  }
+
+  private static void put(ObjectNode node, String name, OptionalDouble figure) {
+    if (figure.isPresent() && Double.isFinite(figure.getAsDouble())) {
+      node.put(name, figure.getAsDouble());
+    } else {
+      node.putNull(name);
+    }
   }
 }

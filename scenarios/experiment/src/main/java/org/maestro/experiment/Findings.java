@@ -79,7 +79,11 @@ public record Findings(
       } else {
         node.put("value", result.value());
       }
-      node.put("unit", result.unit());
+      if (result.unit().isEmpty()) {
+        node.putNull("unit");
+      } else {
+        node.put("unit", result.unit());
+      }
     }
     return document.toString();
   }

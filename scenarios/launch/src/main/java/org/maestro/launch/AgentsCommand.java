@@ -1,8 +1,6 @@
 package org.maestro.launch;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
 import java.util.List;
@@ -75,47 +73,41 @@ final class AgentsCommand implements Callable<Integer> {
   }
 
   private String document(List<Words> lines) {
-    ObjectNode document = new ObjectMapper().createObjectNode();
-    ArrayNode array = document.putArray(containers ? "containers" : "agents");
+    JsonMembers document = JsonMembers.empty();
+    ArrayNode array = document.node().putArray(containers ? "containers" : "agents");
     for (Words line : lines) {
-      ObjectNode node = array.addObject();
+      JsonMembers row = JsonMembers.in(array);
       if (containers) {
-        put(node, "container", line.string("place"));
-        put(node, "process", line.string("process"));
-        put(node, "topics", words(line, "topics"));
-        put(node, "provides", words(line, "provides"));
-        put(node, "address", line.string("address"));
-        Optional<Words> start = start(line);
-        put(node, "machine", start.flatMap(its -> its.string("machine")));
-        start
-            .flatMap(its -> its.string("pid"))
-            .ifPresentOrElse(
-                pid -> node.put("pid", Long.parseLong(pid)), () -> node.putNull("pid"));
-        STARTS.forEach(part -> put(node, part, start.flatMap(its -> its.string(part))));
-        put(node, "agents", words(line, "holds"));
+        container(row, line);
       } else {
-        put(node, "agent", line.string("agent"));
-        put(node, "container", line.string("container"));
-        put(node, "members", words(line, "members"));
-        put(node, "phase", line.string("phase"));
-        put(node, "state", line.string("state"));
-        put(node, "life", line.string("life"));
-        put(node, "services", words(line, "services"));
-        put(node, WHY, line.string(WHY));
+        row.text("agent", line.string("agent"))
+            .text("container", line.string("container"))
+            .words("members", words(line, "members"))
+            .text("phase", line.string("phase"))
+            .text("state", line.string("state"))
+            .text("life", line.string("life"))
+            .words("services", words(line, "services"))
+            .text(WHY, line.string(WHY));
       }
-      put(node, "since", line.string("since"));
+      row.text("since", line.string("since")).number("age_s", line, "age");
     }
     return document.toString();
   }
 
-  private static void put(ObjectNode node, String name, Optional<String> text) {
-    text.filter(word -> !word.equals("-"))
-        .ifPresentOrElse(word -> node.put(name, word), () -> node.putNull(name));
-  }
-
-  private static void put(ObjectNode node, String name, List<String> words) {
-    ArrayNode array = node.putArray(name);
-    words.forEach(array::add);
+  private static void container(JsonMembers row, Words line) {
+    Optional<Words> start = start(line);
+    row.text("container", line.string("place"))
+        .text("process", line.string("process"))
+        .words("topics", words(line, "topics"))
+        .words("provides", words(line, "provides"))
+        .text("address", line.string("address"))
+        .text("machine", start.flatMap(its -> its.string("machine")));
+    start
+        .flatMap(its -> its.string("pid"))
+        .ifPresentOrElse(
+            pid -> row.node().put("pid", Long.parseLong(pid)), () -> row.node().putNull("pid"));
+    STARTS.forEach(part -> row.text(part, start.flatMap(its -> its.string(part))));
+    row.words("agents", words(line, "holds"));
   }
 
   private static String at(Words line) {

@@ -1,14 +1,13 @@
 package org.maestro.launch;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.VerdictWords;
@@ -81,22 +80,17 @@ final class CheckCommand implements Callable<Integer> {
     List<Words> verdict = running ? asked(text) : found(text);
     List<Fault> faults = VerdictWords.faults(verdict);
     PrintWriter out = spec.commandLine().getOut();
-    List<String> notes =
-        VerdictWords.joining(verdict).stream()
-            .map(
-                joining ->
-                    "%s could join, and would offer %s"
-                        .formatted(
-                            joining.device(),
-                            joining.features().isEmpty()
-                                ? "nothing"
-                                : String.join(", ", joining.features())))
-            .toList();
+    List<VerdictWords.Joining> joining = VerdictWords.joining(verdict);
     if (json) {
-      out.println(document(faults, notes));
+      out.println(document(faults, joining, List.of()));
     } else {
       faults.forEach(fault -> out.println(fault.toString()));
-      notes.forEach(note -> out.println(note + "."));
+      joining.forEach(
+          device ->
+              out.printf(
+                  "%s could join, and would offer %s.%n",
+                  device.device(),
+                  device.features().isEmpty() ? "nothing" : String.join(", ", device.features())));
       out.println(faults.isEmpty() ? file + ": no fault." : count(faults));
     }
     return faults.isEmpty() ? ExitCode.DONE : ExitCode.NOT_REACHED;
@@ -138,7 +132,7 @@ final class CheckCommand implements Callable<Integer> {
       List<String> notes = new ArrayList<>(UnstatedNeeds.of(loaded));
       notes.addAll(ImpossibleUses.of(loaded));
       if (json) {
-        out.println(document(List.of(), notes));
+        out.println(document(List.of(), List.of(), notes));
       } else {
         notes.forEach(note -> out.println("Note: " + note));
         out.printf(
@@ -148,7 +142,7 @@ final class CheckCommand implements Callable<Integer> {
       return ExitCode.DONE;
     } catch (HomeFaultException e) {
       if (json) {
-        out.println(document(e.faults(), List.of()));
+        out.println(document(e.faults(), List.of(), List.of()));
       } else {
         e.faults().forEach(fault -> out.println(fault.toString()));
         out.println(count(e.faults()));
@@ -157,20 +151,25 @@ final class CheckCommand implements Callable<Integer> {
     }
   }
 
-  private String document(List<Fault> faults, List<String> notes) {
-    ObjectNode document = new ObjectMapper().createObjectNode();
-    document.put("home", file);
-    ArrayNode array = document.putArray("faults");
+  private String document(
+      List<Fault> faults, List<VerdictWords.Joining> joining, List<String> notes) {
+    JsonMembers document = JsonMembers.empty().text("file", file);
+    ArrayNode array = document.node().putArray("faults");
     for (Fault fault : faults) {
-      ObjectNode node = array.addObject();
-      node.put("source", fault.source());
-      node.put("line", fault.line());
-      node.put("subject", fault.subject());
-      node.put("property", fault.property());
-      node.put("problem", fault.problem());
-      node.put("cure", fault.cure());
+      JsonMembers.in(array)
+          .text("source", fault.source())
+          .number("line", fault.line() > 0 ? OptionalInt.of(fault.line()) : OptionalInt.empty())
+          .text("subject", fault.subject())
+          .text("property", fault.property())
+          .text("problem", fault.problem())
+          .text("cure", fault.cure());
     }
-    notes.forEach(document.putArray("notes")::add);
-    return document.toString();
+    ArrayNode devices = document.node().putArray("could_join");
+    joining.forEach(
+        device ->
+            JsonMembers.in(devices)
+                .text("device", device.device())
+                .words("features", device.features()));
+    return document.words("notes", notes).toString();
   }
 }

@@ -1,7 +1,5 @@
 package org.maestro.launch;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -216,20 +214,23 @@ final class DemoCommand implements Callable<Integer> {
   }
 
   private static String document(Summary summary) {
-    ObjectNode node = new ObjectMapper().createObjectNode();
-    node.put("goal", summary.goal());
-    node.put("reached", summary.reached());
-    node.put("simulated_s", summary.report().duration().toMillis() / 1000.0);
-    summary
-        .lowerBound()
-        .ifPresentOrElse(
-            bound -> node.put("lower_bound_s", bound.toMillis() / 1000.0),
-            () -> node.putNull("lower_bound_s"));
-    node.put("wall_s", Math.round(summary.wallSeconds() * 100) / 100.0);
-    node.put("calls", summary.report().calls());
-    node.put("replans", summary.report().replans());
-    node.put("decision_ms", summary.report().decisionMillis());
-    node.put("picture", summary.picture().toString());
-    return node.toString();
+    GoalReport report = summary.report();
+    JsonMembers members =
+        JsonMembers.empty()
+            .text("goal", summary.goal())
+            .truth("reached", summary.reached())
+            .number("simulated_s", report.duration().toMillis() / 1000.0)
+            .number(
+                "lower_bound_s",
+                summary.lowerBound().stream()
+                    .mapToDouble(bound -> bound.toMillis() / 1000.0)
+                    .findFirst())
+            .number("wall_s", Math.round(summary.wallSeconds() * 100) / 100.0);
+    members.node().put("calls", report.calls()).put("replans", report.replans());
+    return members
+        .number("decision_ms", report.decisionMillis())
+        .words("reasons", report.reasons())
+        .text("picture", summary.picture().toString())
+        .toString();
   }
 }

@@ -4,13 +4,13 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.type.TypeReference;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
 import java.net.URI;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import org.maestro.assembly.SiteBus;
 import org.maestro.rats.conformance.DeviceExamination;
@@ -122,7 +122,7 @@ final class DeviceTestCommand implements Callable<Integer> {
   private void print(List<Finding> findings) {
     PrintWriter out = spec.commandLine().getOut();
     if (json) {
-      out.println(document(findings));
+      out.println(document(member, findings));
       return;
     }
     new Table(
@@ -149,16 +149,15 @@ final class DeviceTestCommand implements Callable<Integer> {
     return verdict.name().toLowerCase(Locale.ROOT).replace('_', ' ');
   }
 
-  private String document(List<Finding> findings) {
-    ObjectNode document = new ObjectMapper().createObjectNode();
-    document.put("member", member);
-    ArrayNode array = document.putArray("findings");
+  static String document(String member, List<Finding> findings) {
+    JsonMembers document = JsonMembers.empty().text("member", member);
+    ArrayNode array = document.node().putArray("findings");
     for (Finding finding : findings) {
-      ObjectNode node = array.addObject();
-      node.put("rule", finding.rule().number());
-      node.put("says", finding.rule().sentence());
-      node.put("verdict", word(finding.verdict()));
-      node.put("seen", finding.why());
+      JsonMembers.in(array)
+          .number("rule", OptionalInt.of(finding.rule().number()))
+          .text("says", finding.rule().sentence())
+          .text("verdict", word(finding.verdict()))
+          .text("seen", finding.why());
     }
     return document.toString();
   }

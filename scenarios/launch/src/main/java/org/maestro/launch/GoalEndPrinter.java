@@ -1,9 +1,10 @@
 package org.maestro.launch;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import org.maestro.agents.content.GoalReport;
 import org.maestro.agents.content.HeldReport;
 import org.maestro.agents.content.Words;
@@ -19,9 +20,14 @@ record GoalEndPrinter(String goal, boolean json, PrintWriter out) {
   /** A goal that is kept has no end to wait for: it is told that it is so, and how to end it. */
   int print(HeldReport report) {
     if (json) {
-      ObjectNode node = node(report.goalId(), true, report.confirmed());
-      node.put("held", true);
-      out.println(node);
+      out.println(
+          node(Optional.of(report.goalId()), true, report.confirmed(), true)
+              .terms("binding", Map.of())
+              .number("simulated_s", OptionalDouble.empty())
+              .number("calls", OptionalDouble.empty())
+              .number("replans", OptionalDouble.empty())
+              .number("decision_ms", OptionalDouble.empty())
+              .words("reasons", report.reasons()));
     } else {
       out.println(
           (report.confirmed()
@@ -47,15 +53,13 @@ record GoalEndPrinter(String goal, boolean json, PrintWriter out) {
   }
 
   private void printJson(GoalReport report) {
-    ObjectNode node = node(report.id().orElse(""), report.reached(), report.confirmed());
-    ObjectNode binding = node.putObject("binding");
-    report.binding().forEach((name, term) -> binding.put(name, Words.plain(term)));
-    node.put("simulated_s", seconds(report));
-    node.put("calls", report.calls());
-    node.put("replans", report.replans());
-    node.put("decision_ms", report.decisionMillis());
-    report.reasons().forEach(node.putArray("reasons")::add);
-    out.println(node);
+    JsonMembers members =
+        node(report.id(), report.reached(), report.confirmed(), false)
+            .terms("binding", report.binding())
+            .number("simulated_s", seconds(report));
+    members.node().put("calls", report.calls()).put("replans", report.replans());
+    out.println(
+        members.number("decision_ms", report.decisionMillis()).words("reasons", report.reasons()));
   }
 
   private void printSentences(GoalReport report) {
@@ -83,12 +87,12 @@ record GoalEndPrinter(String goal, boolean json, PrintWriter out) {
     return report.duration().toMillis() / 1000.0;
   }
 
-  private ObjectNode node(String id, boolean reached, boolean confirmed) {
-    ObjectNode node = new ObjectMapper().createObjectNode();
-    node.put("id", id);
-    node.put("goal", goal);
-    node.put("reached", reached);
-    node.put("confirmed", confirmed);
-    return node;
+  private JsonMembers node(Optional<String> id, boolean reached, boolean confirmed, boolean held) {
+    return JsonMembers.empty()
+        .text("id", id)
+        .text("goal", goal)
+        .truth("reached", reached)
+        .truth("confirmed", confirmed)
+        .truth("held", held);
   }
 }

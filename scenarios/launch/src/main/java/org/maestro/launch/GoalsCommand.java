@@ -1,8 +1,6 @@
 package org.maestro.launch;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
 import java.util.List;
@@ -88,22 +86,22 @@ final class GoalsCommand implements Callable<Integer> {
   }
 
   private static String document(List<Words> lines) {
-    ObjectNode document = new ObjectMapper().createObjectNode();
-    ArrayNode goals = document.putArray("goals");
+    JsonMembers document = JsonMembers.empty();
+    ArrayNode goals = document.node().putArray("goals");
     for (Words words : lines) {
       List<String> goal = goal(words);
-      ObjectNode node = goals.addObject();
-      node.put("id", goal.isEmpty() ? "-" : goal.get(0));
-      node.put("goal", goal.size() > 1 ? goal.get(1) : "-");
-      node.put("requester", words.string("requester").orElse("-"));
-      node.put("state", words.string("state").orElse("-"));
-      node.put("detail", words.string("detail").orElse(""));
-      node.put("priority", (int) words.number("priority", 0));
-      words.term("deadline").ifPresent(t -> node.put("deadline_s", words.number("deadline", 0)));
-      node.put("age_s", words.number("age", 0));
-      ArrayNode waits = node.putArray("waits");
+      JsonMembers row =
+          JsonMembers.in(goals)
+              .text("id", goal.stream().findFirst())
+              .text("goal", goal.stream().skip(1).findFirst())
+              .text("requester", words.string("requester"))
+              .text("state", words.string("state"))
+              .text("detail", words.string("detail"));
+      row.node().put("priority", (int) words.number("priority", 0));
+      row.number("deadline_s", words, "deadline").number("age_s", words, "age");
+      ArrayNode waits = row.node().putArray("waits");
       for (List<String> edge : waits(words)) {
-        waits.addObject().put("for", edge.get(0)).put("holder", edge.get(1));
+        JsonMembers.in(waits).text("for", edge.get(0)).text("holder", edge.get(1));
       }
     }
     return document.toString();

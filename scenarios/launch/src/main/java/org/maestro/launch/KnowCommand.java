@@ -1,12 +1,11 @@
 package org.maestro.launch;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -18,7 +17,6 @@ import org.maestro.platform.JoinedContainer;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
-import org.maestro.sl.Term;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -59,7 +57,7 @@ final class KnowCommand implements Callable<Integer> {
         .follow(
             asked,
             answers -> {
-              if (!first.complete(answers)) {
+              if (!first.complete(answers) && follows) {
                 print(answers);
               }
             },
@@ -91,34 +89,38 @@ final class KnowCommand implements Callable<Integer> {
   }
 
   private static String document(List<Words> answers) {
-    ObjectNode document = new ObjectMapper().createObjectNode();
-    ArrayNode array = document.putArray("answers");
+    JsonMembers document = JsonMembers.empty();
+    ArrayNode array = document.node().putArray("answers");
     for (Words answer : answers) {
-      ObjectNode node = array.addObject();
-      node.put("truth", answer.string("truth").orElse("unknown"));
-      ObjectNode binding = node.putObject("binding");
-      answer
-          .termsOf("binding")
-          .forEach(
-              (variable, term) -> {
-                if (term instanceof Term.Number number) {
-                  binding.put(variable, number.value());
-                } else if (term instanceof Term.Truth truth) {
-                  binding.put(variable, truth.value());
-                } else {
-                  binding.put(variable, Words.plain(term));
-                }
-              });
-      if (answer.term("age").isPresent()) {
-        node.put("age_s", answer.number("age", 0));
+      String truth = answer.string("truth").orElse("unknown");
+      JsonMembers row =
+          JsonMembers.in(array)
+              .text("truth", truth)
+              .terms("binding", answer.termsOf("binding"))
+              .number("age_s", answer, "age");
+      if (truth.equals("unknown")) {
+        row.number("confidence", OptionalDouble.empty());
       } else {
-        node.putNull("age_s");
+        row.number("confidence", answer, "confidence");
       }
-      node.put(
-          "source",
-          answer.find("because").flatMap(because -> because.string("source")).orElse(null));
+      row.text("source", answer.find("because").flatMap(because -> because.string("source")));
+      ArrayNode because = row.node().putArray("because");
+      answer.all().stream()
+          .filter(part -> part.name().equals("because"))
+          .map(Words::of)
+          .forEach(belief -> add(because, belief));
     }
     return document.toString();
+  }
+
+  private static void add(ArrayNode beliefs, Words belief) {
+    JsonMembers.in(beliefs)
+        .text("fact", belief.string("fact"))
+        .text("source", belief.string("source"))
+        .text("kind", belief.string("kind"))
+        .text("since", belief.string("since"))
+        .number("age_s", belief, "age")
+        .number("confidence", belief, "confidence");
   }
 
   private static List<String> row(Words answer) {

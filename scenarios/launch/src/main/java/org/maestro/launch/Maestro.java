@@ -52,7 +52,11 @@ import picocli.CommandLine.Spec;
       "3:something outside failed (port, broker, display, disk)",
       "4:goal reached as far as is known, but nobody could confirm it"
     },
-    footer = {"", "Start with: ./maestro demo"})
+    footer = {
+      "",
+      "Start with: ./maestro demo",
+      "What commands print with --json is described in docs/schemas."
+    })
 public final class Maestro implements Runnable {
   @Spec private CommandSpec spec;
 

@@ -7,6 +7,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -41,9 +42,15 @@ final class PddlSolving {
    * @param deadlineSeconds from the start of the process, above 0; infinite: none
    * @param first whether the first plan will do
    * @param verbose whether to tell how far planning came
+   * @param json whether to print one JSON document
    */
   record Asked(
-      String domain, String problem, double deadlineSeconds, boolean first, boolean verbose) {
+      String domain,
+      String problem,
+      double deadlineSeconds,
+      boolean first,
+      boolean verbose,
+      boolean json) {
 
     /**
      * Reads the arguments that most callers write. To have a library read them takes half the time
@@ -68,7 +75,7 @@ final class PddlSolving {
       }
       return count < 2 || !(deadline > 0)
           ? Optional.empty()
-          : Optional.of(new Asked(files[0], files[1], deadline, first, false));
+          : Optional.of(new Asked(files[0], files[1], deadline, first, false, false));
     }
 
     private static double seconds(String text) {
@@ -106,10 +113,18 @@ final class PddlSolving {
       long memory = Runtime.getRuntime().maxMemory() / 10 * 6;
       AnytimePlanner planner = new AnytimePlanner(task, memory, this::tell);
       Solution solution = asked.first() ? planner.first(patience) : planner.solve(patience);
-      int exit = print(task.task(), solution);
-      if (exit == UNSOLVABLE) {
-        Unsolvable.reasons(lifted, patience.atMost(SECONDS_FOR_REASONS))
-            .forEach(reason -> out.println("; " + reason));
+      int exit = exitCode(solution);
+      if (!asked.json()) {
+        print(task.task(), solution);
+      }
+      List<String> reasons =
+          exit == UNSOLVABLE
+              ? Unsolvable.reasons(lifted, patience.atMost(SECONDS_FOR_REASONS))
+              : List.of();
+      if (asked.json()) {
+        out.println(PddlPlanDocument.of(asked, task.task(), solution, reasons));
+      } else {
+        reasons.forEach(reason -> out.println("; " + reason));
       }
       out.flush();
       tellEffort();
@@ -117,11 +132,9 @@ final class PddlSolving {
     } catch (PddlException | GroundingException e) {
       throw CommandException.badInput(e);
     } catch (CancellationException e) {
-      out.println("; no plan found in time: the problem is still being made ground");
-      return NOTHING_FOUND;
+      return nothing(" in time: the problem is still being made ground");
     } catch (OutOfMemoryError e) {
-      out.println("; no plan found: " + MEMORY_USED_UP);
-      return NOTHING_FOUND;
+      return nothing(": " + MEMORY_USED_UP);
     } catch (NoSuchFileException e) {
       throw CommandException.badInput("There is no file %s.".formatted(e.getMessage()));
     } catch (AccessDeniedException e) {
@@ -139,8 +152,28 @@ final class PddlSolving {
     }
   }
 
-  private int print(GroundTask task, Solution solution) {
-    int exit = 0;
+  private int nothing(String why) {
+    String sentence = "no plan found" + why;
+    out.println(asked.json() ? PddlPlanDocument.without(asked, sentence) : "; " + sentence);
+    return NOTHING_FOUND;
+  }
+
+  private static int exitCode(Solution solution) {
+    if (solution.hasPlan()) {
+      return 0;
+    }
+    return solution.verdict() == Solution.Verdict.UNSOLVABLE ? UNSOLVABLE : NOTHING_FOUND;
+  }
+
+  static String noPlan(Solution solution) {
+    return switch (solution.verdict()) {
+      case UNSOLVABLE -> "unsolvable (proven)";
+      case OUT_OF_MEMORY -> "no plan found: " + MEMORY_USED_UP;
+      default -> "no plan found in time";
+    };
+  }
+
+  private void print(GroundTask task, Solution solution) {
     if (solution.hasPlan()) {
       for (GroundOperator operator : solution.operators()) {
         String step = task.names().operator(operator);
@@ -154,19 +187,12 @@ final class PddlSolving {
           number(solution.cost(), task),
           optimal ? "optimal" : "lower bound " + number(solution.lowerBound(), task));
     } else {
-      exit = solution.verdict() == Solution.Verdict.UNSOLVABLE ? UNSOLVABLE : NOTHING_FOUND;
-      out.println(
-          switch (solution.verdict()) {
-            case UNSOLVABLE -> "; unsolvable (proven)";
-            case OUT_OF_MEMORY -> "; no plan found: " + MEMORY_USED_UP;
-            default -> "; no plan found in time";
-          });
+      out.println("; " + noPlan(solution));
     }
     out.flush();
     if (solution.memoryUsedUp() && solution.hasPlan()) {
       err.println("A cheaper plan or a proof may be missing: " + MEMORY_USED_UP);
     }
-    return exit;
   }
 
   private void tellEffort() {
@@ -179,8 +205,12 @@ final class PddlSolving {
     err.flush();
   }
 
+  static BigDecimal amount(long units, GroundTask task) {
+    return BigDecimal.valueOf(units).divide(task.unit()).stripTrailingZeros();
+  }
+
   private static String number(long units, GroundTask task) {
-    return BigDecimal.valueOf(units).divide(task.unit()).stripTrailingZeros().toPlainString();
+    return amount(units, task).toPlainString();
   }
 
   /** The launcher script says when it was called, as the machine takes its time to start Java. */

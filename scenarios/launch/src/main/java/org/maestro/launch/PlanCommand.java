@@ -53,6 +53,9 @@ final class PlanCommand implements Callable<Integer> {
   @Option(names = "--verbose", description = "Tell on stderr how far planning came.")
   private boolean verbose;
 
+  @Option(names = "--json", description = "Print one JSON document.")
+  private boolean json;
+
   @Override
   public Integer call() {
     if (!(deadline > 0)) {
@@ -64,14 +67,14 @@ final class PlanCommand implements Callable<Integer> {
             "--deadline, --first and --verbose go with a problem in PDDL; a home's goal is planned"
                 + " as the platform plans it.");
       }
-      return new HomePlan(spec.commandLine().getOut()).show(domain, problem, pddl);
+      return new HomePlan(spec.commandLine().getOut()).show(domain, problem, pddl, json);
     }
     if (pddl.isPresent()) {
       throw CommandException.badInput(
           "--pddl goes with a home and a goal, as in: plan bob \"(nextTo Cup Bob)\" --pddl DIR.");
     }
     return new PddlSolving(
-            new PddlSolving.Asked(domain, problem, deadline, first, verbose),
+            new PddlSolving.Asked(domain, problem, deadline, first, verbose, json),
             spec.commandLine().getOut(),
             spec.commandLine().getErr())
         .solve();

@@ -1,14 +1,11 @@
 package org.maestro.launch;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import org.maestro.text.VisibleText;
 
-/** Rows under column names, for people or as JSON. */
+/** Rows under column names, for people. */
 record Table(List<String> columns, List<List<String>> rows) {
 
   void print(PrintWriter out) {
@@ -38,18 +35,5 @@ record Table(List<String> columns, List<List<String>> rows) {
       line.append(" ".repeat(widths.get(column) - cells.get(column).length() + 2));
     }
     return line.toString().stripTrailing();
-  }
-
-  /** One document: an object with the rows under the given name. */
-  String json(String name) {
-    ObjectNode document = new ObjectMapper().createObjectNode();
-    ArrayNode array = document.putArray(name);
-    for (List<String> row : rows) {
-      ObjectNode node = array.addObject();
-      for (int column = 0; column < columns.size(); column++) {
-        node.put(columns.get(column), row.get(column));
-      }
-    }
-    return document.toString();
   }
 }

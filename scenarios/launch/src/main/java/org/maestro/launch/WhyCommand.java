@@ -1,8 +1,6 @@
 package org.maestro.launch;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
 import java.util.ArrayList;
@@ -110,14 +108,13 @@ final class WhyCommand implements Callable<Integer> {
   }
 
   private String document(List<StoryEntry> story) {
-    ObjectNode document = new ObjectMapper().createObjectNode();
-    document.put("goal", goal);
-    ArrayNode entries = document.putArray("story");
+    JsonMembers document = JsonMembers.empty().text("goal", goal);
+    ArrayNode entries = document.node().putArray("story");
     for (StoryEntry entry : story) {
-      ObjectNode node = entries.addObject();
-      node.put("at_s", entry.at().toMillis() / 1000.0);
-      node.put("kind", entry.kind().name().toLowerCase(Locale.ROOT));
-      node.put("text", entry.text());
+      JsonMembers.in(entries)
+          .number("at_s", entry.at().toMillis() / 1000.0)
+          .text("kind", entry.kind().name().toLowerCase(Locale.ROOT))
+          .text("text", entry.text());
     }
     return document.toString();
   }

@@ -1,5 +1,6 @@
 package org.maestro.launch;
 
+import com.fasterxml.jackson.databind.node.ArrayNode;
 import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
 import java.util.List;
@@ -41,17 +42,41 @@ final class WordsCommand implements Callable<Integer> {
   public Integer call() {
     List<WordList.Entry> words =
         home.map(Shipped::home).map(WordList::of).orElseGet(this::ofThePlatform);
-    Table table =
-        new Table(
-            COLUMNS,
-            words.stream().map(word -> List.of(word.kind(), word.form(), word.meaning())).toList());
     PrintWriter out = spec.commandLine().getOut();
     if (json) {
-      out.println(table.json("words"));
+      out.println(document(words));
     } else {
-      table.print(out);
+      new Table(
+              COLUMNS,
+              words.stream()
+                  .map(word -> List.of(word.kind(), word.form(), word.meaning()))
+                  .toList())
+          .print(out);
     }
     return ExitCode.DONE;
+  }
+
+  private static String document(List<WordList.Entry> words) {
+    JsonMembers document = JsonMembers.empty();
+    ArrayNode array = document.node().putArray("words");
+    for (WordList.Entry word : words) {
+      JsonMembers row =
+          JsonMembers.in(array)
+              .text("kind", word.kind())
+              .text("word", word.name())
+              .text("form", word.form());
+      ArrayNode arguments = row.node().putArray("arguments");
+      word.arguments()
+          .forEach(
+              argument ->
+                  JsonMembers.in(arguments)
+                      .text("variable", argument.name())
+                      .text("class", argument.className()));
+      row.text("meaning", word.meaning())
+          .text("unit", word.unit())
+          .words("devices", word.devices());
+    }
+    return document.toString();
   }
 
   private List<WordList.Entry> ofThePlatform() {
@@ -67,7 +92,11 @@ final class WordsCommand implements Callable<Integer> {
                   new WordList.Entry(
                       line.string("kind").orElse(""),
                       line.string("form").orElse(""),
-                      line.string("meaning").orElse("")))
+                      line.string("meaning").orElse(""),
+                      line.string("unit").orElse(""),
+                      line.find("devices").map(Words::terms).orElse(List.of()).stream()
+                          .map(Words::plain)
+                          .toList()))
           .toList();
     }
   }

@@ -98,11 +98,11 @@ class RepliesShownTest {
     assertThat(shown.lines()).hasSize(2);
     assertSeen(shown);
 
-    String document = printed(out -> out.println(table.json("agents")));
+    String document =
+        printed(out -> out.println(JsonMembers.empty().words("agents", List.of(text))));
     assertThat(document.lines()).hasSize(1);
     assertSeen(document);
-    assertThat(new ObjectMapper().readTree(document).at("/agents/0/agent").asText())
-        .isEqualTo(text);
+    assertThat(new ObjectMapper().readTree(document).at("/agents/0").asText()).isEqualTo(text);
   }
 
   private static void assertSeen(String shown) {

@@ -89,7 +89,10 @@ public final class AgentsBench {
       }
     }
     return new BenchReport(
-        "agents", BenchReport.thisMachine() + ", threads " + AgentThreads.chosen(), rows);
+        "agents",
+        BenchReport.thisMachine(),
+        rows,
+        List.of("Agents run on threads: " + AgentThreads.chosen()));
   }
 
   /** What is loaded and compiled once belongs to no agent. */
