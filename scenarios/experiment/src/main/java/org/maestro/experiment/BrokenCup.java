@@ -14,7 +14,6 @@ import org.maestro.experiment.measuring.Share;
 import org.maestro.experiment.measuring.Spread;
 import org.maestro.experiment.measuring.Table;
 import org.maestro.experiment.page.Page;
-import org.maestro.experiment.running.Progress;
 import org.maestro.experiment.setting.Physics;
 import org.maestro.experiment.setting.Setting;
 
@@ -62,20 +61,20 @@ final class BrokenCup implements Experiment {
   }
 
   @Override
-  public Findings carryOut(Request request, Progress progress) {
-    List<CupRun> runs = new ArrayList<>();
-    for (int run = 1; run <= request.runs(); run++) {
-      CupRun carriedOut = CupRun.carryOut(run, request.seedOf(run), request.settings());
-      runs.add(carriedOut);
-      progress.passed(
-          run,
-          request.runs(),
-          String.format(
-              Locale.ROOT,
-              "%s in %.1f s",
-              carriedOut.success() ? "cleaned up" : "not cleaned up",
-              carriedOut.seconds()));
-    }
+  public Course<?> begin(Request request) {
+    return new Course<>(
+        request.runs(),
+        run -> CupRun.carryOut(run, request.seedOf(run), request.settings()),
+        run ->
+            String.format(
+                Locale.ROOT,
+                "%s in %.1f s",
+                run.success() ? "cleaned up" : "not cleaned up",
+                run.seconds()),
+        runs -> findings(request, runs));
+  }
+
+  private Findings findings(Request request, List<CupRun> runs) {
     Map<String, Table> tables = new LinkedHashMap<>();
     tables.put("runs", GoalRun.table(runs));
     tables.put("deeds", deeds(runs));

@@ -24,5 +24,13 @@ public interface Experiment {
     return false;
   }
 
-  Findings carryOut(Request request, Progress progress);
+  /** Its runs, none of which is carried out yet. */
+  Course<?> begin(Request request);
+
+  /** All of its runs, and what they show. */
+  default Findings carryOut(Request request, Progress progress) {
+    Course<?> course = begin(request);
+    course.carryOut(progress);
+    return course.findings();
+  }
 }

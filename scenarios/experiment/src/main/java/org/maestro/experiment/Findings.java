@@ -64,12 +64,18 @@ public record Findings(
     return file;
   }
 
-  /** One document. */
-  public String json(Path directory) {
+  /**
+   * One document.
+   *
+   * @param course whose findings these are
+   */
+  public String json(Path directory, Course<?> course) {
     ObjectNode document = new ObjectMapper().createObjectNode();
     document.put("experiment", experiment);
     document.put("directory", directory.toString());
     document.put("page", directory.resolve(PAGE).toString());
+    document.put("runs_done", course.done());
+    document.put("runs_asked", course.runs());
     var array = document.putArray("results");
     for (Result result : results) {
       ObjectNode node = array.addObject();

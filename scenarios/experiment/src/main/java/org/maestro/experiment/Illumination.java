@@ -13,7 +13,6 @@ import org.maestro.experiment.drawing.TimeChart;
 import org.maestro.experiment.measuring.Spread;
 import org.maestro.experiment.measuring.Table;
 import org.maestro.experiment.page.Page;
-import org.maestro.experiment.running.Progress;
 import org.maestro.experiment.setting.Physics;
 import org.maestro.experiment.setting.Setting;
 import org.maestro.experiment.setting.Settings;
@@ -74,26 +73,32 @@ final class Illumination implements Experiment {
     return settings;
   }
 
+  /** The runs of one seed, in the dark and with the light that comes back. */
+  private record Pair(LightRun dark, LightRun recovery) {}
+
   @Override
-  public Findings carryOut(Request request, Progress progress) {
-    List<LightRun> dark = new ArrayList<>();
-    List<LightRun> recovery = new ArrayList<>();
-    for (int run = 1; run <= request.runs(); run++) {
-      dark.add(LightRun.carryOut(run, request.seedOf(run), LightRun.Case.DARK, request.settings()));
-      LightRun recovered =
-          LightRun.carryOut(run, request.seedOf(run), LightRun.Case.RECOVERY, request.settings());
-      recovery.add(recovered);
-      progress.passed(
-          run,
-          request.runs(),
-          recovered.recoverySeconds().isPresent()
-              ? String.format(
-                  Locale.ROOT,
-                  "light was back after %.1f s",
-                  recovered.recoverySeconds().getAsDouble())
-              : "light did not come back");
-    }
-    return findings(request, dark, recovery);
+  public Course<?> begin(Request request) {
+    return new Course<>(
+        request.runs(),
+        run ->
+            new Pair(
+                run(request, run, LightRun.Case.DARK), run(request, run, LightRun.Case.RECOVERY)),
+        pair ->
+            pair.recovery().recoverySeconds().isPresent()
+                ? String.format(
+                    Locale.ROOT,
+                    "light was back after %.1f s",
+                    pair.recovery().recoverySeconds().getAsDouble())
+                : "light did not come back",
+        pairs ->
+            findings(
+                request,
+                pairs.stream().map(Pair::dark).toList(),
+                pairs.stream().map(Pair::recovery).toList()));
+  }
+
+  private static LightRun run(Request request, int run, LightRun.Case way) {
+    return LightRun.carryOut(run, request.seedOf(run), way, request.settings());
   }
 
   private static Findings findings(Request request, List<LightRun> dark, List<LightRun> recovery) {

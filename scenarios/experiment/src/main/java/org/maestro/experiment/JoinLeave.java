@@ -17,7 +17,6 @@ import org.maestro.experiment.drawing.Stacks;
 import org.maestro.experiment.measuring.Spread;
 import org.maestro.experiment.measuring.Table;
 import org.maestro.experiment.page.Page;
-import org.maestro.experiment.running.Progress;
 import org.maestro.experiment.setting.Physics;
 import org.maestro.experiment.setting.Setting;
 
@@ -67,36 +66,46 @@ final class JoinLeave implements Experiment {
   }
 
   @Override
-  public Findings carryOut(Request request, Progress progress) {
-    Map<JoinRun.Way, List<JoinRun>> runs = new EnumMap<>(JoinRun.Way.class);
+  public Course<?> begin(Request request) {
+    return new Course<>(
+        request.runs(),
+        run -> inEachWay(request, run),
+        ways ->
+            "%s with %d replans; fixed plan %s"
+                .formatted(
+                    reached(of(ways, JoinRun.Way.REPLANNING)),
+                    of(ways, JoinRun.Way.REPLANNING).ending().replans(),
+                    reached(of(ways, JoinRun.Way.FIXED_PLAN))),
+        runs -> findings(request, byWay(runs)));
+  }
+
+  private static Map<JoinRun.Way, JoinRun> inEachWay(Request request, int run) {
+    Map<JoinRun.Way, JoinRun> ways = new EnumMap<>(JoinRun.Way.class);
     for (JoinRun.Way way : JoinRun.Way.values()) {
-      runs.put(way, new ArrayList<>());
+      ways.put(way, JoinRun.carryOut(run, request.seedOf(run), way, request.settings()));
     }
-    for (int run = 1; run <= request.runs(); run++) {
-      for (JoinRun.Way way : JoinRun.Way.values()) {
-        by(way, runs).add(JoinRun.carryOut(run, request.seedOf(run), way, request.settings()));
-      }
-      JoinRun replanning = last(runs, JoinRun.Way.REPLANNING);
-      progress.passed(
-          run,
-          request.runs(),
-          "%s with %d replans; fixed plan %s"
-              .formatted(
-                  replanning.success() ? "reached" : "not reached",
-                  replanning.ending().replans(),
-                  last(runs, JoinRun.Way.FIXED_PLAN).success() ? "reached" : "not reached"));
+    return ways;
+  }
+
+  private static String reached(JoinRun run) {
+    return run.success() ? "reached" : "not reached";
+  }
+
+  private static JoinRun of(Map<JoinRun.Way, JoinRun> ways, JoinRun.Way way) {
+    return Objects.requireNonNull(ways.get(way));
+  }
+
+  private static Map<JoinRun.Way, List<JoinRun>> byWay(List<Map<JoinRun.Way, JoinRun>> runs) {
+    Map<JoinRun.Way, List<JoinRun>> byWay = new EnumMap<>(JoinRun.Way.class);
+    for (JoinRun.Way way : JoinRun.Way.values()) {
+      byWay.put(way, runs.stream().map(ways -> of(ways, way)).toList());
     }
-    return findings(request, runs);
+    return byWay;
   }
 
   /** Each way has its runs. */
   private static List<JoinRun> by(JoinRun.Way way, Map<JoinRun.Way, List<JoinRun>> runs) {
     return Objects.requireNonNull(runs.get(way));
-  }
-
-  private static JoinRun last(Map<JoinRun.Way, List<JoinRun>> runs, JoinRun.Way way) {
-    List<JoinRun> done = by(way, runs);
-    return done.get(done.size() - 1);
   }
 
   private static Findings findings(Request request, Map<JoinRun.Way, List<JoinRun>> runs) {

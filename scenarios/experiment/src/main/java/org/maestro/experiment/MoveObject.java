@@ -9,7 +9,6 @@ import java.util.OptionalDouble;
 import org.maestro.experiment.drawing.Figure;
 import org.maestro.experiment.measuring.Spread;
 import org.maestro.experiment.measuring.Table;
-import org.maestro.experiment.running.Progress;
 import org.maestro.experiment.setting.Physics;
 import org.maestro.experiment.setting.Setting;
 import org.maestro.ontology.floor.Point2;
@@ -59,22 +58,26 @@ final class MoveObject implements Experiment {
     return true;
   }
 
+  /** A run, and on which clock it was. */
+  private record Timed(MoveRun run, boolean paced) {}
+
   @Override
-  public Findings carryOut(Request request, Progress progress) {
+  public Course<?> begin(Request request) {
+    int stepped = request.runs();
     int paced = request.paced() ? PACED_RUNS : 0;
-    int all = request.runs() + paced;
-    List<MoveRun> runs = new ArrayList<>();
-    for (int run = 1; run <= request.runs(); run++) {
-      runs.add(run(request, run, request.runs(), OptionalDouble.empty()));
-      progress.passed(run, all, line(runs.get(run - 1)));
-    }
-    List<MoveRun> pacedRuns = new ArrayList<>();
     OptionalDouble pace = OptionalDouble.of(request.settings().number(PACE));
-    for (int run = 1; run <= paced; run++) {
-      pacedRuns.add(run(request, run, paced, pace));
-      progress.passed(request.runs() + run, all, "paced: " + line(pacedRuns.get(run - 1)));
-    }
-    return findings(request, runs, pacedRuns);
+    return new Course<>(
+        stepped + paced,
+        run ->
+            run <= stepped
+                ? new Timed(run(request, run, stepped, OptionalDouble.empty()), false)
+                : new Timed(run(request, run - stepped, paced, pace), true),
+        timed -> (timed.paced() ? "paced: " : "") + line(timed.run()),
+        runs -> findings(request, on(false, runs), on(true, runs)));
+  }
+
+  private static List<MoveRun> on(boolean paced, List<Timed> runs) {
+    return runs.stream().filter(timed -> timed.paced() == paced).map(Timed::run).toList();
   }
 
   private static MoveRun run(Request request, int run, int of, OptionalDouble pace) {

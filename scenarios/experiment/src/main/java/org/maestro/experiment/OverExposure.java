@@ -10,7 +10,6 @@ import org.maestro.experiment.drawing.Ink;
 import org.maestro.experiment.drawing.Stacks;
 import org.maestro.experiment.measuring.Table;
 import org.maestro.experiment.page.Page;
-import org.maestro.experiment.running.Progress;
 import org.maestro.experiment.setting.Physics;
 import org.maestro.experiment.setting.Setting;
 import org.maestro.experiment.setting.Settings;
@@ -81,31 +80,46 @@ final class OverExposure implements Experiment {
     return settings;
   }
 
+  /** A run, and under which condition it was. */
+  private record Tried(Condition condition, MoveRun run) {}
+
   @Override
-  public Findings carryOut(Request request, Progress progress) {
-    List<Series> all = new ArrayList<>();
-    int done = 0;
-    for (Condition condition : CONDITIONS) {
-      List<MoveRun> runs = new ArrayList<>();
-      for (int run = 1; run <= request.runs(); run++) {
-        MoveRun carriedOut =
-            MoveRun.carryOut(
-                run,
-                request.seedOf(run),
-                2 * run <= request.runs() + 1 ? MoveObject.FIRST : MoveObject.SECOND,
-                condition.of(request.settings()),
-                OptionalDouble.empty(),
-                run == 1 && !condition.equals(CONDITIONS.get(1)));
-        runs.add(carriedOut);
-        done++;
-        progress.passed(
-            done,
-            CONDITIONS.size() * request.runs(),
-            condition.label() + ": " + ending(carriedOut));
-      }
-      all.add(new Series(condition, runs));
-    }
-    return findings(request, all);
+  public Course<?> begin(Request request) {
+    return new Course<>(
+        CONDITIONS.size() * request.runs(),
+        number -> tried(request, number),
+        tried -> tried.condition().label() + ": " + ending(tried.run()),
+        all -> findings(request, series(all)));
+  }
+
+  /** All runs under one condition come before those under the next. */
+  private static Tried tried(Request request, int number) {
+    Condition condition = CONDITIONS.get((number - 1) / request.runs());
+    int run = (number - 1) % request.runs() + 1;
+    return new Tried(
+        condition,
+        MoveRun.carryOut(
+            run,
+            request.seedOf(run),
+            2 * run <= request.runs() + 1 ? MoveObject.FIRST : MoveObject.SECOND,
+            condition.of(request.settings()),
+            OptionalDouble.empty(),
+            run == 1 && !condition.equals(CONDITIONS.get(1))));
+  }
+
+  /** Without conditions under which there was no run. */
+  private static List<Series> series(List<Tried> all) {
+    return CONDITIONS.stream()
+        .map(
+            condition ->
+                new Series(
+                    condition,
+                    all.stream()
+                        .filter(tried -> tried.condition().equals(condition))
+                        .map(Tried::run)
+                        .toList()))
+        .filter(series -> !series.runs().isEmpty())
+        .toList();
   }
 
   private static String ending(MoveRun run) {

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
+import org.maestro.experiment.Course;
 import org.maestro.experiment.Experiment;
 import org.maestro.experiment.Experiments;
 import org.maestro.experiment.Findings;
@@ -85,15 +86,55 @@ final class ExperimentCommand implements Callable<Integer> {
     Request request =
         new Request(checkedRuns(experiment), seed, chosen.settings(), checkedPaced(experiment));
     Path target = madeReady(directory.orElse(Path.of("experiment-" + experiment.name())));
-    Findings findings = experiment.carryOut(request, new ProgressBar(spec.commandLine().getErr()));
+    Course<?> course = experiment.begin(request);
+    ProgressBar bar = new ProgressBar(spec.commandLine().getErr());
+    Thread interruption = new Thread(() -> interrupted(course, target, bar), "interruption");
+    Runtime.getRuntime().addShutdownHook(interruption);
+    course.carryOut(bar);
+    if (isUnderWay(interruption)) {
+      return ExitCode.NOT_REACHED;
+    }
+    report(course, target);
+    return ExitCode.DONE;
+  }
+
+  /** Whether the process is being ended, and tells by itself what was found. */
+  private static boolean isUnderWay(Thread interruption) {
+    try {
+      Runtime.getRuntime().removeShutdownHook(interruption);
+      return false;
+    } catch (IllegalStateException e) {
+      return true;
+    }
+  }
+
+  /** What is finished is kept; the exit code is that of a process ended by a signal. */
+  private void interrupted(Course<?> course, Path target, ProgressBar bar) {
+    course.stop();
+    bar.breakOff();
+    PrintWriter err = spec.commandLine().getErr();
+    err.println("Interrupted after %d of %d runs.".formatted(course.done(), course.runs()));
+    try {
+      if (course.done() > 0) {
+        report(course, target);
+      }
+    } catch (RuntimeException e) {
+      err.println("maestro: " + Failures.sentence(e));
+    }
+    err.flush();
+  }
+
+  private void report(Course<?> course, Path target) {
+    PrintWriter out = spec.commandLine().getOut();
+    Findings findings = course.findings();
     Path page = findings.write(target);
     if (json) {
-      out.println(findings.json(target));
+      out.println(findings.json(target, course));
     } else {
       findings.results().forEach(result -> out.println(result.line()));
       out.println("The page with figures and raw data beside it: " + page.toAbsolutePath());
     }
-    return ExitCode.DONE;
+    out.flush();
   }
 
   /** Runs take long: that their data cannot be written is said before them. */

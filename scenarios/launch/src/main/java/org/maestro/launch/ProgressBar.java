@@ -48,4 +48,13 @@ final class ProgressBar implements Progress {
     }
     bar.flush();
   }
+
+  /** Nothing more comes: what is told next begins a line. */
+  void breakOff() {
+    terminal.ifPresent(
+        bar -> {
+          bar.println();
+          bar.flush();
+        });
+  }
 }

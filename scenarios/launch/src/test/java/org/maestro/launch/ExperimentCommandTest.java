@@ -2,17 +2,25 @@ package org.maestro.launch;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import org.awaitility.Awaitility;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.maestro.experiment.Experiments;
 
 /** What can be asked for wrongly is refused before anything runs. */
 class ExperimentCommandTest {
+  private static final Duration LIMIT = Duration.ofSeconds(60);
+
   @TempDir private Path directory;
   private final ByteArrayOutputStream out = new ByteArrayOutputStream();
   private final ByteArrayOutputStream err = new ByteArrayOutputStream();
@@ -45,6 +53,41 @@ class ExperimentCommandTest {
   void withoutANameItTellsWhatThereIs() {
     assertThat(execute()).isZero();
     assertThat(out.toString(StandardCharsets.UTF_8).lines()).hasSameSizeAs(Experiments.all());
+  }
+
+  /** The test ends it when the first run is told to be over; the second is under way then. */
+  @ParameterizedTest
+  @CsvSource({"TERM, 143", "INT, 130"})
+  void whatWasFinishedWhenItIsInterruptedIsKept(String signal, int exitCode) throws Exception {
+    try (JavaProcess process =
+        JavaProcess.start(
+            Maestro.class.getName(),
+            List.of(
+                "experiment",
+                "broken-cup",
+                "--runs",
+                "50000",
+                "--json",
+                "--out",
+                directory.toString()))) {
+      Awaitility.await()
+          .pollInterval(Duration.ofMillis(5))
+          .atMost(LIMIT)
+          .until(() -> process.errors().contains("1 of 50000: ") || !process.isAlive());
+
+      process.signal(signal);
+
+      JavaProcess.Ended ended = process.await(LIMIT);
+      assertThat(ended.exitCode()).as(ended.errors()).isEqualTo(exitCode);
+      JsonNode findings = CommandSchemas.valid("experiment", ended.output());
+      int done = findings.path("runs_done").asInt();
+      assertThat(done).isBetween(1, 49_999);
+      assertThat(findings.path("runs_asked").asInt()).isEqualTo(50_000);
+      String interrupted = "Interrupted after %d of 50000 runs".formatted(done);
+      assertThat(ended.errors()).contains(interrupted + ".").doesNotContain("maestro: ");
+      assertThat(Files.readString(directory.resolve("index.html"))).contains(interrupted);
+      assertThat(Files.readAllLines(directory.resolve("runs.csv"))).hasSize(1 + done);
+    }
   }
 
   private void refused(String part, String... arguments) {

@@ -164,7 +164,8 @@ public final class JavaProcess implements AutoCloseable {
     signal("CONT");
   }
 
-  private void signal(String name) {
+  /** Sends a signal, such as TERM. */
+  void signal(String name) {
     try {
       int code =
           new ProcessBuilder("kill", "-" + name, String.valueOf(process.pid()))

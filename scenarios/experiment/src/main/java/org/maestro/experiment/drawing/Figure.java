@@ -9,6 +9,8 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
+import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.maestro.hal.Photo;
 
 /**
@@ -23,8 +25,9 @@ public record Figure(String name, String caption, byte[] png) {
 
   public static Figure of(String name, String caption, BufferedImage image) {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    try {
-      ImageIO.write(image, "png", bytes);
+    // A cache in a file, as it is usual, cannot be made any more while the process is being ended.
+    try (ImageOutputStream stream = new MemoryCacheImageOutputStream(bytes)) {
+      ImageIO.write(image, "png", stream);
     } catch (IOException e) {
       throw new UncheckedIOException("The figure " + name + " cannot be drawn.", e);
     }

@@ -23,6 +23,8 @@ public final class Page {
       figcaption { color: #444; font-size: .95em; } code { background: #f3f3f3; padding: 0 .2em; }
       """;
 
+  private static final String TITLE_END = "</h1>\n";
+
   private final StringBuilder body = new StringBuilder();
   private final String title;
 
@@ -31,7 +33,7 @@ public final class Page {
    */
   public Page(String title, String lead, String command) {
     this.title = title;
-    body.append("<h1>").append(escaped(title)).append("</h1>\n");
+    body.append("<h1>").append(escaped(title)).append(TITLE_END);
     text(lead);
     body.append("<p>To repeat it: <code>").append(escaped(command)).append("</code></p>\n");
   }
@@ -41,6 +43,14 @@ public final class Page {
    * measured here, and what to know.
    */
   public record Row(String what, String paper, String here, String remark) {}
+
+  /** What has to be known before anything else, below the title. */
+  public Page notice(String text) {
+    body.insert(
+        body.indexOf(TITLE_END) + TITLE_END.length(),
+        "<p><strong>" + escaped(text) + "</strong></p>\n");
+    return this;
+  }
 
   public Page heading(String text) {
     body.append("<h2>").append(escaped(text)).append("</h2>\n");
