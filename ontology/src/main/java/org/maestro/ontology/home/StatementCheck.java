@@ -12,6 +12,8 @@ import java.util.stream.Collectors;
 import org.maestro.ontology.vocabulary.NameCheck;
 import org.maestro.ontology.vocabulary.Nearest;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.sl.Effect;
+import org.maestro.sl.Expression;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
@@ -20,8 +22,9 @@ import org.maestro.sl.Term;
 import org.maestro.sl.TypedVariable;
 
 /**
- * Tells what in a goal, a question or a fact is said wrongly in a home: what neither the home nor
- * its vocabulary know, and what they know as something else. Any thread may use it.
+ * Tells what in a goal, a question, a fact, an effect or a number is said wrongly in a home: what
+ * neither the home nor its vocabulary know, and what they know as something else. Any thread may
+ * use it.
  */
 public final class StatementCheck {
   private final Home home;
@@ -53,7 +56,21 @@ public final class StatementCheck {
     return faults.stream().findFirst();
   }
 
-  /** The same, but things that the home does not know may be of any class. */
+  /** The same of what a feature does; its variables are those of the feature. */
+  public Optional<String> fault(Effect effect) {
+    List<String> faults = new ArrayList<>();
+    names(FreeVariables.of(effect), faults).check(effect);
+    return faults.stream().findFirst();
+  }
+
+  /** The same of a number. */
+  public Optional<String> fault(Expression expression) {
+    List<String> faults = new ArrayList<>();
+    names(FreeVariables.of(expression), faults).check(expression);
+    return faults.stream().findFirst();
+  }
+
+  /** The same of a statement, but things that the home does not know may be of any class. */
   public Optional<String> misfit(Fact fact) {
     List<String> faults = new ArrayList<>();
     names(

@@ -10,12 +10,13 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.StatementCheck;
 import org.maestro.ontology.home.WordList;
-import org.maestro.sl.Formula;
 import org.maestro.sl.Outline;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlSyntaxException;
@@ -49,11 +50,13 @@ final class SlCommand implements Callable<Integer> {
           "Whose words are meant: a home file, or a shipped home; default ${DEFAULT-VALUE}.")
   private String home = "bob";
 
-  /** A reading of a line: as which kind, and the parts, or why it is none. */
+  /**
+   * A reading of a line: as which kind, the parts and how its words are checked, or why it is none.
+   */
   private record Reading(
       String kind,
       List<Outline.Line> parts,
-      Optional<Formula> condition,
+      Function<StatementCheck, Optional<String>> words,
       Optional<SlSyntaxException> fault) {}
 
   @Override
@@ -88,10 +91,7 @@ final class SlCommand implements Callable<Integer> {
     }
     out.println(reading.kind());
     new Table(List.of("part", "role", "word"), rows(reading.parts(), meant)).print(out);
-    Optional<String> fault =
-        reading
-            .condition()
-            .flatMap(condition -> new StatementCheck(meant, "The line").fault(condition));
+    Optional<String> fault = reading.words().apply(new StatementCheck(meant, "The line"));
     fault.ifPresent(sentence -> out.println(VisibleText.line(sentence)));
     out.println();
     out.flush();
@@ -117,9 +117,21 @@ final class SlCommand implements Callable<Integer> {
   private static Reading read(String line, Predicate<String> fluents) {
     List<Reading> readings =
         List.of(
-            condition(line, fluents),
-            other("an effect", line, text -> Outline.of(SlParser.effect(text, fluents))),
-            other("a number", line, text -> Outline.of(SlParser.expression(text))));
+            as(
+                "a goal or condition",
+                () -> SlParser.formula(line, fluents),
+                Outline::of,
+                (check, formula) -> check.fault(formula)),
+            as(
+                "an effect",
+                () -> SlParser.effect(line, fluents),
+                Outline::of,
+                (check, effect) -> check.fault(effect)),
+            as(
+                "a number",
+                () -> SlParser.expression(line),
+                Outline::of,
+                (check, number) -> check.fault(number)));
     return readings.stream()
         .filter(reading -> reading.fault().isEmpty())
         .findFirst()
@@ -130,22 +142,17 @@ final class SlCommand implements Callable<Integer> {
                     .orElseThrow());
   }
 
-  private static Reading condition(String line, Predicate<String> fluents) {
+  private static <T> Reading as(
+      String kind,
+      Supplier<T> reader,
+      Function<T, List<Outline.Line>> outline,
+      BiFunction<StatementCheck, T, Optional<String>> words) {
     try {
-      Formula formula = SlParser.formula(line, fluents);
+      T read = reader.get();
       return new Reading(
-          "a goal or condition", Outline.of(formula), Optional.of(formula), Optional.empty());
+          kind, outline.apply(read), check -> words.apply(check, read), Optional.empty());
     } catch (SlSyntaxException e) {
-      return new Reading("", List.of(), Optional.empty(), Optional.of(e));
-    }
-  }
-
-  private static Reading other(
-      String kind, String line, Function<String, List<Outline.Line>> reader) {
-    try {
-      return new Reading(kind, reader.apply(line), Optional.empty(), Optional.empty());
-    } catch (SlSyntaxException e) {
-      return new Reading("", List.of(), Optional.empty(), Optional.of(e));
+      return new Reading("", List.of(), check -> Optional.empty(), Optional.of(e));
     }
   }
 }

@@ -52,4 +52,18 @@ class SlCommandTest {
             "At column 12 the \")\" for the \"(\" at column 1 was expected, but found the end of the text.",
             "The line names zone-a where a Thing is wanted, and it is none; write (nextTo ?a - Thing ?b - Thing).");
   }
+
+  @Test
+  void unknownWordsOfEffectsAndNumbersAreFaults() {
+    assertThat(said("sl", "(increase (levle lamp-b1) 1)"))
+        .startsWith("1", "an effect")
+        .contains("The line uses the unknown fluent levle; write level, if that is meant.");
+    assertThat(said("sl", "(sense (nextto ?object Bob))"))
+        .startsWith("1", "an effect")
+        .contains("The line uses the unknown predicate nextto; write nextTo, if that is meant.");
+    assertThat(said("sl", "(+ 1 (level lamp-b9))"))
+        .startsWith("1", "a number")
+        .anyMatch(line -> line.startsWith("The line names lamp-b9, which is not described; "));
+    assertThat(said("sl", "(increase (level ?self) 1)")).startsWith("0", "an effect");
+  }
 }
