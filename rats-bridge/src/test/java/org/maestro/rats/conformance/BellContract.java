@@ -93,13 +93,16 @@ abstract class BellContract {
 
   /** A call of which some bytes are others, gone, or there twice. */
   private static byte[] broken(Examiner examiner, Dialogue dialogue, Random chance) {
-    List<String> features = List.of("$ping", "$cost", "$cancel", "$safe", "r\\u00e4\\ud83d\\ude00");
+    List<String> features = List.of("$ping", "$cost", "$cancel", "$safe", "ESCAPED");
     Map<String, Object> call =
         dialogue.call(
             features.get(chance.nextInt(features.size())),
             Map.of("id", "x", "feature", "ring", "sets", List.of(Map.of("a", List.of(1.5, "b")))));
-    StringBuilder text = new StringBuilder(new String(examiner.bytes(call), UTF_8));
-    for (int times = 1 + chance.nextInt(4); times > 0; times--) {
+    StringBuilder text =
+        new StringBuilder(
+            new String(examiner.bytes(call), UTF_8)
+                .replace("ESCAPED", "\\u00e4\\ud83d\\ude00 \u00e4 \ud83d\ude00"));
+    for (int times = 1 + chance.nextInt(4); times > 0 && text.length() > 1; times--) {
       int at = chance.nextInt(text.length());
       switch (chance.nextInt(4)) {
         case 0 -> text.deleteCharAt(at);
