@@ -10,7 +10,7 @@ import paho.mqtt.client as mqtt
 from paho.mqtt.subscribeoptions import SubscribeOptions
 
 ME, BOOT, ROOT = "kettle-1", uuid.uuid4().hex, f"rats/1/{sys.argv[3]}/"  # another start is another boot
-OWN = ROOT + f"member/{ME}/"
+OWN, answers, served = ROOT + f"member/{ME}/", {}, []
 DESCRIPTION = {
     "@context": ["https://w3id.org/maestro/context.jsonld", {"k": "https://example.org/kitchen#"}],
     "id": "k:" + ME, "label": "the kettle", "type": "k:Kettle",
@@ -25,7 +25,6 @@ DESCRIPTION = {
         {"id": "k:served", "type": "maestro:Predicate", "label": "served to",
          "arguments": ["?drink - Drink", "?guest - Guest"]},
         {"id": "k:tea", "type": "k:Drink", "label": "tea"}]}
-answers, served = {}, []
 
 
 def publish(topic, retain, **fields):
@@ -37,7 +36,7 @@ def tell_state():
 
 
 def announce(*_):  # after each connect, since the broker may have come back empty
-    client.subscribe([(topic, SubscribeOptions(1, retainAsPublished=True, retainHandling=2)) for topic in (ROOT + "call/#", OWN + "status")])
+    client.subscribe([(ROOT + topic, SubscribeOptions(1, True, True, 2)) for topic in ("call/#", f"member/{ME}/+")])
     client.publish(OWN + "description", json.dumps(DESCRIPTION), 1, True)
     tell_state()
     publish(OWN + "status", True, id=ME, status="ready", boot=BOOT)
@@ -66,23 +65,25 @@ def refusal(code, message):
 
 
 def heard(_, __, message):
-    call = json.loads(message.payload)
+    call = {"p": {}, **json.loads(message.payload)}
     if message.retain or call.get("r", "") not in (ME, "") or message.topic not in (ROOT + "call", ROOT + "call/" + call["from"]):
         return
     if call.get("r") or call["f"] == "brew" or call["f"].startswith("$"):
         key, body = (call["from"], call["id"]), (call["f"], call["p"])
         if not call["v"].startswith("1."):
             answer = refusal("UNSUPPORTED_VERSION", "It understands version 1")
+        elif any("\ud800" <= letter <= "\udfff" for letter in json.dumps(call, ensure_ascii=False)):
+            answer = refusal("MALFORMED", "The call holds half a character")
         elif key in answers and answers[key][0] != body:
             answer = refusal("DUPLICATE_ID", "Another call of that id came before")
         else:  # the same call again gets the same answer: nothing is done twice
-            answers[key] = answers.get(key) or (body, perform(call))
-            answer = answers[key][1]
+            answer = (answers.get(key) or answers.setdefault(key, (body, perform(call))))[1]
         publish(ROOT + f"result/{call['from']}/{ME}", False, id=call["id"], **{"from": ME, "z": "standby"}, **answer)
 
 
 def said_of_me(_, __, message):  # a will that came late, or another's word, must not be the last
-    if not message.payload or json.loads(message.payload)["status"] != "ready":
+    own = DESCRIPTION if message.topic == OWN + "description" else {"status": "ready"}
+    if {**(said := json.loads(message.payload or "{}")), **own} != said:
         announce()
 
 
@@ -91,7 +92,7 @@ client.will_set(OWN + "status", json.dumps({"v": "1.0", "id": ME, "status": "los
 if len(sys.argv) > 4:
     client.username_pw_set(ME, open(sys.argv[4] + "/password").read().strip())
     client.tls_set(ca_certs=sys.argv[4] + "/ca.pem")
-client.message_callback_add(OWN + "status", said_of_me)
+client.message_callback_add(OWN + "+", said_of_me)
 client.on_connect, client.on_message, client.suppress_exceptions = announce, heard, True  # rubbish must not end it
 client.on_disconnect = lambda *a: a[3] == "Session taken over" and sys.exit(f"Another {ME} is there; rename one")
 client.connect(sys.argv[1], int(sys.argv[2]), keepalive=15)

@@ -308,16 +308,22 @@ static void work(void) { /* on what is under way, as far as it is due */
 
 /* --- The bus */
 
-static void heard_status(Text message) { /* a will that came late, or another's word, must not be the last */
+/* A will that came late, or another's word, must not be the last. */
+static void said_of_me(Text topic, Text message) {
+  static const char END[] = "/description";
+  int length = text_length(topic), end = (int)sizeof END - 1;
   Text status;
-  if (!json_text(message, "status", &status) || !text_is(status, "ready")) announce();
+  bool is_right = length >= end && memcmp(topic.end - end, END, (size_t)end) == 0
+                      ? text_is(message, DESCRIPTION)
+                      : json_text(message, "status", &status) && text_is(status, "ready");
+  if (!is_right) announce();
 }
 
 static void heard(const Message *message) {
   char calls[MOST_TOPIC];
   int length = snprintf(calls, sizeof calls, "rats/1/%s/call", site);
   if (text_length(message->topic) < length || memcmp(message->topic.at, calls, (size_t)length) != 0) {
-    heard_status(message->payload);
+    said_of_me(message->topic, message->payload);
   } else if (!message->is_retained) {
     bool is_bare = text_length(message->topic) == length;
     Text caller = {message->topic.at + length + (is_bare ? 0 : 1), message->topic.end};
@@ -330,6 +336,7 @@ static bool join(const char *host, const char *port) {
   snprintf(topic, sizeof topic, "rats/1/%s/member/" ME "/status", site);
   snprintf(will, sizeof will, STATUS, "lost", boot);
   if (!mqtt_connect(host, port, ME, topic, will)) return false;
+  snprintf(topic, sizeof topic, "rats/1/%s/member/" ME "/+", site);
   mqtt_hear(topic, HEAR_OTHERS);
   snprintf(topic, sizeof topic, "rats/1/%s/call/#", site);
   mqtt_hear(topic, HEAR_ALL);

@@ -13,10 +13,10 @@ kettle = rats.Device(
 
 
 @kettle.feature("brew", inputs={"drink": "Drink", "guest": "domain:Person"}, occupies=["pot"],
-                effect="(served ?drink ?guest)", cost=3, seconds=0.1,
+                effect="(served ?drink ?guest)", cost=3, seconds=0.2,
                 sentence="{self} brews {drink} for {guest}")
 def brew(call, drink, guest):
-    call.sleep(0.05)
+    call.sleep(0.2)
     kettle.tell(f"(served {drink} {guest})")
 
 

@@ -251,6 +251,25 @@ class DeviceTest(unittest.TestCase):
             "id": "oven-1", "status": "lost", "boot": self.device.boot}))
         self.assertEqual("ready", self.broker.said[-1][1]["status"])
 
+    def test_neither_is_that_of_another_life(self):
+        self.device._heard(None, None, Message("member/oven-1/status", {
+            "id": "oven-1", "status": "lost", "boot": "another"}))
+        self.assertEqual("ready", self.broker.said[-1][1]["status"])
+
+    def test_what_another_describes_is_not_the_last_word(self):
+        self.device._heard(None, None, Message("member/oven-1/description", {"label": "a stone"}))
+        self.assertEqual((ROOT + "member/oven-1/description", self.device.description(), True),
+                         self.broker.said[-1])
+
+    def test_a_call_with_half_a_character_is_refused(self):
+        self.call("a", p={"dish": "\ud800"})
+        self.assertEqual(("REJECTED", "MALFORMED"), self.error("a"))
+
+    def test_a_call_needs_no_parameters(self):
+        message = {"v": "1.0", "id": "a", "r": "oven-1", "f": "$ping", "t": 5000, "from": "cca"}
+        self.device._heard(None, None, Message("call/cca", message))
+        self.assertEqual("SUCCEEDED", self.broker.result("a")["outcome"])
+
     def test_a_refused_description_is_logged(self):
         fault = {"line": 0, "subject": "bake", "property": "effect", "problem": "is odd", "cure": "mend it"}
         with self.assertLogs("rats", "ERROR") as logged:

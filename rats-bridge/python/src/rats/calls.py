@@ -1,6 +1,7 @@
 """What may become of a call, beside that it succeeds."""
 from __future__ import annotations
 
+import json
 from typing import Any, Iterable, Mapping
 
 
@@ -58,6 +59,8 @@ def malformed(call: Mapping[str, Any]) -> tuple[str, str] | None:
     """The code and the reason why a call cannot be taken."""
     if str(call.get("v", "")).split(".")[0] != "1":
         return "UNSUPPORTED_VERSION", f"The version {call.get('v')} is not understood; 1 is"
+    if any("\ud800" <= letter <= "\udfff" for letter in json.dumps(call, ensure_ascii=False)):
+        return "MALFORMED", "The call holds half a character"
     for name, kinds in (("f", str), ("p", dict), ("from", str), ("t", (int, float))):
         if not isinstance(call.get(name), kinds) or isinstance(call.get(name), bool):
             return "MALFORMED", f"The field {name} is missing, or is not what it has to be"

@@ -216,6 +216,7 @@ class Device:
             (self._root + "call/#", options),
             (self._root + f"result/{self.id}/#", options),
             (self._own("status"), SubscribeOptions(1, retainAsPublished=True)),
+            (self._own("description"), SubscribeOptions(1, noLocal=True, retainHandling=2)),
             (self._root + f"controller/+/verdict/{self.id}", SubscribeOptions(1))])
         self._announce()
 
@@ -227,10 +228,13 @@ class Device:
             threading.Thread(target=client.loop_stop).start()
 
     def _announce(self) -> None:
-        self._publish(self._own("description"), json.dumps(self.description()).encode(), True)
+        self._describe()
         self._tell_state()
         self._send("member/" + self.id + "/status", {
             "id": self.id, "status": "ready", "boot": self.boot}, retain=True)
+
+    def _describe(self) -> None:
+        self._publish(self._own("description"), json.dumps(self.description()).encode(), True)
 
     def _tell_state(self) -> None:
         with self._lock:
@@ -250,17 +254,23 @@ class Device:
                 self._answered(topic.rsplit("/", 1)[-1], json.loads(message.payload))
             elif topic.startswith("controller/"):
                 self._judged(message.payload)
+            elif topic.endswith("/description"):
+                self._described_by_another()
             else:
                 self._said_of_me(message.payload)
         except Exception as fault:  # noqa: BLE001 - rubbish of others must not end it
             LOG.warning("%s heard what it cannot read on %s: %s", self.id, message.topic, fault)
 
     def _said_of_me(self, payload: bytes) -> None:
-        """A will that came late, or another's word, must not stay the last."""
-        status = json.loads(payload) if payload else {"status": "lost", "boot": self.boot}
-        if status.get("boot") == self.boot and status.get("status") in ("lost", "disconnected") \
-                and not self._leaves:
+        """A will that came late, of this life or another, or another's word, must not stay the last."""
+        status = json.loads(payload) if payload else {"status": "lost"}
+        if status.get("status") in ("lost", "disconnected") and not self._leaves:
             self._announce()
+
+    def _described_by_another(self) -> None:
+        """Who reads that would take the device for what it is not."""
+        if not self._leaves:
+            self._describe()
 
     def _judged(self, payload: bytes) -> None:
         self.verdict = json.loads(payload) if payload else None

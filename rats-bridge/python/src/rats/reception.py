@@ -125,7 +125,7 @@ class Reception:
     def heard(self, topic: str, message: mqtt.MQTTMessage) -> None:
         if message.retain or len(message.payload) > MOST_BYTES:
             return
-        call = json.loads(message.payload)
+        call = {"p": {}, **json.loads(message.payload)}
         caller = topic[len("call/"):] or call.get("from")
         if call.get("r", "") not in (self.id, "") or not isinstance(call.get("id"), str):
             return

@@ -24,16 +24,16 @@ final class BadCalls {
   private final Topics topics;
   private final String member;
 
-  BadCalls(Examiner examiner, Dialogue dialogue, Topics topics, String member) {
-    this.examiner = examiner;
-    this.dialogue = dialogue;
-    this.topics = topics;
-    this.member = member;
+  BadCalls(Bench bench) {
+    this.examiner = bench.examiner();
+    this.dialogue = bench.dialogue();
+    this.topics = bench.topics();
+    this.member = bench.member();
   }
 
   /** What a device answers that goes on. */
   List<Finding> odd() {
-    return List.of(laterMinor(), otherMajor(), namedField());
+    return List.of(laterMinor(), otherMajor(), namedField(), halfCharacter());
   }
 
   /** What may be the end of a device. */
@@ -59,6 +59,16 @@ final class BadCalls {
     call.put("v", "2.0");
     return dialogue.refused(
         DeviceRule.OTHER_MAJOR, call, "UNSUPPORTED_VERSION", "a call of version 2.0");
+  }
+
+  private Finding halfCharacter() {
+    Map<String, Object> call = dialogue.ping();
+    String text = new String(examiner.bytes(call), UTF_8);
+    int since = examiner.now();
+    examiner.send(
+        topics.call(examiner.name()), text.replace("{}", "{\"x\":\"\\ud800\"}").getBytes(UTF_8));
+    return dialogue.refused(
+        DeviceRule.HALF_CHARACTER, since, call, "MALFORMED", "a call with half a character");
   }
 
   private Finding tooBig() {

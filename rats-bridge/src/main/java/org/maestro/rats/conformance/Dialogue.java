@@ -5,6 +5,7 @@ import static org.maestro.rats.conformance.Finding.kept;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.time.Duration;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.maestro.rats.protocol.Topics;
@@ -43,13 +44,17 @@ final class Dialogue {
   /** The result that came since then, or comes in time. */
   Optional<JsonNode> result(int since, Map<String, Object> call, Duration atMost) {
     return examiner
-        .await(
-            since,
-            heard ->
-                topics.senderOf(heard.topic()).filter(member::equals).isPresent()
-                    && heard.content().path("id").asText().equals(call.get("id")),
-            atMost)
+        .await(since, heard -> isResult(heard, call), atMost)
         .map(Examiner.Heard::content);
+  }
+
+  boolean isResult(Examiner.Heard heard, Map<String, Object> call) {
+    boolean isFromIt =
+        List.of(topics.result(examiner.name(), member), topics.result(Examiner.OTHER, member))
+                .contains(heard.topic())
+            || heard.topic().equals(topics.bareResult())
+                && heard.content().path("from").asText().equals(member);
+    return isFromIt && heard.content().path("id").asText().equals(call.get("id"));
   }
 
   Finding answeredOrNot(DeviceRule rule, int since, Map<String, Object> call, String what) {
@@ -68,7 +73,14 @@ final class Dialogue {
   }
 
   Finding refused(DeviceRule rule, Map<String, Object> call, String code, String what) {
-    Optional<JsonNode> result = result(call);
+    int since = examiner.now();
+    examiner.send(call);
+    return refused(rule, since, call, code, what);
+  }
+
+  /** Whether a call that was sent since then is refused. */
+  Finding refused(DeviceRule rule, int since, Map<String, Object> call, String code, String what) {
+    Optional<JsonNode> result = result(since, call, patience.answersWithin());
     String got = result.map(node -> node.path("error").path("code").asText()).orElse("");
     if (result.isEmpty()) {
       return broken(rule, what + " is not answered; it is to be refused with " + code);

@@ -63,11 +63,15 @@ final class Examiner implements AutoCloseable {
     Stream.of(topics.status(member), topics.description(member), topics.state(member))
         .forEach(
             topic -> transport.subscribe(topic, Transport.RetainedMessages.SEND, this::arrived));
-    Stream.of(name(), OTHER)
-        .filter(caller -> isOpen || caller.equals(name()))
-        .map(topics::results)
+    Stream.of(topics.results(name()), topics.progresses(name()))
         .forEach(
-            topic -> transport.subscribe(topic, Transport.RetainedMessages.IGNORE, this::arrived));
+            topic -> transport.subscribe(topic, Transport.RetainedMessages.SEND, this::arrived));
+    if (isOpen) {
+      Stream.of(topics.results(OTHER), topics.bareResult())
+          .forEach(
+              topic ->
+                  transport.subscribe(topic, Transport.RetainedMessages.IGNORE, this::arrived));
+    }
     transport.open(
         Optional.empty(),
         new Transport.ConnectionListener() {
@@ -146,6 +150,19 @@ final class Examiner implements AutoCloseable {
     }
     transport.askForRetained(topic);
     return await(0, told.and(Heard::retained), patience.answersWithin()).or(() -> first);
+  }
+
+  /** Whether the broker keeps an answer of the device, which nobody who comes later asked for. */
+  boolean isAnswerKept() {
+    int since = now();
+    transport.askForRetained(topics.results(name()));
+    return await(
+            since,
+            heard ->
+                heard.retained()
+                    && topics.senderOf(heard.topic()).filter(member::equals).isPresent(),
+            patience.silence())
+        .isPresent();
   }
 
   List<Heard> since(int number) {

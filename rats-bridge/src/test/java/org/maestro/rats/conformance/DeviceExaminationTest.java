@@ -63,21 +63,20 @@ class DeviceExaminationTest {
         "TAKES_ANY_BOOT",
         "DIES_OF_DEPTH"
       })
-  void aFlawIsFoundWhereItIs(FlawedDevice.Flaw flaw) {
+  void aFlawIsFoundWhereItIs(Flaw flaw) {
     isFound(flaw);
   }
 
   @ParameterizedTest
   @EnumSource
   @Tag("full")
-  void eachFlawIsFoundWhereItIs(FlawedDevice.Flaw flaw) {
+  void eachFlawIsFoundWhereItIs(Flaw flaw) {
     isFound(flaw);
   }
 
-  private static void isFound(FlawedDevice.Flaw flaw) {
+  private static void isFound(Flaw flaw) {
     // The embedded broker hands no retained call on; nothing can break that rule there.
-    List<DeviceRule> expected =
-        flaw == FlawedDevice.Flaw.TAKES_RETAINED_CALLS ? List.of() : flaw.breaks();
+    List<DeviceRule> expected = flaw == Flaw.TAKES_RETAINED_CALLS ? List.of() : flaw.breaks();
     try (FlawedDevice device = new FlawedDevice(flaw, broker.uri(), SITE)) {
       List<Finding> findings =
           examine(
@@ -109,7 +108,7 @@ class DeviceExaminationTest {
           examine(
               broker.uri(),
               "anna",
-              Optional.of(new DeviceExamination.FeatureCall("echo", Map.of("a", 1))));
+              Optional.of(new DeviceExamination.FeatureCall("wave", Map.of())));
       member.close();
 
       assertThat(findings)
@@ -122,9 +121,8 @@ class DeviceExaminationTest {
 
   @ParameterizedTest
   @EnumSource(names = {"NONE", "RETAINS_NOTHING"})
-  void whoComesLaterIsJudgedByWhatTheBrokerKeeps(FlawedDevice.Flaw flaw) {
-    List<DeviceRule> expected =
-        flaw == FlawedDevice.Flaw.NONE ? List.of() : List.of(DeviceRule.RETAINED);
+  void whoComesLaterIsJudgedByWhatTheBrokerKeeps(Flaw flaw) {
+    List<DeviceRule> expected = flaw == Flaw.NONE ? List.of() : List.of(DeviceRule.DOCUMENTS);
     try (Late late = new Late(new PahoTransport(broker.uri(), "examiner"), flaw)) {
       List<Finding> findings = examine(late.examiner(), "bell-1", Optional.empty());
 
@@ -139,10 +137,10 @@ class DeviceExaminationTest {
   /** A device that is there as soon as its examiner is. */
   private static final class Late implements AutoCloseable {
     private final Transport examiner;
-    private final FlawedDevice.Flaw flaw;
+    private final Flaw flaw;
     private @Nullable FlawedDevice device;
 
-    Late(Transport transport, FlawedDevice.Flaw flaw) {
+    Late(Transport transport, Flaw flaw) {
       this.flaw = flaw;
       this.examiner =
           (Transport)
@@ -201,5 +199,18 @@ class DeviceExaminationTest {
     for (DeviceRule rule : DeviceRule.values()) {
       assertThat(table).contains("| %d | %s |".formatted(rule.number(), rule.sentence()));
     }
+    assertThat(table.lines().filter(line -> line.matches("\\| \\d+ \\|.*")))
+        .hasSize(DeviceRule.OF_ALL);
+    assertThat(Files.readString(Path.of("..", "docs", "guide-bus.md")))
+        .contains("judges %d of".formatted(DeviceRule.values().length))
+        .contains("[the %d rules]".formatted(DeviceRule.OF_ALL));
+  }
+
+  @Test
+  void eachRuleIsBrokenBySomeFlaw() {
+    assertThat(Flaw.values())
+        .flatExtracting(Flaw::breaks)
+        .as("no verdict that cannot be bad")
+        .contains(DeviceRule.values());
   }
 }

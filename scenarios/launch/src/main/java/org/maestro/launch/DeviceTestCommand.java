@@ -14,6 +14,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import org.maestro.assembly.SiteBus;
 import org.maestro.rats.conformance.DeviceExamination;
+import org.maestro.rats.conformance.DeviceRule;
 import org.maestro.rats.conformance.Finding;
 import org.maestro.rats.conformance.Patience;
 import org.maestro.rats.security.SiteSecurity;
@@ -64,8 +65,8 @@ final class DeviceTestCommand implements Callable<Integer> {
       names = "--call",
       paramLabel = "FEATURE={...}",
       description =
-          "A feature that may be called, with its parameters as JSON, such as"
-              + " brew={\"drink\":{\"ref\":\"x#tea\"}}.")
+          "A feature that may be called a dozen times, and ended meanwhile, with its parameters as"
+              + " JSON, such as brew={\"drink\":{\"ref\":\"x#tea\"}}; best one that takes a second.")
   private Optional<String> call = Optional.empty();
 
   @Option(
@@ -138,10 +139,13 @@ final class DeviceTestCommand implements Callable<Integer> {
                 .toList())
         .print(out);
     out.printf(
-        "%d kept, %d broken, %d not tried; docs/bus-rules.md has all rules.%n",
+        "%d kept, %d broken, %d not tried. These are %d of the %d rules of docs/bus-rules.md; whether a"
+            + " device keeps the others cannot be seen from outside, or they are not a device's.%n",
         is(findings, Finding.Verdict.KEPT),
         is(findings, Finding.Verdict.BROKEN),
-        is(findings, Finding.Verdict.NOT_TRIED));
+        is(findings, Finding.Verdict.NOT_TRIED),
+        findings.size(),
+        DeviceRule.OF_ALL);
     out.flush();
   }
 
@@ -150,7 +154,10 @@ final class DeviceTestCommand implements Callable<Integer> {
   }
 
   static String document(String member, List<Finding> findings) {
-    JsonMembers document = JsonMembers.empty().text("member", member);
+    JsonMembers document =
+        JsonMembers.empty()
+            .text("member", member)
+            .number("rules", OptionalInt.of(DeviceRule.OF_ALL));
     ArrayNode array = document.node().putArray("findings");
     for (Finding finding : findings) {
       JsonMembers.in(array)
