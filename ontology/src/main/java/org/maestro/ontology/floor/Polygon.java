@@ -119,6 +119,26 @@ public final class Polygon {
     return around.touches(other.around);
   }
 
+  /** Whether its edges meet at its corners only, and enclose a floor. */
+  public boolean isSimple() {
+    int count = edges.size();
+    for (int i = 0; i < count; i++) {
+      Segment edge = edges.get(i);
+      Segment next = edges.get((i + 1) % count);
+      if (edge.length() <= Segment.TOLERANCE
+          || edge.distance(next.to()) <= Segment.TOLERANCE
+          || next.distance(edge.from()) <= Segment.TOLERANCE) {
+        return false;
+      }
+      for (int j = i + 2; j < count; j++) {
+        if ((j + 1) % count != i && edge.intersects(edges.get(j))) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
   /** The length of edge that both share; metres. */
   public double sharedEdge(Polygon other) {
     double shared = 0;

@@ -79,6 +79,13 @@ public record Segment(Point2 from, Point2 to) {
     return squared == 0 ? 0 : ((point.x() - from.x()) * dx + (point.y() - from.y()) * dy) / squared;
   }
 
+  /** Whether the other is a part of it, as a door's opening is of a wall. */
+  public boolean covers(Segment other) {
+    return isInLineWith(other)
+        && distance(other.from) <= TOLERANCE
+        && distance(other.to) <= TOLERANCE;
+  }
+
   /** Whether the other lies on the same straight line. */
   public boolean isInLineWith(Segment other) {
     double length = length();

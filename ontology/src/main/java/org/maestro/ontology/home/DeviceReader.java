@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import org.apache.jena.graph.Node;
 import org.apache.jena.vocabulary.RDF;
 import org.maestro.ontology.validation.Maestro;
@@ -19,6 +20,7 @@ import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.ontology.vocabulary.VocabularyCheck;
+import org.maestro.ontology.vocabulary.WordHints;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Self;
 
@@ -33,11 +35,13 @@ final class DeviceReader {
   private final FeatureReader features;
 
   private final VocabularyCheck check;
+  private final WordHints hints;
 
   DeviceReader(SourceGraph graph, Vocabulary vocabulary, VocabularyCheck check) {
     this.graph = graph;
     this.vocabulary = vocabulary;
     this.check = check;
+    this.hints = new WordHints(graph, vocabulary);
     this.literals = new Literals(graph);
     this.features = new FeatureReader(graph, vocabulary::isFluent);
   }
@@ -98,11 +102,16 @@ final class DeviceReader {
           OFFERS,
           Optional.of(typeNode.orElse(offered)),
           "is no known feature",
-          vocabulary.features().isEmpty()
-              ? "describe it as a maestro:Action or maestro:Task"
-              : "offer one of "
-                  + String.join(", ", vocabulary.features().keySet())
-                  + ", or describe it as a maestro:Action or maestro:Task");
+          hints.cure(
+              typeNode.map(Literals::name).orElse(""),
+              vocabulary.features().keySet(),
+              vocabulary.features().isEmpty()
+                  ? "describe it as a maestro:Action or maestro:Task"
+                  : "offer one of "
+                      + vocabulary.features().keySet().stream()
+                          .map(hints::written)
+                          .collect(Collectors.joining(", "))
+                      + ", or describe it as a maestro:Action or maestro:Task"));
       return;
     }
     Offer before = offers.get(name);

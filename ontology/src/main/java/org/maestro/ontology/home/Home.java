@@ -49,6 +49,13 @@ public record Home(
     this(iri, label, vocabulary, individuals, devices, Map.of());
   }
 
+  /** Its things of a class, by name. */
+  List<Individual> of(String className) {
+    return individuals.values().stream()
+        .filter(individual -> individual.classes().contains(className))
+        .toList();
+  }
+
   /**
    * The same home with this device, or with what it now says of itself: with the words and things
    * that its description brings, without things that nobody brings any more.

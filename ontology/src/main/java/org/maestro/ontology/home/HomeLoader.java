@@ -28,6 +28,7 @@ public final class HomeLoader {
   private static final String META_RESOURCE = "maestro.ttl";
   private static final String DOMAIN_RESOURCE = "domain.ttl";
   private static final String SHAPES_RESOURCE = "shapes.ttl";
+  private static final String USUAL_RESOURCE = "usual.ttl";
   private static final List<String> ALIGNMENTS =
       List.of(
           "alignment/bot.ttl",
@@ -71,9 +72,12 @@ public final class HomeLoader {
    * @throws HomeFaultException with every fault that was found, also when the file cannot be read
    */
   public Home load(Path file) {
-    String name = String.valueOf(file.getFileName());
+    return load(text(file), String.valueOf(file.getFileName()));
+  }
+
+  private static String text(Path file) {
     try {
-      return load(Files.readString(file), name);
+      return Files.readString(file);
     } catch (IOException e) {
       throw new HomeFaultException(
           List.of(
@@ -94,7 +98,31 @@ public final class HomeLoader {
    * @throws HomeFaultException with every fault that was found
    */
   public Home load(String text, String baseName) {
+    return read(text, baseName, new SourceGraph());
+  }
+
+  /**
+   * Loads a home file, and looks at what in it is no fault, but hardly meant so.
+   *
+   * @throws HomeFaultException with every fault that was found, also when the file cannot be read
+   */
+  public CheckedHome check(Path file) {
+    return check(text(file), String.valueOf(file.getFileName()));
+  }
+
+  /**
+   * Loads a home from its text, and looks at what in it is no fault, but hardly meant so.
+   *
+   * @param baseName how faults and warnings call the text, such as {@code bob.ttl}
+   * @throws HomeFaultException with every fault that was found
+   */
+  public CheckedHome check(String text, String baseName) {
     SourceGraph graph = new SourceGraph();
+    Home home = read(text, baseName, graph);
+    return new CheckedHome(home, new HomeDoubts(graph, home).found());
+  }
+
+  private Home read(String text, String baseName, SourceGraph graph) {
     readVocabulary(graph);
     String base = HOMES_BASE + baseName.replaceFirst("\\.ttl$", "").replaceAll("[^\\w.-]", "-");
     new SourceReader(graph, baseName, base).readTurtle(text);
@@ -173,6 +201,16 @@ public final class HomeLoader {
   /** Read when first needed; immutable. */
   private static final class ShippedShapes {
     private static final ShapeCheck CHECK = new ShapeCheck(resource(SHAPES_RESOURCE));
+  }
+
+  /** What homes usually say; what they do not is a warning. */
+  static ShapeCheck usualShapes() {
+    return UsualShapes.CHECK;
+  }
+
+  /** Read when first needed; immutable. */
+  private static final class UsualShapes {
+    private static final ShapeCheck CHECK = new ShapeCheck(resource(USUAL_RESOURCE));
   }
 
   private static void refuseFaults(SourceGraph graph) {

@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.apache.jena.graph.Node;
+import org.apache.jena.graph.NodeFactory;
 import org.apache.jena.vocabulary.RDF;
 import org.maestro.ontology.validation.Fault;
 import org.maestro.ontology.validation.Maestro;
@@ -100,9 +101,13 @@ final class HomeReader {
   private void check(Home home, Map<String, Node> nodes) {
     HomeCheck check = new HomeCheck(graph, vocabulary);
     nodes.forEach(
-        (name, node) ->
-            check.checkThing(
-                node, home.devices().containsKey(name) || home.groups().containsKey(name)));
+        (name, node) -> {
+          check.checkThing(
+              node, home.devices().containsKey(name) || home.groups().containsKey(name));
+          if (graph.isA(NodeFactory.createURI(home.iri()), Maestro.term(HOME))) {
+            check.checkHomeDeclares(node);
+          }
+        });
     home.devices()
         .forEach(
             (name, device) -> {
@@ -110,9 +115,9 @@ final class HomeReader {
               check.checkUse(node, device);
               check.checkReported(node, device);
             });
-    new PermissionCheck(graph, home).check(home, nodes);
+    new PermissionCheck(graph, home).check(nodes);
     if (graph.faults().isEmpty()) {
-      check.checkMap(home, nodes);
+      new MapCheck(graph, home).check();
     }
   }
 

@@ -39,9 +39,26 @@ public final class ImpossibleUses {
     this.told = new ToldNumbers(home);
   }
 
+  /**
+   * A thing with which nobody can do something.
+   *
+   * @param reason the numbers of those who are nearest to it
+   */
+  record Vain(Individual thing, String feature, String reason) {}
+
   /** A sentence for each feature and thing, in the order of the things. */
   public static List<String> of(Home home) {
-    return new ImpossibleUses(home).sentences();
+    return all(home).stream()
+        .map(
+            vain ->
+                "Nobody can do %s with %s: %s. Correct the numbers, or add a device that can."
+                    .formatted(vain.feature(), vain.thing().name(), vain.reason()))
+        .toList();
+  }
+
+  /** All of them, in the order of the things. */
+  static List<Vain> all(Home home) {
+    return new ImpossibleUses(home).found();
   }
 
   /** A feature that a device offers, with those of its conditions that only the home decides. */
@@ -54,16 +71,16 @@ public final class ImpossibleUses {
    */
   private record Use(Device device, String input, List<Formula> conditions) {}
 
-  private List<String> sentences() {
+  private List<Vain> found() {
     Map<String, List<Offer>> offering = offering();
     Map<Set<String>, Map<String, List<Use>>> usesOf = new HashMap<>();
-    List<String> sentences = new ArrayList<>();
+    List<Vain> found = new ArrayList<>();
     for (Individual thing : home.individuals().values()) {
       usesOf
           .computeIfAbsent(thing.classes(), classes -> uses(offering, classes))
-          .forEach((feature, uses) -> sentence(thing, feature, uses).ifPresent(sentences::add));
+          .forEach((feature, uses) -> vain(thing, feature, uses).ifPresent(found::add));
     }
-    return sentences;
+    return found;
   }
 
   /** By the name of the feature. */
@@ -115,7 +132,7 @@ public final class ImpossibleUses {
     return variables.contains(input) && Set.of(Self.NAME, input).containsAll(variables);
   }
 
-  private Optional<String> sentence(Individual thing, String feature, List<Use> uses) {
+  private Optional<Vain> vain(Individual thing, String feature, List<Use> uses) {
     Map<List<String>, Shortfall> nearest = new LinkedHashMap<>();
     for (Use use : uses) {
       Optional<Shortfall> shortfall = shortfall(use, thing);
@@ -125,11 +142,10 @@ public final class ImpossibleUses {
       nearest.merge(shortfall.get().numbers(), shortfall.get(), Shortfall::nearer);
     }
     return Optional.of(
-        "Nobody can do %s with %s: %s. Correct the numbers, or add a device that can."
-            .formatted(
-                feature,
-                thing.name(),
-                nearest.values().stream().map(this::words).collect(Collectors.joining("; "))));
+        new Vain(
+            thing,
+            feature,
+            nearest.values().stream().map(this::words).collect(Collectors.joining("; "))));
   }
 
   /** A comparison of numbers that fails, and by how much. */

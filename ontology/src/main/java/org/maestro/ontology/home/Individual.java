@@ -32,10 +32,15 @@ public record Individual(
    * when not stated.
    */
   public double order() {
-    return properties.getOrDefault("order", List.of()).stream()
+    return values("order").stream()
         .filter(Term.Number.class::isInstance)
         .mapToDouble(term -> ((Term.Number) term).value())
         .findFirst()
         .orElse(Double.MAX_VALUE);
+  }
+
+  /** What is stated of it under this property; empty when nothing is. */
+  List<Term> values(String property) {
+    return properties.getOrDefault(property, List.of());
   }
 }

@@ -5,11 +5,13 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import org.apache.jena.graph.Node;
+import org.apache.jena.graph.NodeFactory;
 import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceGraph;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Nearest;
+import org.maestro.ontology.vocabulary.WordHints;
 
 /**
  * Checks that permissions speak of devices and features that there are: a typing error opens no
@@ -17,11 +19,15 @@ import org.maestro.ontology.vocabulary.Nearest;
  */
 final class PermissionCheck {
   private final SourceGraph graph;
+  private final Home home;
+  private final WordHints hints;
   private final Set<String> asked = new TreeSet<>();
   private final Set<String> permitted = new TreeSet<>();
 
   PermissionCheck(SourceGraph graph, Home home) {
     this.graph = graph;
+    this.home = home;
+    this.hints = new WordHints(graph, home.vocabulary());
     asked.addAll(home.devices().keySet());
     home.vocabulary().classes().keySet().stream()
         .filter(name -> home.vocabulary().isA(name, "Device"))
@@ -33,7 +39,7 @@ final class PermissionCheck {
         .forEach(permitted::add);
   }
 
-  void check(Home home, Map<String, Node> nodes) {
+  void check(Map<String, Node> nodes) {
     home.individuals().values().stream()
         .filter(thing -> thing.classes().contains("Permission"))
         .forEach(
@@ -52,8 +58,14 @@ final class PermissionCheck {
             Maestro.term(property),
             Optional.of(value),
             problem,
-            Nearest.cure(Literals.name(value), known, "name another one"));
+            Nearest.cure(Literals.name(value), known, this::written, "name another one"));
       }
     }
+  }
+
+  private String written(String name) {
+    return Optional.ofNullable(home.devices().get(name))
+        .map(device -> graph.written(NodeFactory.createURI(device.individual().iri())))
+        .orElseGet(() -> hints.written(name));
   }
 }

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.Price;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Leaves;
@@ -23,37 +25,67 @@ public final class UnstatedNeeds {
     this.told = new ToldNumbers(home);
   }
 
+  /**
+   * A number that a feature of a device needs.
+   *
+   * @param number the fluent's name
+   */
+  record Need(Device device, FeatureType feature, String number) {}
+
   /** A sentence for each, in the order of the devices. */
   public static List<String> of(Home home) {
+    return all(home).stream()
+        .map(
+            need ->
+                "%s offers %s, which needs its %s, and nothing states it; write it, or %s is never used for that."
+                    .formatted(
+                        need.device().id(),
+                        need.feature().name(),
+                        need.number(),
+                        need.device().id()))
+        .toList();
+  }
+
+  /** All of them, in the order of the devices. */
+  static List<Need> all(Home home) {
     UnstatedNeeds needs = new UnstatedNeeds(home);
-    List<String> sentences = new ArrayList<>();
+    List<Need> all = new ArrayList<>();
     for (Device device : home.devices().values()) {
       for (FeatureType feature : device.features()) {
-        for (String name : needs.unstated(device, feature)) {
-          sentences.add(
-              "%s offers %s, which needs its %s, and nothing states it; write it, or %s is never used for that."
-                  .formatted(device.id(), feature.name(), name, device.id()));
-        }
+        needs.unstated(device, feature).forEach(name -> all.add(new Need(device, feature, name)));
       }
     }
-    return sentences;
+    return all;
   }
 
   private Set<String> unstated(Device device, FeatureType feature) {
     Set<String> names = new LinkedHashSet<>();
+    Consumer<Expression.Fluent> noted =
+        fluent -> {
+          if (isOfSelf(fluent) && !isTold(device, fluent.name())) {
+            names.add(fluent.name());
+          }
+        };
     for (Formula conjunct : conjuncts(feature.precondition())) {
       if (conjunct instanceof Formula.Comparison comparison) {
-        Leaves.of(
-            comparison,
-            atom -> {},
-            fluent -> {
-              if (isOfSelf(fluent) && !isTold(device, fluent.name())) {
-                names.add(fluent.name());
-              }
-            });
+        Leaves.of(comparison, atom -> {}, noted);
       }
     }
+    collect(feature.seconds(), noted);
+    collect(
+        feature.cost() instanceof Price.Stated stated
+            ? stated.cost()
+            : ((Price.Asked) feature.cost()).atLeast(),
+        noted);
     return names;
+  }
+
+  private static void collect(Expression expression, Consumer<Expression.Fluent> found) {
+    if (expression instanceof Expression.Fluent fluent) {
+      found.accept(fluent);
+    } else if (expression instanceof Expression.Arithmetic arithmetic) {
+      arithmetic.operands().forEach(operand -> collect(operand, found));
+    }
   }
 
   private static List<Formula> conjuncts(Formula formula) {

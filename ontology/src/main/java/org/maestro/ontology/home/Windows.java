@@ -106,11 +106,7 @@ public final class Windows {
     boolean inWall =
         rooms(home).stream()
             .flatMap(room -> outline(room).edges().stream())
-            .anyMatch(
-                edge ->
-                    edge.isInLineWith(base)
-                        && edge.distance(base.from()) <= Segment.TOLERANCE
-                        && edge.distance(base.to()) <= Segment.TOLERANCE);
+            .anyMatch(edge -> edge.covers(base));
     if (!inWall) {
       return Optional.of("lies in no wall of a room");
     }

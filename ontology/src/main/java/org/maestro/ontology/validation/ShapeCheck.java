@@ -1,14 +1,19 @@
 package org.maestro.ontology.validation;
 
 import java.util.Comparator;
+import java.util.List;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.apache.jena.graph.Graph;
 import org.apache.jena.graph.Node;
+import org.apache.jena.graph.NodeFactory;
 import org.apache.jena.riot.Lang;
 import org.apache.jena.riot.RDFParser;
 import org.apache.jena.shacl.ShaclValidator;
 import org.apache.jena.shacl.Shapes;
 import org.apache.jena.shacl.validation.ReportEntry;
+import org.apache.jena.shared.PrefixMapping;
 import org.apache.jena.sparql.graph.GraphFactory;
 import org.apache.jena.sparql.path.P_Link;
 import org.apache.jena.sparql.path.Path;
@@ -18,7 +23,10 @@ import org.apache.jena.sparql.path.Path;
  */
 public final class ShapeCheck {
 
+  private static final Pattern WORD = Pattern.compile("(?<![\\w\"])\\w*:[A-Za-z]\\w*");
+
   private final Shapes shapes;
+  private final PrefixMapping prefixes;
 
   /**
    * @param turtle the shapes
@@ -27,27 +35,48 @@ public final class ShapeCheck {
     Graph graph = GraphFactory.createDefaultGraph();
     RDFParser.fromString(turtle, Lang.TURTLE).parse(graph);
     this.shapes = Shapes.parse(graph);
+    this.prefixes = graph.getPrefixMapping();
   }
 
   /** Every violation becomes a fault of the graph. */
   public void check(SourceGraph graph) {
-    ShaclValidator.get().validate(shapes, graph.toGraph()).getEntries().stream()
+    violations(graph).forEach(graph::fault);
+  }
+
+  /** The violations, with their places. */
+  public List<Fault> violations(SourceGraph graph) {
+    return ShaclValidator.get().validate(shapes, graph.toGraph()).getEntries().stream()
         .sorted(
             Comparator.comparing((ReportEntry entry) -> entry.message())
                 .thenComparing(entry -> String.valueOf(entry.value())))
-        .forEach(entry -> note(graph, entry));
+        .map(entry -> told(graph, entry))
+        .toList();
   }
 
-  private static void note(SourceGraph graph, ReportEntry entry) {
-    String[] parts = entry.message().split("; ", 2);
+  private Fault told(SourceGraph graph, ReportEntry entry) {
+    String[] parts = written(entry.message(), graph).split("; ", 2);
     String cure = parts.length > 1 ? parts[1] : "correct it";
-    Optional<Node> property = property(entry.resultPath());
-    if (property.isPresent()) {
-      graph.fault(
-          entry.focusNode(), property.get(), Optional.ofNullable(entry.value()), parts[0], cure);
-    } else {
-      graph.fault(entry.focusNode(), parts[0], cure);
-    }
+    return property(entry.resultPath())
+        .map(
+            property ->
+                graph.told(
+                    entry.focusNode(),
+                    property,
+                    Optional.ofNullable(entry.value()),
+                    parts[0],
+                    cure))
+        .orElseGet(() -> graph.told(entry.focusNode(), parts[0], cure));
+  }
+
+  /** A message with its words as the text that is checked would write them. */
+  private String written(String message, SourceGraph graph) {
+    return WORD.matcher(message)
+        .replaceAll(
+            word -> {
+              String iri = prefixes.expandPrefix(word.group());
+              return Matcher.quoteReplacement(
+                  iri.equals(word.group()) ? iri : graph.written(NodeFactory.createURI(iri)));
+            });
   }
 
   private static Optional<Node> property(Path path) {

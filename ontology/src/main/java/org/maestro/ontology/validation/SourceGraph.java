@@ -175,8 +175,10 @@ public final class SourceGraph {
     other.prefixes.forEach(prefixes::putIfAbsent);
   }
 
+  /** The text read last decides: its reader is told of names as that text writes them. */
   void prefix(String prefix, String namespace) {
-    prefixes.putIfAbsent(namespace, prefix);
+    prefixes.values().removeIf(prefix::equals);
+    prefixes.put(namespace, prefix);
   }
 
   /** A Jena graph of all statements. */
@@ -261,24 +263,36 @@ public final class SourceGraph {
   /** Notes a fault in a statement about the subject; {@code value} is shown when given. */
   public void fault(
       Node subject, Node property, Optional<Node> value, String problem, String cure) {
-    Origin origin = origin(subject, property, value);
-    String shown = value.map(v -> Nodes.shown(v) + " ").orElse("");
-    faults.add(
-        new Fault(
-            origin.source(),
-            origin.line(),
-            Nodes.localName(owner(subject)),
-            prefixed(property),
-            shown + problem,
-            cure));
+    faults.add(told(subject, property, value, problem, cure));
   }
 
   /** Notes a fault in a subject as a whole. */
   public void fault(Node subject, String problem, String cure) {
+    faults.add(told(subject, problem, cure));
+  }
+
+  /**
+   * What is to be said of a statement about the subject, with its place; {@code value} is shown
+   * when given.
+   */
+  public Fault told(
+      Node subject, Node property, Optional<Node> value, String problem, String cure) {
+    Origin origin = origin(subject, property, value);
+    String shown = value.map(v -> Nodes.shown(v) + " ").orElse("");
+    return new Fault(
+        origin.source(),
+        origin.line(),
+        Nodes.localName(owner(subject)),
+        prefixed(property),
+        shown + problem,
+        cure);
+  }
+
+  /** What is to be said of a subject as a whole, with its place. */
+  public Fault told(Node subject, String problem, String cure) {
     Origin origin = firstOrigin(subject);
-    faults.add(
-        new Fault(
-            origin.source(), origin.line(), Nodes.localName(owner(subject)), "", problem, cure));
+    return new Fault(
+        origin.source(), origin.line(), Nodes.localName(owner(subject)), "", problem, cure);
   }
 
   /** The name with the prefix that the texts give its namespace. */
@@ -290,6 +304,12 @@ public final class SourceGraph {
             : "";
     String prefix = prefixes.get(namespace);
     return prefix == null ? local : prefix + ":" + local;
+  }
+
+  /** The name as the text read last would write it. */
+  public String written(Node word) {
+    String name = prefixed(word);
+    return name.contains(":") || !word.isURI() ? name : "<" + word.getURI() + ">";
   }
 
   private Origin origin(Node subject, Node property, Optional<Node> value) {

@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.StringReader;
 import java.util.List;
+import java.util.regex.Pattern;
 import org.apache.jena.graph.Node;
 import org.apache.jena.graph.Triple;
 import org.apache.jena.irix.IRIxResolver;
@@ -154,6 +155,7 @@ public final class SourceReader {
   private final class Complaints implements ErrorHandler {
 
     private static final List<String> HARMLESS = List.of("not in preferred form");
+    private static final Pattern UNDEFINED = Pattern.compile("Undefined prefix: (\\S*)");
 
     @Override
     public void warning(String message, long line, long column) {
@@ -180,7 +182,15 @@ public final class SourceReader {
           "the text",
           "",
           "has a fault" + where + ": " + message,
-          "correct it there or just before");
+          cure(message));
+    }
+
+    private static String cure(String message) {
+      return UNDEFINED.matcher(message).matches()
+          ? UNDEFINED
+              .matcher(message)
+              .replaceFirst("declare it above, @prefix $1: <...> ., or write one that is declared")
+          : "correct it there or just before";
     }
   }
 

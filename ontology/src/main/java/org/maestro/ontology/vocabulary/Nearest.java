@@ -3,6 +3,7 @@ package org.maestro.ontology.vocabulary;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 
 /** Finds the name that somebody may have meant. */
 public final class Nearest {
@@ -16,13 +17,28 @@ public final class Nearest {
    * wanted.
    */
   public static String cure(String name, Collection<String> known, String wanted) {
-    Optional<String> nearest =
-        known.stream()
-            .min(
-                Comparator.comparingInt((String other) -> edits(name, other))
-                    .thenComparing(Comparator.naturalOrder()))
-            .filter(other -> edits(name, other) <= Math.min(FEW_EDITS, name.length() / 2));
-    return nearest.map(other -> "write " + other + ", if that is meant").orElse(wanted);
+    return cure(name, known, UnaryOperator.identity(), wanted);
+  }
+
+  /**
+   * The same where a name is not written as it is compared.
+   *
+   * @param written how a known name is written, such as with its prefix
+   */
+  public static String cure(
+      String name, Collection<String> known, UnaryOperator<String> written, String wanted) {
+    return to(name, known)
+        .map(other -> "write " + written.apply(other) + ", if that is meant")
+        .orElse(wanted);
+  }
+
+  /** The nearest known name, if any is near. */
+  public static Optional<String> to(String name, Collection<String> known) {
+    return known.stream()
+        .min(
+            Comparator.comparingInt((String other) -> edits(name, other))
+                .thenComparing(Comparator.naturalOrder()))
+        .filter(other -> edits(name, other) <= Math.min(FEW_EDITS, name.length() / 2));
   }
 
   /** How many letters must be changed, put in or left out; case does not count. */

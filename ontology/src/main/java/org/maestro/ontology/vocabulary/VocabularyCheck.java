@@ -14,12 +14,15 @@ import java.util.stream.Stream;
 import org.apache.jena.graph.Node;
 import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceGraph;
+import org.maestro.sl.Expression;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Leaves;
 import org.maestro.sl.Self;
 import org.maestro.sl.SlParser;
+import org.maestro.sl.SlPrinter;
 import org.maestro.sl.SlSyntaxException;
+import org.maestro.sl.Term;
 import org.maestro.sl.TypedVariable;
 
 /**
@@ -30,6 +33,7 @@ public final class VocabularyCheck {
   private final SourceGraph graph;
   private final Vocabulary vocabulary;
   private final Predicate<String> individuals;
+  private final WordHints hints;
 
   /**
    * @param individuals which names formulas may use for individuals
@@ -38,6 +42,7 @@ public final class VocabularyCheck {
     this.graph = graph;
     this.vocabulary = vocabulary;
     this.individuals = individuals;
+    this.hints = new WordHints(graph, vocabulary);
   }
 
   /** Checks all predicates and feature types of the graph. */
@@ -123,6 +128,7 @@ public final class VocabularyCheck {
                             "shortestPath",
                             "floorArea",
                             "elevation"),
+                        name -> graph.written(Maestro.term(name)),
                         "write one of distance, inside, viewShare, luxAt, daylightShare,"
                             + " sunlightShare, shortestPath, floorArea, elevation")));
     predicate.takenFrom().ifPresent(from -> checkSource(node, from));
@@ -150,7 +156,7 @@ public final class VocabularyCheck {
           node,
           "takenFrom",
           "names no known property (" + from.property() + ")",
-          Nearest.cure(
+          hints.cure(
               from.property(),
               vocabulary.predicates().keySet(),
               "declare it as a maestro:Predicate"));
@@ -181,6 +187,7 @@ public final class VocabularyCheck {
     feature.learns().ifPresent(e -> check(node, "learns", results, names -> names.check(e)));
     if (feature.cost() instanceof Price.Stated stated) {
       check(node, "cost", given, names -> names.check(stated.cost()));
+      checkNotNegative(node, "cost", stated.cost());
     } else if (feature.cost() instanceof Price.Asked asked) {
       check(node, "costAtLeast", given, names -> names.check(asked.atLeast()));
     }
@@ -193,6 +200,7 @@ public final class VocabularyCheck {
         .meanwhile()
         .ifPresent(f -> check(node, "meanwhile", given, names -> names.check(f)));
     check(node, "seconds", given, names -> names.check(feature.seconds()));
+    checkNotNegative(node, "seconds", feature.seconds());
     checkFacts(node, "refersTo", given);
     checkClaims(node, feature, given);
     for (Doubt doubt : feature.doubts()) {
@@ -200,6 +208,19 @@ public final class VocabularyCheck {
     }
     for (String property : List.of("input", "binds", "output")) {
       graph.objects(node, Maestro.term(property)).forEach(this::checkTypes);
+    }
+  }
+
+  private void checkNotNegative(Node node, String property, Expression expression) {
+    if (graph.object(node, Maestro.term(property)).isPresent()
+        && expression instanceof Expression.OfTerm constant
+        && constant.term() instanceof Term.Number number
+        && number.value() < 0) {
+      fault(
+          node,
+          property,
+          "is less than 0 (" + SlPrinter.print(number) + ")",
+          "write seconds, from 0 on");
     }
   }
 
@@ -266,7 +287,7 @@ public final class VocabularyCheck {
               property,
               Optional.of(value),
               "names the unknown class " + name,
-              Nearest.cure(name, vocabulary.classes().keySet(), "declare it as an owl:Class"));
+              hints.cure(name, vocabulary.classes().keySet(), "declare it as an owl:Class"));
         }
       }
     }

@@ -56,9 +56,9 @@ class FaultTest {
             + " | Bob :usuallyIn zone-c is not described in this home",
         ":usuallyIn home:zone-a | :usuallyIn home:door-ab | Bob :usuallyIn door-ab is no Place",
         ":usuallyIn home:zone-a | :usualyIn home:zone-a"
-            + " | Bob :usualyIn is no known property; write usuallyIn, if that is meant",
+            + " | Bob :usualyIn is no known property; write :usuallyIn, if that is meant",
         "home:Cup a :Item | home:Cup a :Itm"
-            + " | Cup rdf:type Itm is no known class; write Item, if that is meant",
+            + " | Cup rdf:type Itm is no known class; write :Item, if that is meant",
         "\"4.1 1.5 2.8\" | \"4.1 1.5\" | lamp-b1 maestro:pose \"4.1 1.5\" is not understood",
         "maestro:outline \"3 0, 6 0, 6 3, 3 3\" ; maestro:ref"
             + " | maestro:outline \"2 0, 6 0, 6 3, 3 3\" ; maestro:ref"

@@ -3,7 +3,6 @@ package org.maestro.launch;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -12,13 +11,12 @@ import java.util.concurrent.Callable;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.VerdictWords;
 import org.maestro.agents.content.Words;
+import org.maestro.ontology.home.CheckedHome;
 import org.maestro.ontology.home.DescriptionCheck;
 import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeFaultException;
 import org.maestro.ontology.home.HomeLoader;
-import org.maestro.ontology.home.ImpossibleUses;
-import org.maestro.ontology.home.UnstatedNeeds;
 import org.maestro.ontology.validation.Fault;
 import org.maestro.platform.JoinedContainer;
 import picocli.CommandLine.Command;
@@ -82,7 +80,7 @@ final class CheckCommand implements Callable<Integer> {
     PrintWriter out = spec.commandLine().getOut();
     List<VerdictWords.Joining> joining = VerdictWords.joining(verdict);
     if (json) {
-      out.println(document(faults, joining, List.of()));
+      out.println(document(faults, List.of(), joining));
     } else {
       faults.forEach(fault -> out.println(fault.toString()));
       joining.forEach(
@@ -91,7 +89,7 @@ final class CheckCommand implements Callable<Integer> {
                   "%s could join, and would offer %s.%n",
                   device.device(),
                   device.features().isEmpty() ? "nothing" : String.join(", ", device.features())));
-      out.println(faults.isEmpty() ? file + ": no fault." : count(faults));
+      out.println(faults.isEmpty() ? file + ": no fault." : count(faults, "fault") + ".");
     }
     return faults.isEmpty() ? ExitCode.DONE : ExitCode.NOT_REACHED;
   }
@@ -121,23 +119,20 @@ final class CheckCommand implements Callable<Integer> {
     }
   }
 
-  private static String count(List<Fault> faults) {
-    return faults.size() == 1 ? "1 fault." : faults.size() + " faults.";
-  }
-
   private int checkHome() {
     PrintWriter out = spec.commandLine().getOut();
     try {
-      Home loaded = Shipped.home(file);
-      List<String> notes = new ArrayList<>(UnstatedNeeds.of(loaded));
-      notes.addAll(ImpossibleUses.of(loaded));
+      CheckedHome checked = Shipped.checkedHome(file);
       if (json) {
-        out.println(document(List.of(), List.of(), notes));
+        out.println(document(List.of(), checked.warnings(), List.of()));
       } else {
-        notes.forEach(note -> out.println("Note: " + note));
+        checked.warnings().forEach(warning -> out.println("Warning: " + warning));
         out.printf(
-            "%s: no fault; %d devices, %d things in all.%n",
-            file, loaded.devices().size(), loaded.individuals().size());
+            "%s: no fault%s; %d devices, %d things in all.%n",
+            file,
+            checked.warnings().isEmpty() ? "" : ", " + count(checked.warnings(), "warning"),
+            checked.home().devices().size(),
+            checked.home().individuals().size());
       }
       return ExitCode.DONE;
     } catch (HomeFaultException e) {
@@ -145,17 +140,32 @@ final class CheckCommand implements Callable<Integer> {
         out.println(document(e.faults(), List.of(), List.of()));
       } else {
         e.faults().forEach(fault -> out.println(fault.toString()));
-        out.println(count(e.faults()));
+        out.println(count(e.faults(), "fault") + ".");
       }
       return ExitCode.NOT_REACHED;
     }
   }
 
+  private static String count(List<Fault> told, String kind) {
+    return told.size() + " " + kind + (told.size() == 1 ? "" : "s");
+  }
+
   private String document(
-      List<Fault> faults, List<VerdictWords.Joining> joining, List<String> notes) {
+      List<Fault> faults, List<Fault> warnings, List<VerdictWords.Joining> joining) {
     JsonMembers document = JsonMembers.empty().text("file", file);
-    ArrayNode array = document.node().putArray("faults");
-    for (Fault fault : faults) {
+    add(document.node().putArray("faults"), faults);
+    add(document.node().putArray("warnings"), warnings);
+    ArrayNode devices = document.node().putArray("could_join");
+    joining.forEach(
+        device ->
+            JsonMembers.in(devices)
+                .text("device", device.device())
+                .words("features", device.features()));
+    return document.toString();
+  }
+
+  private static void add(ArrayNode array, List<Fault> told) {
+    for (Fault fault : told) {
       JsonMembers.in(array)
           .text("source", fault.source())
           .number("line", fault.line() > 0 ? OptionalInt.of(fault.line()) : OptionalInt.empty())
@@ -164,12 +174,5 @@ final class CheckCommand implements Callable<Integer> {
           .text("problem", fault.problem())
           .text("cure", fault.cure());
     }
-    ArrayNode devices = document.node().putArray("could_join");
-    joining.forEach(
-        device ->
-            JsonMembers.in(devices)
-                .text("device", device.device())
-                .words("features", device.features()));
-    return document.words("notes", notes).toString();
   }
 }

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.maestro.ontology.home.CheckedHome;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.sim.scene.Scene;
@@ -32,6 +33,13 @@ final class Shipped {
       return new HomeLoader().load(shipped.get(), nameOrPath + ".ttl");
     }
     return new HomeLoader().load(file(nameOrPath, "home", HOMES));
+  }
+
+  /** A home with what is to be said of it. */
+  static CheckedHome checkedHome(String nameOrPath) {
+    return text("/homes/" + nameOrPath + ".ttl")
+        .map(shipped -> new HomeLoader().check(shipped, nameOrPath + ".ttl"))
+        .orElseGet(() -> new HomeLoader().check(file(nameOrPath, "home", HOMES)));
   }
 
   static Scene scene(String nameOrPath, Home home) {
