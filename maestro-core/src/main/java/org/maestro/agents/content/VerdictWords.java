@@ -8,7 +8,10 @@ import org.maestro.ontology.validation.Fault;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.sl.Content;
 
-/** The verdict on a description in messages: its faults, and the devices that could join by it. */
+/**
+ * The verdict on a description in messages: its faults, what is hardly meant so, and the devices
+ * that could join by it.
+ */
 public final class VerdictWords {
 
   /**
@@ -23,23 +26,28 @@ public final class VerdictWords {
     }
   }
 
+  private static final String PROBLEM = "problem";
+  private static final String DOUBT = "doubt";
+
   private VerdictWords() {}
 
-  /** One element for each fault and each device. */
+  /** One element for each fault, each warning and each device. */
   public static Stream<Content> contents(DescriptionCheck.Verdict verdict) {
-    return Stream.concat(
-        verdict.faults().stream().map(VerdictWords::fault),
-        verdict.devices().stream().map(Joining::of).map(VerdictWords::joining));
+    return Stream.of(
+            verdict.faults().stream().map(fault -> told("fault", PROBLEM, fault)),
+            verdict.warnings().stream().map(warning -> told("warning", DOUBT, warning)),
+            verdict.devices().stream().map(Joining::of).map(VerdictWords::joining))
+        .flatMap(elements -> elements);
   }
 
-  private static Content fault(Fault fault) {
+  private static Content told(String kind, String problem, Fault fault) {
     return Words.content(
-        "fault",
+        kind,
         Words.named("source", Words.text(fault.source())),
         Words.named("line", Words.number(fault.line())),
         Words.named("subject", Words.text(fault.subject())),
         Words.named("property", Words.text(fault.property())),
-        Words.named("problem", Words.text(fault.problem())),
+        Words.named(problem, Words.text(fault.problem())),
         Words.named("cure", Words.text(fault.cure())));
   }
 
@@ -52,8 +60,17 @@ public final class VerdictWords {
 
   /** The faults among the elements of an answer. */
   public static List<Fault> faults(List<Words> elements) {
+    return told(PROBLEM, elements);
+  }
+
+  /** The warnings among the elements of an answer. */
+  public static List<Fault> warnings(List<Words> elements) {
+    return told(DOUBT, elements);
+  }
+
+  private static List<Fault> told(String problem, List<Words> elements) {
     return elements.stream()
-        .filter(element -> element.string("problem").isPresent())
+        .filter(element -> element.string(problem).isPresent())
         .map(
             element ->
                 new Fault(
@@ -61,7 +78,7 @@ public final class VerdictWords {
                     (int) element.number("line", 0),
                     element.string("subject").orElse(""),
                     element.string("property").orElse(""),
-                    element.string("problem").orElse(""),
+                    element.string(problem).orElse(""),
                     element.string("cure").orElse("")))
         .toList();
   }

@@ -3,7 +3,6 @@ package org.maestro.ontology.home;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import org.apache.jena.graph.Node;
 import org.maestro.ontology.validation.Fault;
 import org.maestro.ontology.validation.Maestro;
@@ -25,7 +24,7 @@ public final class DescriptionReader {
   private static final String BASE = "https://w3id.org/maestro/member/";
 
   /** What no device can be by its own word. */
-  private static final Set<String> NO_DEVICE = Set.of("Permission", "GroupAgent", "Home");
+  private static final List<String> NO_DEVICE = List.of("Permission", "GroupAgent", "Home");
 
   private final Vocabulary vocabulary;
   private final Background background;
@@ -99,9 +98,8 @@ public final class DescriptionReader {
       graph.fault(
           node,
           "is no maestro:Device",
-          "add the type "
-              + Maestro.NAMESPACE
-              + "Device, or a class that the vocabulary has under it");
+          "add the type %s, or a class that the vocabulary has under it"
+              .formatted(graph.written(Maestro.term("Device"))));
     }
     if (!Collections.disjoint(individual.classes(), NO_DEVICE)) {
       graph.fault(

@@ -89,25 +89,39 @@ public final class DeviceFile {
           name,
           "the file",
           "describes no device",
-          "give one a type, such as <#lamp-9> a :Lamp, and state what it offers");
+          DescriptionReader.isJson(text)
+              ? "give one an id and a type, such as \"type\": \"domain:Lamp\", and state what it offers"
+              : "give one a type, such as <#lamp-9> a :Lamp, and state what it offers");
     }
     List<Described> described = new ArrayList<>();
     for (Node device : devices) {
       String id = Literals.name(device);
       String its = devices.size() == 1 ? text : part(graph, device).turtle();
-      described.add(new Described(id, its, read(its, id, name)));
+      described.add(new Described(id, its, read(its, id, name, its.equals(text))));
     }
     return List.copyOf(described);
   }
 
-  /** Faults are told by the file that they are in, what is said of single properties first. */
-  private Device read(String text, String id, String file) {
+  /**
+   * Faults are told by the file that they are in, what is said of single properties first.
+   *
+   * @param isWhole the text is the file's, so that its lines are
+   */
+  private Device read(String text, String id, String file, boolean isWhole) {
     try {
       return reader.apply(text, id);
     } catch (HomeFaultException e) {
       throw new HomeFaultException(
           e.faults().stream()
-              .map(f -> new Fault(file, f.line(), f.subject(), f.property(), f.problem(), f.cure()))
+              .map(
+                  f ->
+                      new Fault(
+                          file,
+                          isWhole ? f.line() : 0,
+                          f.subject(),
+                          f.property(),
+                          f.problem(),
+                          f.cure()))
               .sorted(Comparator.comparing(f -> f.property().isEmpty()))
               .toList());
     }

@@ -60,8 +60,20 @@ final class DeviceReader {
       reports = features.namedFacts(layer, "reports", reports);
       check.checkFacts(layer, "reports", List.of(Self.NAME));
       pursues.addAll(aims.pursued(layer));
+      Set<String> special = new LinkedHashSet<>();
       for (Node offered : graph.objects(layer, OFFERS)) {
-        offer(layer, offered, offers);
+        typeOf(offered)
+            .map(Literals::name)
+            .filter(name -> offered.isBlank() && !special.add(name))
+            .ifPresent(
+                name ->
+                    graph.fault(
+                        layer,
+                        OFFERS,
+                        Optional.empty(),
+                        "names " + name + " twice, each time otherwise",
+                        "keep one of both"));
+        offer(layer, individual, offered, offers);
       }
     }
     List<FeatureType> types =
@@ -92,7 +104,7 @@ final class DeviceReader {
         .orElse(0);
   }
 
-  private void offer(Node device, Node offered, Map<String, Offer> offers) {
+  private void offer(Node device, Individual individual, Node offered, Map<String, Offer> offers) {
     Optional<Node> typeNode = typeOf(offered);
     String name = typeNode.map(Literals::name).orElse("");
     FeatureType known = vocabulary.features().get(name);
@@ -118,7 +130,11 @@ final class DeviceReader {
     FeatureType base =
         before != null ? before.type : known != null ? known : features.read(typeNode.get());
     FeatureType type = offered.equals(typeNode.get()) ? base : features.read(offered, base);
-    check.check(offered, type);
+    if (offered.isURI() && known != null) {
+      check.check(offered, type);
+    } else {
+      check.check(offered, type, individual.classes());
+    }
     double order =
         literals
             .number(offered, "order")

@@ -7,10 +7,10 @@ import java.util.TreeSet;
 import org.apache.jena.graph.Node;
 import org.apache.jena.graph.NodeFactory;
 import org.maestro.ontology.validation.Maestro;
+import org.maestro.ontology.validation.Nearest;
 import org.maestro.ontology.validation.SourceGraph;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Literals;
-import org.maestro.ontology.vocabulary.Nearest;
 import org.maestro.ontology.vocabulary.WordHints;
 
 /**

@@ -9,8 +9,8 @@ import java.util.Set;
 import java.util.function.BiPredicate;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import org.maestro.ontology.validation.Nearest;
 import org.maestro.ontology.vocabulary.NameCheck;
-import org.maestro.ontology.vocabulary.Nearest;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
@@ -99,7 +99,7 @@ public final class StatementCheck {
         home.vocabulary(),
         individuals,
         instances,
-        variables,
+        variables.stream().collect(Collectors.toMap(name -> name, name -> List.of())),
         this::known,
         (problem, cure) -> faults.add("%s %s; %s.".formatted(subject, problem, cure)));
   }

@@ -34,6 +34,7 @@ public final class SourceGraph {
   private final Map<Node, Map<Node, List<Node>>> bySubject = new LinkedHashMap<>();
   private final Map<Node, Map<Node, List<Node>>> byObject = new LinkedHashMap<>();
   private final Map<String, String> prefixes = new LinkedHashMap<>();
+  private final Map<String, String> usualPrefixes = new LinkedHashMap<>();
   private final Set<Triple> inferred = new LinkedHashSet<>();
   private final Set<Fault> faults = new LinkedHashSet<>();
 
@@ -173,6 +174,12 @@ public final class SourceGraph {
   /** Has names shortened as the other graph's texts do. */
   public void copyPrefixes(SourceGraph other) {
     other.prefixes.forEach(prefixes::putIfAbsent);
+    other.usualPrefixes.forEach(usualPrefixes::putIfAbsent);
+  }
+
+  /** A prefix that the text may use, though it does not declare it by itself. */
+  void usualPrefix(String prefix, String namespace) {
+    usualPrefixes.putIfAbsent(namespace, prefix);
   }
 
   /** The text read last decides: its reader is told of names as that text writes them. */
@@ -278,7 +285,7 @@ public final class SourceGraph {
   public Fault told(
       Node subject, Node property, Optional<Node> value, String problem, String cure) {
     Origin origin = origin(subject, property, value);
-    String shown = value.map(v -> Nodes.shown(v) + " ").orElse("");
+    String shown = value.filter(v -> !v.isBlank()).map(v -> Nodes.shown(v) + " ").orElse("");
     return new Fault(
         origin.source(),
         origin.line(),
@@ -297,19 +304,28 @@ public final class SourceGraph {
 
   /** The name with the prefix that the texts give its namespace. */
   public String prefixed(Node property) {
-    String local = Nodes.localName(property);
-    String namespace =
-        property.isURI()
-            ? property.getURI().substring(0, property.getURI().length() - local.length())
-            : "";
-    String prefix = prefixes.get(namespace);
-    return prefix == null ? local : prefix + ":" + local;
+    return prefixed(property, prefixes).orElseGet(() -> Nodes.localName(property));
   }
 
   /** The name as the text read last would write it. */
   public String written(Node word) {
-    String name = prefixed(word);
-    return name.contains(":") || !word.isURI() ? name : "<" + word.getURI() + ">";
+    return prefixed(word, prefixes)
+        .or(() -> prefixed(word, usualPrefixes))
+        .orElseGet(() -> word.isURI() ? "<" + word.getURI() + ">" : Nodes.localName(word));
+  }
+
+  /** What of both the text that was read could contain. */
+  public String inItsSyntax(String turtle, String jsonLd) {
+    return usualPrefixes.isEmpty() ? turtle : jsonLd;
+  }
+
+  private static Optional<String> prefixed(Node word, Map<String, String> prefixes) {
+    String local = Nodes.localName(word);
+    return Optional.of(word)
+        .filter(Node::isURI)
+        .map(Node::getURI)
+        .map(iri -> prefixes.get(iri.substring(0, iri.length() - local.length())))
+        .map(prefix -> prefix + ":" + local);
   }
 
   private Origin origin(Node subject, Node property, Optional<Node> value) {

@@ -9,6 +9,8 @@ import com.apicatalog.jsonld.loader.DocumentLoader;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.StringReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.regex.Pattern;
 import org.apache.jena.graph.Node;
@@ -34,6 +36,9 @@ public final class SourceReader {
 
   /** The one JSON-LD context that descriptions may refer to; it is on the class path. */
   public static final String CONTEXT_IRI = "https://w3id.org/maestro/context.jsonld";
+
+  /** The other prefix that it defines for words of descriptions. */
+  private static final String DOMAIN = "https://w3id.org/maestro/domain#";
 
   private static final String CONTEXT_RESOURCE = "/org/maestro/ontology/context.jsonld";
 
@@ -74,6 +79,13 @@ public final class SourceReader {
    * Reads a JSON-LD document; contexts other than {@link #CONTEXT_IRI} or inline ones are faults.
    */
   public void readJsonLd(String text) {
+    JsonOutline outline = new JsonOutline(text, source);
+    outline.faults().forEach(graph::fault);
+    if (!outline.faults().isEmpty()) {
+      return;
+    }
+    graph.usualPrefix("maestro", Maestro.NAMESPACE);
+    graph.usualPrefix("domain", DOMAIN);
     JsonLdOptions options = new JsonLdOptions((DocumentLoader) (url, loading) -> context(url));
     Context context = RIOT.getContext().copy();
     context.set(LangJSONLD11.JSONLD_OPTIONS, options);
@@ -125,11 +137,20 @@ public final class SourceReader {
     static final Document DOCUMENT = read();
 
     private static Document read() {
-      try (InputStream stream = SourceReader.class.getResourceAsStream(CONTEXT_RESOURCE)) {
-        return JsonDocument.of(stream);
-      } catch (IOException | JsonLdError e) {
+      try {
+        return JsonDocument.of(new StringReader(contextText()));
+      } catch (JsonLdError e) {
         throw new IllegalStateException("The context " + CONTEXT_IRI + " cannot be read.", e);
       }
+    }
+  }
+
+  /** What stands at {@link #CONTEXT_IRI}. */
+  static String contextText() {
+    try (InputStream stream = SourceReader.class.getResourceAsStream(CONTEXT_RESOURCE)) {
+      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException("The context " + CONTEXT_IRI + " cannot be read.", e);
     }
   }
 

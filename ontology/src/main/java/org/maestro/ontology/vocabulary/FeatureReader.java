@@ -217,7 +217,9 @@ public final class FeatureReader {
             Maestro.term(property),
             Optional.of(entry),
             "lacks its maestro:name or maestro:fact",
-            "write [ maestro:name \"level\" ; maestro:fact \"(level ?self)\" ]");
+            graph.inItsSyntax(
+                "write [ maestro:name \"level\" ; maestro:fact \"(level ?self)\" ]",
+                "write {\"name\": \"level\", \"fact\": \"(level ?self)\"}"));
       }
     }
     return facts;
@@ -239,7 +241,9 @@ public final class FeatureReader {
             Maestro.term("claims"),
             Optional.of(entry),
             "lacks its maestro:variable or maestro:when",
-            "write [ maestro:variable \"?t - Thing\" ; maestro:when \"(...)\" ]");
+            graph.inItsSyntax(
+                "write [ maestro:variable \"?t - Thing\" ; maestro:when \"(...)\" ]",
+                "write {\"variable\": \"?t - Thing\", \"when\": \"(...)\"}"));
       }
     }
     return List.copyOf(claims.values());
@@ -259,7 +263,16 @@ public final class FeatureReader {
           entry.isBlank()
               ? literals.parsed(entry, "when", text -> SlParser.formula(text, fluents))
               : Optional.of(new Formula.And(List.of()));
-      if (number.isPresent() && when.isPresent()) {
+      if (!entry.isBlank()
+          && number.isPresent()
+          && (number.getAsDouble() < 0 || number.getAsDouble() > 1)) {
+        graph.fault(
+            node,
+            Maestro.term("confidence"),
+            Optional.of(entry),
+            "is not a number from 0 to 1",
+            "write how sure the results are, such as 0.8");
+      } else if (number.isPresent() && when.isPresent()) {
         Doubt doubt = new Doubt(number.getAsDouble(), when.get());
         doubts.put(SlPrinter.print(doubt.when()) + doubt.confidence(), doubt);
       } else if (number.isEmpty() || !has(entry, "when")) {
@@ -268,7 +281,9 @@ public final class FeatureReader {
             Maestro.term("confidence"),
             Optional.of(entry),
             "is neither a number nor a node with maestro:upTo and maestro:when",
-            "write 0.8, or [ maestro:upTo 0.4 ; maestro:when \"(...)\" ]");
+            graph.inItsSyntax(
+                "write 0.8, or [ maestro:upTo 0.4 ; maestro:when \"(...)\" ]",
+                "write 0.8, or {\"upTo\": 0.4, \"when\": \"(...)\"}"));
       }
     }
     return List.copyOf(doubts.values());
@@ -302,14 +317,25 @@ public final class FeatureReader {
     if (value.isEmpty()) {
       return before;
     }
-    return value.get().isBlank()
-        ? literals.number(value.get(), "upTo")
-        : literals.number(node, "frequency");
+    OptionalDouble hertz =
+        value.get().isBlank()
+            ? literals.number(value.get(), "upTo")
+            : literals.number(node, "frequency");
+    if (hertz.isPresent() && hertz.getAsDouble() <= 0) {
+      graph.fault(
+          node,
+          Maestro.term("frequency"),
+          Optional.empty(),
+          "is not a number above 0",
+          "write how often it repeats each second, such as 30");
+    }
+    return hertz;
   }
 
   private List<Parameter> parameters(Node node, String property, List<Parameter> before) {
     Map<String, Parameter> byName = new TreeMap<>();
     before.forEach(parameter -> byName.put(parameter.name(), parameter));
+    Set<String> here = new LinkedHashSet<>();
     for (Node entry : graph.objects(node, Maestro.term(property))) {
       Optional<String> name = literals.text(entry, "name");
       if (name.isEmpty()) {
@@ -318,7 +344,16 @@ public final class FeatureReader {
             Maestro.term(property),
             Optional.of(entry),
             "lacks its maestro:name",
-            "write [ maestro:name \"object\" ; maestro:type maestro:Thing ]");
+            graph.inItsSyntax(
+                "write [ maestro:name \"object\" ; maestro:type maestro:Thing ]",
+                "write {\"name\": \"object\", \"types\": [\"maestro:Thing\"]}"));
+      } else if (!here.add(name.get())) {
+        graph.fault(
+            node,
+            Maestro.term(property),
+            Optional.of(entry),
+            "names " + name.get() + " twice",
+            "keep one of both; what may be of several classes has them in one list");
       } else {
         byName.merge(name.get(), parameter(entry, name.get()), FeatureReader::over);
       }

@@ -1,14 +1,16 @@
 package org.maestro.ontology.vocabulary;
 
 import java.util.ArrayDeque;
-import java.util.Collection;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BiPredicate;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import org.maestro.ontology.validation.Nearest;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Fact;
@@ -28,13 +30,15 @@ public final class NameCheck {
   private final Predicate<String> individuals;
   private final BiPredicate<String, String> instances;
   private final Deque<String> variables;
+  private final Map<String, List<String>> types;
   private final Function<String, String> advice;
   private final BiConsumer<String, String> problems;
 
   /**
    * @param individuals which names may stand for individuals
    * @param instances whether an individual, named first, is of a class
-   * @param variables those that may be used freely
+   * @param variables those that may be used freely, with the classes and datatypes of which one
+   *     fits; none where that is not known
    * @param advice what to do about an unknown word that is like no other; its kind is Predicate,
    *     Fluent or Class
    * @param problems takes a problem and its cure
@@ -43,13 +47,14 @@ public final class NameCheck {
       Vocabulary vocabulary,
       Predicate<String> individuals,
       BiPredicate<String, String> instances,
-      Collection<String> variables,
+      Map<String, List<String>> variables,
       Function<String, String> advice,
       BiConsumer<String, String> problems) {
     this.vocabulary = vocabulary;
     this.individuals = individuals;
     this.instances = instances;
-    this.variables = new ArrayDeque<>(variables);
+    this.variables = new ArrayDeque<>(variables.keySet());
+    this.types = new HashMap<>(variables);
     this.advice = advice;
     this.problems = problems;
   }
@@ -193,10 +198,15 @@ public final class NameCheck {
 
   /** A class of the vocabulary has individuals; what is of a datatype is none. */
   private void argument(Term term, String wanted, String form) {
-    if (term instanceof Term.Variable) {
-      return;
-    }
-    if (term instanceof Term.Name name) {
+    if (term instanceof Term.Variable variable) {
+      List<String> fitting = types.getOrDefault(variable.name(), List.of());
+      if (!fitting.isEmpty() && fitting.stream().noneMatch(type -> mayBe(type, wanted))) {
+        problems.accept(
+            "gives ?%s, a %s, where a %s is wanted"
+                .formatted(variable.name(), String.join(" or ", fitting), wanted),
+            "write " + form);
+      }
+    } else if (term instanceof Term.Name name) {
       if (individuals.test(name.text()) && !instances.test(name.text(), wanted)) {
         problems.accept(
             "names %s where a %s is wanted, and it is none".formatted(name.text(), wanted),
@@ -210,6 +220,17 @@ public final class NameCheck {
               ? "write " + text.value() + " without quotes"
               : "write " + form);
     }
+  }
+
+  /** Whether something may be of both; a class that nobody declares is told elsewhere. */
+  private boolean mayBe(String type, String wanted) {
+    if (!vocabulary.classes().containsKey(wanted)) {
+      return true;
+    }
+    return vocabulary.classes().containsKey(type)
+        ? vocabulary.classes().keySet().stream()
+            .anyMatch(name -> vocabulary.isA(name, type) && vocabulary.isA(name, wanted))
+        : !Parameter.isDatatype(type);
   }
 
   /** What stands beside a number in a comparison is one too. */
@@ -254,7 +275,9 @@ public final class NameCheck {
   }
 
   private void under(List<TypedVariable> quantified, Runnable inside) {
+    Map<String, List<String>> outside = new HashMap<>(types);
     for (TypedVariable variable : quantified) {
+      types.put(variable.name(), variable.className().map(List::of).orElse(List.of()));
       variable
           .className()
           .filter(name -> !vocabulary.classes().containsKey(name))
@@ -263,6 +286,8 @@ public final class NameCheck {
     }
     inside.run();
     quantified.forEach(variable -> variables.pop());
+    types.clear();
+    types.putAll(outside);
   }
 
   private void unknownClass(String name) {

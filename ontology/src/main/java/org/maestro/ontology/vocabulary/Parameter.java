@@ -1,6 +1,7 @@
 package org.maestro.ontology.vocabulary;
 
 import java.util.List;
+import java.util.Set;
 import org.maestro.sl.Term;
 
 /**
@@ -22,9 +23,34 @@ public record Parameter(
   /** Datatypes of the meta-vocabulary; all others are XML Schema's. */
   public static final List<String> OWN_DATATYPES = List.of("Pose", COVERED_SHARE, NEXT_PLACE);
 
+  private static final Set<String> XML_DATATYPES =
+      Set.of(
+          "boolean",
+          "string",
+          "decimal",
+          "double",
+          "float",
+          "integer",
+          "int",
+          "long",
+          "short",
+          "byte",
+          "nonNegativeInteger",
+          "positiveInteger",
+          "duration",
+          "dateTime",
+          "date",
+          "time",
+          "anyURI");
+
   public Parameter {
     types = List.copyOf(types);
     oneOf = List.copyOf(oneOf);
     needs = List.copyOf(needs);
+  }
+
+  /** Whether a type of this name is one of values, not of things. */
+  static boolean isDatatype(String type) {
+    return OWN_DATATYPES.contains(type) || XML_DATATYPES.contains(type);
   }
 }

@@ -1,8 +1,8 @@
 package org.maestro.ontology.vocabulary;
 
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -13,6 +13,7 @@ import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.apache.jena.graph.Node;
 import org.maestro.ontology.validation.Maestro;
+import org.maestro.ontology.validation.Nearest;
 import org.maestro.ontology.validation.SourceGraph;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Fact;
@@ -101,7 +102,13 @@ public final class VocabularyCheck {
           "follows from itself, or over more than " + LONGEST_CHAIN + " other words",
           "let it follow from facts");
     }
-    List<String> variables = predicate.parameters().stream().map(TypedVariable::name).toList();
+    Map<String, List<String>> variables = new LinkedHashMap<>();
+    predicate
+        .parameters()
+        .forEach(
+            parameter ->
+                variables.put(
+                    parameter.name(), parameter.className().map(List::of).orElse(List.of())));
     predicate.derivedWhen().ifPresent(f -> check(node, "derivedWhen", variables, c -> c.check(f)));
     predicate
         .observedWhen()
@@ -170,17 +177,24 @@ public final class VocabularyCheck {
     }
   }
 
+  /** Checks what a node says of a feature, of whatever device. */
+  public void check(Node node, FeatureType feature) {
+    check(node, feature, Set.of("Device"));
+  }
+
   /**
    * Checks what a node says of a feature.
    *
    * @param feature with what the node leaves to its type
+   * @param classes of the device that offers it
    */
-  public void check(Node node, FeatureType feature) {
-    List<String> given = new ArrayList<>(List.of(Self.NAME));
+  public void check(Node node, FeatureType feature, Set<String> classes) {
+    Map<String, List<String>> given = new LinkedHashMap<>();
+    given.put(Self.NAME, List.copyOf(classes));
     Stream.concat(feature.inputs().stream(), feature.binds().stream())
-        .forEach(parameter -> given.add(parameter.name()));
-    List<String> results = new ArrayList<>(given);
-    feature.outputs().forEach(output -> results.add(output.name()));
+        .forEach(parameter -> given.put(parameter.name(), parameter.types()));
+    Map<String, List<String>> results = new LinkedHashMap<>(given);
+    feature.outputs().forEach(output -> results.put(output.name(), output.types()));
     Formula precondition = feature.precondition();
     check(node, "precondition", given, names -> names.check(precondition));
     check(node, "effect", given, names -> names.check(feature.effect()));
@@ -228,19 +242,33 @@ public final class VocabularyCheck {
    * Checks the facts of {@code maestro:refersTo}; a report may use its own name as a variable too.
    */
   public void checkFacts(Node node, String property, Collection<String> variables) {
+    checkFacts(node, property, untyped(variables));
+  }
+
+  private static Map<String, List<String>> untyped(Collection<String> variables) {
+    Map<String, List<String>> untyped = new LinkedHashMap<>();
+    variables.forEach(name -> untyped.put(name, List.of()));
+    return untyped;
+  }
+
+  private void checkFacts(Node node, String property, Map<String, List<String>> variables) {
     for (Node entry : graph.objects(node, Maestro.term(property))) {
       Optional<Node> text = graph.object(entry, Maestro.term("fact"));
-      List<String> known = new ArrayList<>(variables);
-      graph.object(entry, Maestro.term("name")).map(Literals::name).ifPresent(known::add);
+      Map<String, List<String>> known = new LinkedHashMap<>(variables);
+      graph
+          .object(entry, Maestro.term("name"))
+          .map(Literals::name)
+          .ifPresent(name -> known.putIfAbsent(name, List.of()));
       text.flatMap(VocabularyCheck::fact)
           .ifPresent(fact -> check(entry, "fact", known, names -> names.check(fact)));
     }
   }
 
-  private void checkClaims(Node node, FeatureType feature, List<String> given) {
+  private void checkClaims(Node node, FeatureType feature, Map<String, List<String>> given) {
     for (Claim claim : feature.claims()) {
-      List<String> known = new ArrayList<>(given);
-      known.add(claim.variable().name());
+      Map<String, List<String>> known = new LinkedHashMap<>(given);
+      known.put(
+          claim.variable().name(), claim.variable().className().map(List::of).orElse(List.of()));
       check(node, "claims", known, names -> names.check(claim.when()));
       claim
           .variable()
@@ -260,7 +288,7 @@ public final class VocabularyCheck {
   /** Checks a formula that the node's property states, over these variables. */
   public void checkFormula(
       Node node, String property, Collection<String> variables, Formula formula) {
-    check(node, property, variables, names -> names.check(formula));
+    check(node, property, untyped(variables), names -> names.check(formula));
   }
 
   /** The fact; one that cannot be read was noted when it was. */
@@ -285,7 +313,7 @@ public final class VocabularyCheck {
           graph.fault(
               parameter,
               property,
-              Optional.of(value),
+              Optional.empty(),
               "names the unknown class " + name,
               hints.cure(name, vocabulary.classes().keySet(), "declare it as an owl:Class"));
         }
@@ -294,7 +322,7 @@ public final class VocabularyCheck {
   }
 
   private void check(
-      Node node, String property, Collection<String> variables, Consumer<NameCheck> check) {
+      Node node, String property, Map<String, List<String>> variables, Consumer<NameCheck> check) {
     if (graph.object(node, Maestro.term(property)).isPresent()) {
       check.accept(
           new NameCheck(

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.apache.jena.graph.Node;
 import org.apache.jena.graph.NodeFactory;
 import org.apache.jena.vocabulary.RDF;
+import org.maestro.ontology.validation.Nearest;
 import org.maestro.ontology.validation.SourceGraph;
 
 /** What to write in the place of a word that nobody knows, as the text itself would write it. */

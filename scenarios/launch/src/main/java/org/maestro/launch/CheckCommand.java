@@ -77,19 +77,22 @@ final class CheckCommand implements Callable<Integer> {
     String text = Shipped.read(Shipped.file(file, "description", List.of()));
     List<Words> verdict = running ? asked(text) : found(text);
     List<Fault> faults = VerdictWords.faults(verdict);
+    List<Fault> warnings = VerdictWords.warnings(verdict);
     PrintWriter out = spec.commandLine().getOut();
     List<VerdictWords.Joining> joining = VerdictWords.joining(verdict);
     if (json) {
-      out.println(document(faults, List.of(), joining));
+      out.println(document(faults, warnings, joining));
     } else {
-      faults.forEach(fault -> out.println(fault.toString()));
+      tell(faults, warnings);
       joining.forEach(
           device ->
               out.printf(
                   "%s could join, and would offer %s.%n",
                   device.device(),
                   device.features().isEmpty() ? "nothing" : String.join(", ", device.features())));
-      out.println(faults.isEmpty() ? file + ": no fault." : count(faults, "fault") + ".");
+      out.println(
+          (faults.isEmpty() ? file + ": no fault" : count(faults, "fault"))
+              + (warnings.isEmpty() ? "." : ", " + count(warnings, "warning") + "."));
     }
     return faults.isEmpty() ? ExitCode.DONE : ExitCode.NOT_REACHED;
   }
@@ -126,7 +129,7 @@ final class CheckCommand implements Callable<Integer> {
       if (json) {
         out.println(document(List.of(), checked.warnings(), List.of()));
       } else {
-        checked.warnings().forEach(warning -> out.println("Warning: " + warning));
+        tell(List.of(), checked.warnings());
         out.printf(
             "%s: no fault%s; %d devices, %d things in all.%n",
             file,
@@ -139,11 +142,17 @@ final class CheckCommand implements Callable<Integer> {
       if (json) {
         out.println(document(e.faults(), List.of(), List.of()));
       } else {
-        e.faults().forEach(fault -> out.println(fault.toString()));
+        tell(e.faults(), List.of());
         out.println(count(e.faults(), "fault") + ".");
       }
       return ExitCode.NOT_REACHED;
     }
+  }
+
+  private void tell(List<Fault> faults, List<Fault> warnings) {
+    PrintWriter out = spec.commandLine().getOut();
+    faults.forEach(fault -> out.println(fault.toString()));
+    warnings.forEach(warning -> out.println("Warning: " + warning));
   }
 
   private static String count(List<Fault> told, String kind) {

@@ -7,7 +7,7 @@ import org.maestro.deployment.DeploymentException;
 import org.maestro.device.tasks.DeviceSetupException;
 import org.maestro.experiment.setting.SettingException;
 import org.maestro.ontology.home.HomeFaultException;
-import org.maestro.ontology.vocabulary.Nearest;
+import org.maestro.ontology.validation.Nearest;
 import org.maestro.sim.scene.SimulationException;
 import org.maestro.sl.SlSyntaxException;
 import picocli.CommandLine;

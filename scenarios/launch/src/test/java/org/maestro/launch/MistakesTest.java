@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -39,6 +40,33 @@ class MistakesTest {
     assertTold(mistake, wrong, "mine.ttl", check(file.toString()));
   }
 
+  static Stream<Mistake> descriptions() {
+    return Mistake.all("/mistakes/descriptions.txt");
+  }
+
+  @ParameterizedTest
+  @MethodSource("descriptions")
+  void ofADescriptionIsTold(Mistake mistake) throws IOException {
+    String wrong = mistake.in(Shipped.text("/mistakes/bell.jsonld").orElseThrow());
+    Path file = Files.writeString(directory.resolve("bell.jsonld"), wrong);
+    assertTold(mistake, wrong, file.toString(), check(file.toString()));
+  }
+
+  @Test
+  void noneIsInADescriptionWithWordsOfOthers() throws IOException {
+    String others =
+        Shipped.text("/mistakes/bell.jsonld")
+            .orElseThrow()
+            .replace("\"label\":", "\"s:serialNumber\": 17, \"label\":")
+            .replace("#\"}],", "#\", \"s\": \"https://schema.org/\", \"maker\": \"s:brand\"}],")
+            .replace("\"cost\": \"0.5\"", "\"cost\": \"0.5\", \"maker\": \"Bim\"");
+    Path file = Files.writeString(directory.resolve("bell.jsonld"), others);
+    Said said = check(file.toString());
+    assertThat(said.exitCode()).isZero();
+    assertThat(said.lines())
+        .containsExactly("bell-1 could join, and would offer ring, wind.", file + ": no fault.");
+  }
+
   @ParameterizedTest
   @ValueSource(
       strings = {"bob", "bob-two-robots", "arena", "arena-windows", "flat", "study", "broken-cup"})
@@ -52,7 +80,8 @@ class MistakesTest {
   private static void assertTold(Mistake mistake, String wrong, String file, Said said) {
     List<String> lines = wrong.lines().toList();
     List<Mistake.Finding> found =
-        said.lines().subList(0, said.lines().size() - 1).stream()
+        said.lines().stream()
+            .limit(mistake.findings().size())
             .map(
                 line -> {
                   Matcher parts = SAID.matcher(line);
@@ -65,6 +94,9 @@ class MistakesTest {
                 })
             .toList();
     assertThat(found).containsExactlyElementsOf(mistake.findings());
+    assertThat(said.lines().subList(found.size(), said.lines().size()))
+        .as("no more than that")
+        .noneMatch(line -> SAID.matcher(line).matches());
     boolean isFaulty = mistake.findings().stream().anyMatch(Mistake.Finding::isFault);
     assertThat(said.exitCode()).isEqualTo(isFaulty ? ExitCode.NOT_REACHED : ExitCode.DONE);
   }

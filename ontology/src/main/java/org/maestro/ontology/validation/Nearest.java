@@ -1,4 +1,4 @@
-package org.maestro.ontology.vocabulary;
+package org.maestro.ontology.validation;
 
 import java.util.Collection;
 import java.util.Comparator;
