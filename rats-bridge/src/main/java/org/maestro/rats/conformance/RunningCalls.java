@@ -50,7 +50,7 @@ final class RunningCalls {
     if (!usual.outcome().equals("SUCCEEDED")) {
       return without("%s is %s".formatted(harmless.get().feature(), usual.outcome()));
     }
-    Finding recent = recent(since, usual.call);
+    Finding recent = new PastCalls(bench).recent(since, usual.call);
     if (usual.took.compareTo(SHORTEST) < 0) {
       String soon =
           "%s is done in %d ms, too soon to be ended before"
@@ -195,35 +195,5 @@ final class RunningCalls {
     return isEnded && Dialogue.outcome(result).equals("SUCCEEDED")
         ? kept(DeviceRule.SAFE, seen)
         : broken(DeviceRule.SAFE, seen);
-  }
-
-  /** A state need not name them; one that does names the latest last. */
-  private Finding recent(int since, Map<String, Object> call) {
-    String topic = bench.topics().state(bench.member());
-    Optional<JsonNode> names =
-        bench
-            .examiner()
-            .await(
-                since,
-                heard ->
-                    heard.topic().equals(topic)
-                        && heard
-                            .content()
-                            .path("recent")
-                            .findValuesAsText("id")
-                            .contains(call.get("id")),
-                bench.patience().silence())
-            .map(heard -> heard.content().path("recent"));
-    if (names.isEmpty()) {
-      boolean isSaid =
-          bench.examiner().since(0).stream()
-              .anyMatch(heard -> heard.topic().equals(topic) && heard.content().has("recent"));
-      return isSaid
-          ? broken(DeviceRule.RECENT, "its state has recent, but does not name a call that is over")
-          : notTried(DeviceRule.RECENT, "its state has no recent, and need not");
-    }
-    return names.get().path(names.get().size() - 1).path("id").asText().equals(call.get("id"))
-        ? kept(DeviceRule.RECENT, "the last in recent is the latest call")
-        : broken(DeviceRule.RECENT, "the latest call is not the last in " + names.get());
   }
 }
