@@ -1,6 +1,9 @@
 package org.maestro.sim.scene;
 
+import java.io.IOException;
 import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -11,37 +14,47 @@ import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import org.apache.jena.rdf.model.Model;
-import org.apache.jena.rdf.model.ModelFactory;
-import org.apache.jena.rdf.model.Statement;
-import org.apache.jena.riot.Lang;
-import org.apache.jena.riot.RDFParser;
-import org.apache.jena.riot.RiotException;
-import org.apache.jena.riot.system.ErrorHandlerFactory;
-import org.apache.jena.sys.JenaSystem;
 import org.maestro.hal.Position;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.ontology.floor.Pose;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.validation.Fault;
+import org.maestro.ontology.validation.Nearest;
+import org.maestro.sl.SlPrinter;
 
 /**
- * Reads scenes in Turtle: words of {@code scene:} about things of one home. Every fault is one
- * {@link SimulationException}.
+ * Reads scenes in Turtle: words of {@code scene:} about things of one home. A fault is a {@link
+ * SimulationException}; all of them are told by {@link #check}.
  */
 public final class SceneLoader {
 
   public static final String NAMESPACE = "https://w3id.org/maestro/scene#";
 
-  /** Of what is said of the home itself; no thing has this name. */
-  private static final String HOME = "";
+  private static final List<String> WORDS =
+      List.of(
+          "position",
+          "hidden",
+          "radius",
+          "mass",
+          "level",
+          "strength",
+          "ambientLux",
+          "open",
+          "opening",
+          "dead",
+          "speed",
+          "payload",
+          "diesWhen",
+          "colour",
+          "charge",
+          "charges",
+          "fault",
+          "walks");
 
-  private final String name;
-  private final Home home;
-  private final Map<String, Map<String, String>> words = new TreeMap<>();
+  private final SceneText text;
 
-  private SceneLoader(String name, Home home) {
-    this.name = name;
-    this.home = home;
+  private SceneLoader(SceneText text) {
+    this.text = text;
   }
 
   /**
@@ -50,56 +63,89 @@ public final class SceneLoader {
    *     in words that no scene knows
    */
   public static Scene load(String name, InputStream turtle, Home home) {
-    SceneLoader loader = new SceneLoader(name, home);
-    loader.read(turtle);
-    Map<String, List<ScriptedFault>> faults = new TreeMap<>();
-    Map<String, List<Point2>> walks = new TreeMap<>();
-    loader.words.forEach((thing, said) -> loader.course(thing, said, faults, walks));
-    Optional<SceneSky> sky =
-        Optional.ofNullable(loader.words.remove(HOME))
-            .filter(said -> !said.isEmpty())
-            .map(said -> SkyReader.read(said, loader::fault));
-    Map<String, Scene.Entry> entries = new LinkedHashMap<>();
-    Map<String, Double> openings = new TreeMap<>();
-    loader.words.forEach(
-        (thing, said) -> {
-          loader
-              .number(thing, "opening", said.remove("opening"), 1)
-              .ifPresent(opening -> openings.put(thing, opening));
-          entries.put(thing, loader.entry(thing, said));
-        });
-    return new Scene(name, entries, sky, openings, new Course(faults, walks));
+    SceneText text = new SceneText(name, text(name, turtle), home);
+    Scene scene = new SceneLoader(text).read(name);
+    if (!text.faults().isEmpty()) {
+      Fault first = text.faults().get(0);
+      throw new SimulationException(
+          "The scene %s%s %s; %s."
+              .formatted(
+                  name,
+                  first.line() > 0 ? ", line " + first.line() + "," : "",
+                  first.subject().equals("the text")
+                      ? "is no Turtle: " + first.problem()
+                      : first.problem(),
+                  first.cure()));
+    }
+    return scene;
   }
 
-  private void read(InputStream turtle) {
-    JenaSystem.init();
-    Model model = ModelFactory.createDefaultModel();
-    try {
-      RDFParser.source(turtle)
-          .lang(Lang.TURTLE)
-          .base(home.iri())
-          .errorHandler(ErrorHandlerFactory.errorHandlerStrictNoLogging)
-          .parse(model);
-    } catch (RiotException e) {
-      throw new SimulationException("The scene " + name + " is no Turtle: " + e.getMessage(), e);
+  /** Every fault of a scene, and what in it is hardly meant so, each with its line. */
+  public static CheckedScene check(String name, String turtle, Home home) {
+    SceneText text = new SceneText(name, turtle, home);
+    Scene scene = new SceneLoader(text).read(name);
+    SceneDoubts doubts = new SceneDoubts(text, scene, home);
+    if (!text.faults().isEmpty()) {
+      return new CheckedScene(text.faults(), List.of());
     }
-    for (Statement statement : model.listStatements().toList()) {
-      String predicate = statement.getPredicate().getURI();
-      if (!predicate.startsWith(NAMESPACE)) {
-        throw fault("uses the property <" + predicate + ">; a scene knows words of scene: only");
-      }
-      if (!statement.getObject().isLiteral()) {
-        throw fault("gives " + predicate + " a value that is no literal");
-      }
-      String thing = thing(statement.getSubject().toString());
-      String word = predicate.substring(NAMESPACE.length());
-      String former =
-          words
-              .computeIfAbsent(thing, key -> new TreeMap<>())
-              .put(word, statement.getLiteral().getLexicalForm());
-      if (former != null) {
-        throw fault("gives " + thing + " two values of scene:" + word);
-      }
+    return new CheckedScene(doubts.robotsNowhere(), doubts.found());
+  }
+
+  private static String text(String name, InputStream turtle) {
+    try {
+      return new String(turtle.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new SimulationException("The scene " + name + " cannot be read.", e);
+    }
+  }
+
+  /** What can be read; the rest becomes faults of the text. */
+  private Scene read(String name) {
+    Map<String, Map<String, String>> words = new TreeMap<>();
+    text.words().forEach((thing, said) -> words.put(thing, new TreeMap<>(said)));
+    Map<String, List<ScriptedFault>> faults = new TreeMap<>();
+    Map<String, List<Point2>> walks = new TreeMap<>();
+    words.forEach((thing, said) -> attempt(() -> course(thing, said, faults, walks)));
+    List<SceneSky> sky = new ArrayList<>();
+    Optional.ofNullable(words.remove(SceneText.HOME))
+        .filter(said -> !said.isEmpty())
+        .ifPresent(
+            said ->
+                attempt(
+                    () ->
+                        sky.add(
+                            SkyReader.read(
+                                said, (word, what) -> fault(SceneText.HOME, word, what)))));
+    Map<String, Scene.Entry> entries = new LinkedHashMap<>();
+    Map<String, Double> openings = new TreeMap<>();
+    words.forEach(
+        (thing, said) ->
+            attempt(
+                () -> {
+                  number(thing, "opening", said.remove("opening"), 1)
+                      .ifPresent(opening -> openings.put(thing, opening));
+                  entries.put(thing, entry(thing, said));
+                }));
+    return new Scene(name, entries, sky.stream().findFirst(), openings, new Course(faults, walks));
+  }
+
+  private void attempt(Runnable reading) {
+    try {
+      reading.run();
+    } catch (Unreadable e) {
+      text.faults().add(e.fault);
+    }
+  }
+
+  /** Ends the reading of what is said of one thing. */
+  private static final class Unreadable extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Fault fault;
+
+    Unreadable(Fault fault) {
+      super(fault.toString());
+      this.fault = fault;
     }
   }
 
@@ -119,13 +165,18 @@ public final class SceneLoader {
       }
     } catch (IllegalArgumentException e) {
       throw fault(
+          thing,
+          scripted == null ? "walks" : "fault",
           "does not say what happens to "
               + (thing.isEmpty() ? "the home" : thing)
               + ": "
               + e.getMessage());
     }
     if (walk != null && !said.containsKey("position")) {
-      throw fault("lets " + thing + " walk, but does not say from where; add a scene:position");
+      throw fault(
+          thing,
+          "walks",
+          "lets " + thing + " walk, but does not say from where; add a scene:position");
     }
   }
 
@@ -133,21 +184,6 @@ public final class SceneLoader {
     return Arrays.stream(walk.split(","))
         .map(corner -> Pose.parse(corner.strip() + " 0").floor())
         .toList();
-  }
-
-  private String thing(String iri) {
-    if (iri.equals(home.iri())) {
-      return HOME;
-    }
-    String local = iri.substring(Math.max(iri.lastIndexOf('#'), iri.lastIndexOf('/')) + 1);
-    if (!home.individuals().containsKey(local)) {
-      throw fault(
-          "speaks of "
-              + local
-              + ", which the home does not have; it has "
-              + String.join(", ", home.individuals().keySet()));
-    }
-    return local;
   }
 
   private Scene.Entry entry(String thing, Map<String, String> said) {
@@ -170,13 +206,19 @@ public final class SceneLoader {
             number(thing, "charge", left.remove("charge"), 1),
             truth(thing, "charges", left.remove("charges")).orElse(false));
     if (!left.isEmpty()) {
+      String unknown = new TreeSet<>(left.keySet()).first();
       throw fault(
-          "says scene:"
-              + new TreeSet<>(left.keySet()).first()
-              + " of "
-              + thing
-              + "; known are position, hidden, radius, mass, level, strength, ambientLux, open,"
-              + " opening, dead, speed, payload, diesWhen, colour, charge, charges, fault, walks");
+          thing,
+          unknown,
+          "says scene:%s of %s; %s"
+              .formatted(
+                  unknown,
+                  thing,
+                  Nearest.cure(
+                      unknown,
+                      WORDS,
+                      word -> "scene:" + word,
+                      "known are " + String.join(", ", WORDS))));
     }
     return entry;
   }
@@ -186,7 +228,11 @@ public final class SceneLoader {
       Pose pose = Pose.parse(text);
       return new Position(pose.x(), pose.y(), pose.z());
     } catch (IllegalArgumentException e) {
-      throw fault("gives " + thing + " a scene:position that is none: " + e.getMessage());
+      throw fault(
+          thing,
+          "position",
+          "gives %s a scene:position that is none: %s; write x, y and z in metres, such as \"1 2 0\""
+              .formatted(thing, String.valueOf(e.getMessage()).replaceAll("\\.$", "")));
     }
   }
 
@@ -195,6 +241,8 @@ public final class SceneLoader {
         .orElseThrow(
             () ->
                 fault(
+                    thing,
+                    "colour",
                     "gives %s the scene:colour \"%s\"; write a name such as red, or #a03020"
                         .formatted(thing, text)));
   }
@@ -210,17 +258,28 @@ public final class SceneLoader {
       }
     } catch (NumberFormatException e) {
       throw fault(
-          "gives " + thing + " the scene:" + word + " \"" + text + "\", which is no number");
+          thing,
+          word,
+          "gives "
+              + thing
+              + " the scene:"
+              + word
+              + " \""
+              + text
+              + "\", which is no number; write one");
     }
     throw fault(
+        thing,
+        word,
         "gives "
             + thing
             + " the scene:"
             + word
             + " "
             + text
-            + "; it lies between 0 and "
-            + greatest);
+            + (greatest == Double.MAX_VALUE
+                ? "; write 0 or more"
+                : "; it lies between 0 and " + SlPrinter.print(greatest)));
   }
 
   private Optional<Boolean> truth(String thing, String word, String text) {
@@ -229,6 +288,8 @@ public final class SceneLoader {
     }
     if (!text.equals("true") && !text.equals("false")) {
       throw fault(
+          thing,
+          word,
           "gives " + thing + " the scene:" + word + " \"" + text + "\"; it is true or false");
     }
     return Optional.of(text.equals("true"));
@@ -241,6 +302,8 @@ public final class SceneLoader {
         .orElseThrow(
             () ->
                 fault(
+                    thing,
+                    "diesWhen",
                     "says that "
                         + thing
                         + " dies upon \""
@@ -255,7 +318,7 @@ public final class SceneLoader {
     return kind.name().toLowerCase(Locale.ROOT);
   }
 
-  private SimulationException fault(String what) {
-    return new SimulationException("The scene " + name + " " + what + ".");
+  private RuntimeException fault(String thing, String word, String what) {
+    return new Unreadable(text.told(text.line(thing, word), what));
   }
 }

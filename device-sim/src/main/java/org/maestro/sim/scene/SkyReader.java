@@ -6,7 +6,7 @@ import java.time.format.DateTimeParseException;
 import java.util.Map;
 import java.util.OptionalLong;
 import java.util.TreeMap;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 
 /** Reads what a scene says of the home itself: the sky over it. */
 final class SkyReader {
@@ -18,18 +18,19 @@ final class SkyReader {
   private static final double SECONDS_PER_HOUR = 3600;
 
   private final Map<String, String> left;
-  private final Function<String, SimulationException> fault;
+  private final BiFunction<String, String, RuntimeException> fault;
 
-  private SkyReader(Map<String, String> said, Function<String, SimulationException> fault) {
+  private SkyReader(Map<String, String> said, BiFunction<String, String, RuntimeException> fault) {
     this.left = new TreeMap<>(said);
     this.fault = fault;
   }
 
   /**
-   * @param fault makes an exception of what is wrong
-   * @throws SimulationException when a word is unknown, missing, or its value makes no sense
+   * @param fault makes an exception of a word and of what is wrong with it, to be thrown when the
+   *     word is unknown, missing, or its value makes no sense
    */
-  static SceneSky read(Map<String, String> said, Function<String, SimulationException> fault) {
+  static SceneSky read(
+      Map<String, String> said, BiFunction<String, String, RuntimeException> fault) {
     return new SkyReader(said, fault).read();
   }
 
@@ -50,9 +51,8 @@ final class SkyReader {
                 Math.round(60 * number("cloudMinutes", USUAL_CLOUD_MINUTES, 0.1, 1440))),
             seed);
     if (!left.isEmpty()) {
-      throw fault.apply(
-          "says scene:%s of the home; known are %s"
-              .formatted(left.keySet().iterator().next(), WORDS));
+      String word = left.keySet().iterator().next();
+      throw fault.apply(word, "says scene:%s of the home; known are %s".formatted(word, WORDS));
     }
     return sky;
   }
@@ -63,6 +63,7 @@ final class SkyReader {
       return LocalTime.parse(text).toSecondOfDay() / SECONDS_PER_HOUR;
     } catch (DateTimeParseException e) {
       throw fault.apply(
+          "solarTime",
           "gives the home the scene:solarTime \"%s\"; write hours and minutes, such as \"06:30\""
               .formatted(text));
     }
@@ -75,7 +76,7 @@ final class SkyReader {
   private String wanted(String word) {
     String text = left.remove(word);
     if (text == null) {
-      throw fault.apply("says something of the sky, but not scene:" + word + "; add it");
+      throw fault.apply(word, "says something of the sky, but not scene:" + word + "; add it");
     }
     return text;
   }
@@ -93,9 +94,12 @@ final class SkyReader {
       }
     } catch (NumberFormatException e) {
       throw fault.apply(
-          "gives the home the scene:%s \"%s\", which is no number".formatted(word, text));
+          word,
+          "gives the home the scene:%s \"%s\", which is no number; write one"
+              .formatted(word, text));
     }
     throw fault.apply(
+        word,
         "gives the home the scene:%s %s; it lies between %s and %s"
             .formatted(word, text, least, greatest));
   }

@@ -30,9 +30,10 @@ final class HomeDoubts {
     this.words = new WordHints(graph, home.vocabulary());
   }
 
-  /** By line. */
+  /** By line; what makes that the home cannot be run becomes faults of the graph. */
   List<Fault> found() {
-    List<Fault> found = new ArrayList<>(HomeLoader.usualShapes().violations(graph));
+    List<Fault> found = new ArrayList<>();
+    HomeLoader.usualShapes().check(graph, found::add);
     UnstatedNeeds.all(home).forEach(need -> found.add(told(need)));
     ImpossibleUses.all(home).forEach(vain -> found.add(told(vain)));
     found.addAll(new MapDoubts(graph, home).found());

@@ -111,7 +111,8 @@ public final class HomeLoader {
   }
 
   /**
-   * Loads a home from its text, and looks at what in it is no fault, but hardly meant so.
+   * Loads a home from its text, and looks at what its devices need to be run, and at what is no
+   * fault, but hardly meant so.
    *
    * @param baseName how faults and warnings call the text, such as {@code bob.ttl}
    * @throws HomeFaultException with every fault that was found
@@ -119,7 +120,9 @@ public final class HomeLoader {
   public CheckedHome check(String text, String baseName) {
     SourceGraph graph = new SourceGraph();
     Home home = read(text, baseName, graph);
-    return new CheckedHome(home, new HomeDoubts(graph, home).found());
+    CheckedHome checked = new CheckedHome(home, new HomeDoubts(graph, home).found());
+    refuseFaults(graph);
+    return checked;
   }
 
   private Home read(String text, String baseName, SourceGraph graph) {
@@ -203,7 +206,7 @@ public final class HomeLoader {
     private static final ShapeCheck CHECK = new ShapeCheck(resource(SHAPES_RESOURCE));
   }
 
-  /** What homes usually say; what they do not is a warning. */
+  /** What homes usually say; what they do not is a warning, or keeps them from being run. */
   static ShapeCheck usualShapes() {
     return UsualShapes.CHECK;
   }

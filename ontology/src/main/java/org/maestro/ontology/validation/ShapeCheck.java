@@ -1,8 +1,8 @@
 package org.maestro.ontology.validation;
 
 import java.util.Comparator;
-import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.apache.jena.graph.Graph;
@@ -13,6 +13,7 @@ import org.apache.jena.riot.RDFParser;
 import org.apache.jena.shacl.ShaclValidator;
 import org.apache.jena.shacl.Shapes;
 import org.apache.jena.shacl.validation.ReportEntry;
+import org.apache.jena.shacl.validation.Severity;
 import org.apache.jena.shared.PrefixMapping;
 import org.apache.jena.sparql.graph.GraphFactory;
 import org.apache.jena.sparql.path.P_Link;
@@ -40,17 +41,27 @@ public final class ShapeCheck {
 
   /** Every violation becomes a fault of the graph. */
   public void check(SourceGraph graph) {
-    violations(graph).forEach(graph::fault);
+    check(graph, graph::fault);
   }
 
-  /** The violations, with their places. */
-  public List<Fault> violations(SourceGraph graph) {
-    return ShaclValidator.get().validate(shapes, graph.toGraph()).getEntries().stream()
+  /**
+   * Every violation becomes a fault of the graph.
+   *
+   * @param warnings takes what the shapes call a warning
+   */
+  public void check(SourceGraph graph, Consumer<Fault> warnings) {
+    ShaclValidator.get().validate(shapes, graph.toGraph()).getEntries().stream()
         .sorted(
             Comparator.comparing((ReportEntry entry) -> entry.message())
                 .thenComparing(entry -> String.valueOf(entry.value())))
-        .map(entry -> told(graph, entry))
-        .toList();
+        .forEach(
+            entry -> {
+              if (Severity.Warning.equals(entry.severity())) {
+                warnings.accept(told(graph, entry));
+              } else {
+                graph.fault(told(graph, entry));
+              }
+            });
   }
 
   private Fault told(SourceGraph graph, ReportEntry entry) {

@@ -3,6 +3,7 @@ package org.maestro.launch;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,6 +20,7 @@ import org.maestro.ontology.home.HomeFaultException;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.ontology.validation.Fault;
 import org.maestro.platform.JoinedContainer;
+import org.maestro.sim.scene.CheckedScene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -26,11 +28,12 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Reads a home file, or what a device says of itself, and tells the faults. */
+/** Reads a home file with its scene, or what a device says of itself, and tells the faults. */
 @Command(
     name = "check",
     description =
-        "Tell every fault of a home file, or of a device's description, with its place and cure.")
+        "Tell every fault of a home file, of a scene, or of a device's description, with its place and"
+            + " cure.")
 final class CheckCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
@@ -48,6 +51,12 @@ final class CheckCommand implements Callable<Integer> {
       paramLabel = "HOME.ttl",
       description = "The home that the described device is to join; without: one without words.")
   private Optional<String> home = Optional.empty();
+
+  @Option(
+      names = "--scene",
+      paramLabel = "SCENE.ttl",
+      description = "Check this scene of the home as well: a file, or a shipped one.")
+  private Optional<String> scene = Optional.empty();
 
   @Option(
       names = "--running",
@@ -71,6 +80,9 @@ final class CheckCommand implements Callable<Integer> {
   }
 
   private int checkDescription() {
+    if (scene.isPresent()) {
+      throw CommandException.badInput("--scene goes with a home file; leave it away.");
+    }
     if (home.isPresent() && running) {
       throw CommandException.badInput("--home and --running exclude each other; leave one away.");
     }
@@ -90,9 +102,7 @@ final class CheckCommand implements Callable<Integer> {
                   "%s could join, and would offer %s.%n",
                   device.device(),
                   device.features().isEmpty() ? "nothing" : String.join(", ", device.features())));
-      out.println(
-          (faults.isEmpty() ? file + ": no fault" : count(faults, "fault"))
-              + (warnings.isEmpty() ? "." : ", " + count(warnings, "warning") + "."));
+      out.println(sum(faults, warnings, Optional.empty()));
     }
     return faults.isEmpty() ? ExitCode.DONE : ExitCode.NOT_REACHED;
   }
@@ -123,30 +133,40 @@ final class CheckCommand implements Callable<Integer> {
   }
 
   private int checkHome() {
-    PrintWriter out = spec.commandLine().getOut();
+    List<Fault> faults = new ArrayList<>();
+    List<Fault> warnings = new ArrayList<>();
+    Optional<Home> read = Optional.empty();
     try {
       CheckedHome checked = Shipped.checkedHome(file);
-      if (json) {
-        out.println(document(List.of(), checked.warnings(), List.of()));
-      } else {
-        tell(List.of(), checked.warnings());
-        out.printf(
-            "%s: no fault%s; %d devices, %d things in all.%n",
-            file,
-            checked.warnings().isEmpty() ? "" : ", " + count(checked.warnings(), "warning"),
-            checked.home().devices().size(),
-            checked.home().individuals().size());
+      warnings.addAll(checked.warnings());
+      read = Optional.of(checked.home());
+      if (scene.isPresent()) {
+        CheckedScene ofScene = Shipped.checkedScene(scene.get(), checked.home());
+        faults.addAll(ofScene.faults());
+        warnings.addAll(ofScene.warnings());
       }
-      return ExitCode.DONE;
     } catch (HomeFaultException e) {
-      if (json) {
-        out.println(document(e.faults(), List.of(), List.of()));
-      } else {
-        tell(e.faults(), List.of());
-        out.println(count(e.faults(), "fault") + ".");
-      }
-      return ExitCode.NOT_REACHED;
+      faults.addAll(e.faults());
     }
+    if (json) {
+      spec.commandLine().getOut().println(document(faults, warnings, List.of()));
+    } else {
+      tell(faults, warnings);
+      spec.commandLine().getOut().println(sum(faults, warnings, read));
+    }
+    return faults.isEmpty() ? ExitCode.DONE : ExitCode.NOT_REACHED;
+  }
+
+  private String sum(List<Fault> faults, List<Fault> warnings, Optional<Home> read) {
+    String counted =
+        (faults.isEmpty() ? file + ": no fault" : count(faults, "fault"))
+            + (warnings.isEmpty() ? "" : ", " + count(warnings, "warning"));
+    return read.filter(home -> faults.isEmpty())
+        .map(
+            home ->
+                "%s; %d devices, %d things in all."
+                    .formatted(counted, home.devices().size(), home.individuals().size()))
+        .orElse(counted + ".");
   }
 
   private void tell(List<Fault> faults, List<Fault> warnings) {

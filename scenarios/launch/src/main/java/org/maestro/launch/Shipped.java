@@ -11,6 +11,7 @@ import java.util.Optional;
 import org.maestro.ontology.home.CheckedHome;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
+import org.maestro.sim.scene.CheckedScene;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SceneLoader;
 
@@ -47,6 +48,17 @@ final class Shipped {
     String text = shipped.orElseGet(() -> read(file(nameOrPath, "scene", SCENES)));
     return SceneLoader.load(
         nameOrPath, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), home);
+  }
+
+  /** What is to be said of a scene. */
+  static CheckedScene checkedScene(String nameOrPath, Home home) {
+    return text("/scenes/" + nameOrPath + ".ttl")
+        .map(shipped -> SceneLoader.check(nameOrPath + ".ttl", shipped, home))
+        .orElseGet(
+            () -> {
+              Path file = file(nameOrPath, "scene", SCENES);
+              return SceneLoader.check(String.valueOf(file.getFileName()), read(file), home);
+            });
   }
 
   /** The scene that goes with a shipped home when none is named. */

@@ -40,6 +40,18 @@ class MistakesTest {
     assertTold(mistake, wrong, "mine.ttl", check(file.toString()));
   }
 
+  static Stream<Mistake> scenes() {
+    return Mistake.all("/mistakes/scenes.txt");
+  }
+
+  @ParameterizedTest
+  @MethodSource("scenes")
+  void ofASceneIsTold(Mistake mistake) throws IOException {
+    String wrong = mistake.in(Shipped.text("/scenes/bob-dark.ttl").orElseThrow());
+    Path file = Files.writeString(directory.resolve("evening.ttl"), wrong);
+    assertTold(mistake, wrong, "evening.ttl", check("bob", "--scene", file.toString()));
+  }
+
   static Stream<Mistake> descriptions() {
     return Mistake.all("/mistakes/descriptions.txt");
   }

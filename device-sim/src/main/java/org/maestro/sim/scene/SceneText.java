@@ -1,0 +1,130 @@
+package org.maestro.sim.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.apache.jena.graph.Node;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.validation.Fault;
+import org.maestro.ontology.validation.Nearest;
+import org.maestro.ontology.validation.SourceGraph;
+import org.maestro.ontology.validation.SourceReader;
+
+/** What a scene's text says of each thing, word by word, with the lines and the faults so far. */
+final class SceneText {
+
+  /** Of what is said of the home itself; no thing has this name. */
+  static final String HOME = "";
+
+  private final String name;
+  private final Home home;
+  private final SourceGraph graph = new SourceGraph();
+  private final Map<String, Map<String, String>> words = new TreeMap<>();
+  private final Map<String, Map<String, Integer>> lines = new TreeMap<>();
+  private final List<Fault> faults = new ArrayList<>();
+  private final Set<String> strangers = new TreeSet<>();
+
+  /**
+   * @param name how faults call the text
+   */
+  SceneText(String name, String turtle, Home home) {
+    this.name = name;
+    this.home = home;
+    new SourceReader(graph, name, home.iri()).readTurtle(turtle);
+    faults.addAll(graph.faults());
+    for (Node subject : graph.subjects()) {
+      for (Node property : graph.predicates(subject)) {
+        graph.objects(subject, property).forEach(value -> read(subject, property, value));
+      }
+    }
+  }
+
+  private void read(Node subject, Node property, Node value) {
+    int line = graph.told(subject, property, Optional.of(value), "", "").line();
+    if (!property.getURI().startsWith(SceneLoader.NAMESPACE)) {
+      fault(
+          line,
+          "uses the property <%s>; a scene knows words of scene: only"
+              .formatted(property.getURI()));
+    } else if (!value.isLiteral()) {
+      fault(
+          line,
+          "gives scene:%s a value that is no literal; write a text or a number"
+              .formatted(word(property)));
+    } else {
+      thing(subject, line).ifPresent(thing -> note(thing, word(property), value, line));
+    }
+  }
+
+  private static String word(Node property) {
+    return property.getURI().substring(SceneLoader.NAMESPACE.length());
+  }
+
+  private void note(String thing, String word, Node value, int line) {
+    String former =
+        words
+            .computeIfAbsent(thing, key -> new TreeMap<>())
+            .putIfAbsent(word, value.getLiteralLexicalForm());
+    lines.computeIfAbsent(thing, key -> new TreeMap<>()).putIfAbsent(word, line);
+    if (former != null) {
+      fault(line, "gives " + thing + " two values of scene:" + word + "; keep one");
+    }
+  }
+
+  private Optional<String> thing(Node subject, int line) {
+    String iri = subject.isURI() ? subject.getURI() : subject.toString();
+    if (iri.equals(home.iri())) {
+      return Optional.of(HOME);
+    }
+    String local = iri.substring(Math.max(iri.lastIndexOf('#'), iri.lastIndexOf('/')) + 1);
+    if (home.individuals().containsKey(local)) {
+      return Optional.of(local);
+    }
+    if (strangers.add(local)) {
+      fault(
+          line,
+          "speaks of %s, which the home does not have; %s"
+              .formatted(
+                  local,
+                  Nearest.cure(
+                      local,
+                      home.individuals().keySet(),
+                      "it has " + String.join(", ", home.individuals().keySet()))));
+    }
+    return Optional.empty();
+  }
+
+  /** Values by thing and word. */
+  Map<String, Map<String, String>> words() {
+    return words;
+  }
+
+  /** The line of what is said of a thing, of this word if it is said; 1 when nothing is. */
+  int line(String thing, String word) {
+    Map<String, Integer> ofThing = lines.getOrDefault(thing, Map.of());
+    return ofThing.getOrDefault(
+        word, ofThing.values().stream().mapToInt(line -> line).min().orElse(1));
+  }
+
+  /** What is wrong so far. */
+  List<Fault> faults() {
+    return faults;
+  }
+
+  /**
+   * @param sentence without its subject; a cure may stand behind a semicolon
+   */
+  Fault told(int line, String sentence) {
+    String[] parts = sentence.split("; ", 2);
+    return new Fault(
+        name, line, "the scene", "", parts[0], parts.length > 1 ? parts[1] : "correct it");
+  }
+
+  private void fault(int line, String sentence) {
+    faults.add(told(line, sentence));
+  }
+}
