@@ -71,12 +71,9 @@ public final class UnstatedNeeds {
         Leaves.of(comparison, atom -> {}, noted);
       }
     }
-    collect(feature.seconds(), noted);
-    collect(
-        feature.cost() instanceof Price.Stated stated
-            ? stated.cost()
-            : ((Price.Asked) feature.cost()).atLeast(),
-        noted);
+    if (feature.cost() instanceof Price.Stated stated) {
+      collect(stated.cost(), noted);
+    }
     return names;
   }
 
