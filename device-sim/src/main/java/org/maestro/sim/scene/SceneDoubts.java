@@ -81,7 +81,7 @@ final class SceneDoubts {
       warn(
           thing,
           "position",
-          "puts %s outside of the house, where nobody finds it; correct its scene:position, or leave it away for what is not at home"
+          "puts %s outside of every room and zone; correct its scene:position, or leave it away for what is not at home"
               .formatted(thing));
     }
   }

@@ -173,7 +173,8 @@ final class MapDoubts {
           graph.told(
               NodeFactory.createURI(door.iri()),
               NodeFactory.createURI(word.iri()),
-              Optional.of(NodeFactory.createURI(home.individuals().get(zone.text()).iri())),
+              Optional.of(
+                  NodeFactory.createURI(HomeCheck.named(home.individuals(), zone.text()).iri())),
               "lies in no room in whose wall the door is",
               "name the zones before and behind the door"));
     }

@@ -2,12 +2,12 @@ package org.maestro.ontology.validation;
 
 import jakarta.json.stream.JsonParsingException;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -31,7 +31,7 @@ public final class JsonOutline {
   private final String source;
   private final List<Fault> faults = new ArrayList<>();
   private final List<Fault> unknown = new ArrayList<>();
-  private final Map<String, List<JsonText.Members>> byName = new LinkedHashMap<>();
+  private final JsonPlaces places = new JsonPlaces();
   private final Set<String> described = new LinkedHashSet<>();
 
   /**
@@ -64,6 +64,18 @@ public final class JsonOutline {
                 + " or leave out what is too much");
   }
 
+  /** Namespaces of prefixes that {@link SourceReader#CONTEXT_IRI} defines. */
+  static Map<String, String> usualPrefixes() {
+    Map<String, String> prefixes = new TreeMap<>();
+    for (JsonText.Member member : ((JsonText.Members) OURS).all()) {
+      if (member.value() instanceof JsonText.Scalar namespace
+          && namespace.text().matches("http.*[#/]")) {
+        prefixes.put(member.key(), namespace.text());
+      }
+    }
+    return prefixes;
+  }
+
   /** What makes it useless. */
   public List<Fault> faults() {
     return List.copyOf(faults);
@@ -76,41 +88,7 @@ public final class JsonOutline {
 
   /** The fault with the line of what it speaks of, as far as that is plain. */
   public Fault placed(Fault fault) {
-    List<JsonText.Members> objects = byName.getOrDefault(fault.subject(), List.of());
-    if (fault.line() > 0 || objects.size() != 1) {
-      return fault;
-    }
-    JsonText.Members object = objects.get(0);
-    String property = fault.property().substring(fault.property().lastIndexOf(':') + 1);
-    List<Integer> lines = new ArrayList<>();
-    object.all().stream()
-        .filter(member -> isOf(member, property))
-        .forEach(member -> lines.add(member.line()));
-    if (lines.isEmpty() && !property.isEmpty()) {
-      object.all().forEach(member -> within(member.value(), property, lines));
-    }
-    int line = lines.size() == 1 ? lines.get(0) : object.line();
-    return new Fault(
-        fault.source(), line, fault.subject(), fault.property(), fault.problem(), fault.cure());
-  }
-
-  private static void within(JsonText value, String property, List<Integer> lines) {
-    for (JsonText one : value.each()) {
-      if (one instanceof JsonText.Members object && object.value("id").isEmpty()) {
-        for (JsonText.Member member : object.all()) {
-          if (isOf(member, property)) {
-            lines.add(member.line());
-          }
-          within(member.value(), property, lines);
-        }
-      }
-    }
-  }
-
-  private static boolean isOf(JsonText.Member member, String property) {
-    String name = member.key().substring(member.key().lastIndexOf(':') + 1);
-    return Maestro.localName(name).equals(property)
-        || member.key().equals("types") && property.equals("type");
+    return places.placed(fault);
   }
 
   private void document(JsonText text) {
@@ -266,7 +244,7 @@ public final class JsonOutline {
     if (object.all().size() == 1) {
       return;
     }
-    byName.computeIfAbsent(name, none -> new ArrayList<>()).add(object);
+    places.note(name, object);
     if (under.equals("offers") && !described.add(name)) {
       fault(object.line(), name, "is offered twice", "keep one of both, or give one another id");
     }

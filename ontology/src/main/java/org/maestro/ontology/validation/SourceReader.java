@@ -37,9 +37,6 @@ public final class SourceReader {
   /** The one JSON-LD context that descriptions may refer to; it is on the class path. */
   public static final String CONTEXT_IRI = "https://w3id.org/maestro/context.jsonld";
 
-  /** The other prefix that it defines for words of descriptions. */
-  private static final String DOMAIN = "https://w3id.org/maestro/domain#";
-
   private static final String CONTEXT_RESOURCE = "/org/maestro/ontology/context.jsonld";
 
   /**
@@ -84,8 +81,7 @@ public final class SourceReader {
     if (!outline.faults().isEmpty()) {
       return;
     }
-    graph.usualPrefix("maestro", Maestro.NAMESPACE);
-    graph.usualPrefix("domain", DOMAIN);
+    JsonOutline.usualPrefixes().forEach(graph::usualPrefix);
     JsonLdOptions options = new JsonLdOptions((DocumentLoader) (url, loading) -> context(url));
     Context context = RIOT.getContext().copy();
     context.set(LangJSONLD11.JSONLD_OPTIONS, options);

@@ -2,6 +2,7 @@ package org.maestro.ontology.home;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.tuple;
 
 import java.time.Duration;
 import java.util.List;
@@ -9,6 +10,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.maestro.ontology.validation.Fault;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.Reliability;
@@ -97,6 +99,18 @@ class DescriptionTest {
     assertThat(lamp.individual().classes()).contains("Lamp", "Device");
     assertThat(lamp.features().get(0).effect()).isEqualTo(type.effect());
     assertThat(lamp.features().get(0).cost()).isNotEqualTo(type.cost());
+  }
+
+  /** A device made for a later vocabulary can join; who checks its description is told. */
+  @Test
+  void aWordOfALaterVocabularyIsLeftAwayAndToldOnlyToWhoChecks() {
+    String later = BLIND.replaceFirst("\"type\":", "\"warranty\": \"P2Y\", \"type\":");
+    assertThat(reader.read(later, "blind-1").features())
+        .isEqualTo(reader.read(BLIND, "blind-1").features());
+    assertThat(new DescriptionCheck(bob, reader::read).check(later, "blind.json").warnings())
+        .extracting(Fault::property, Fault::cure)
+        .containsExactly(
+            tuple("warranty", "leave it away, or give it a prefix that your @context defines"));
   }
 
   @Test

@@ -92,6 +92,10 @@ class CheckDescriptionTest {
       List<String> command = List.of("check", file.toString(), "--running", "--main", main);
       Files.writeString(file, BELL);
       assertThat(asked(command)).contains("bell-1 could join, and would offer ring.");
+      Files.writeString(file, BELL.replace("\"cost\"", "\"ocupies\": [\"clapper\"], \"cost\""));
+      assertThat(asked(command))
+          .contains(":4: ring ocupies is no word of the context", "write \"occupies\"")
+          .contains("bell-1 could join", "no fault, 1 warning.");
       Files.writeString(file, BELL.replace("called", "in"));
       assertThat(asked(command))
           .contains("in has the local name of https://w3id.org/maestro/domain#in");
