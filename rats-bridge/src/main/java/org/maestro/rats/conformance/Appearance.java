@@ -38,8 +38,11 @@ record Appearance(Map<String, Examiner.Heard> told) {
     return told.containsKey("status");
   }
 
+  /** Empty when its status names none. */
   String boot() {
-    return told.get("status").content().path("boot").asText();
+    return Optional.ofNullable(told.get("status"))
+        .map(status -> status.content().path("boot").asText())
+        .orElse("");
   }
 
   Finding topics(Bench bench) {
