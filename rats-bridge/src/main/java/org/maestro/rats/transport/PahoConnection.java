@@ -39,6 +39,7 @@ final class PahoConnection implements MqttCallback {
   private static final int PAHO_THREADS = 5;
 
   private static final int REFUSED = 0x80;
+  private static final int SESSION_TAKEN_OVER = 0x8E;
 
   /** What MQTT 5 means when the broker does not say it. */
   private static final int UNSAID_RECEIVE_MAXIMUM = 65_535;
@@ -53,6 +54,14 @@ final class PahoConnection implements MqttCallback {
     void established(PahoConnection connection, int receiveMaximum);
 
     void ended(PahoConnection connection, String reason);
+
+    /**
+     * It ended since another client connected under the same client id, as brokers say that send
+     * MQTT 5's reason code for it; what was under way may have told before that it ended.
+     */
+    default void displaced(PahoConnection connection) {
+      ended(connection, "another client connected under its client id");
+    }
 
     void arrived(PahoConnection connection, Message message);
   }
@@ -226,6 +235,10 @@ final class PahoConnection implements MqttCallback {
 
   @Override
   public void disconnected(MqttDisconnectResponse response) {
+    if (response.getReturnCode() == SESSION_TAKEN_OVER) {
+      events.displaced(this);
+      return;
+    }
     String reason =
         response.getException() == null
             ? "the broker disconnected it, reason code " + response.getReturnCode()

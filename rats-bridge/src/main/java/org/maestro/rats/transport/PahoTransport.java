@@ -54,6 +54,8 @@ public final class PahoTransport implements Transport {
   /** A second goodbye would cut the connection before the first is out, as if it had died. */
   private boolean saidGoodbye;
 
+  private boolean toldOfDisplacement;
+
   /** It waits to be admitted, or is admitted and not ready yet. */
   private boolean queued;
 
@@ -362,6 +364,18 @@ public final class PahoTransport implements Transport {
     listener().lost(reason);
   }
 
+  /** The two may displace each other for hours, several times a second: it is said once. */
+  private void tellOfDisplacement() {
+    if (!toldOfDisplacement) {
+      toldOfDisplacement = true;
+      LOG.warn(
+          "Another client connects to {} as {} too, so that the broker drops this one; give it a"
+              + " client id of its own.",
+          broker,
+          clientId);
+    }
+  }
+
   private void drop(String reason) {
     if (connection != null) {
       connection.cut();
@@ -452,6 +466,12 @@ public final class PahoTransport implements Transport {
     @Override
     public void ended(PahoConnection source, String reason) {
       performFor(source, () -> lost(reason));
+    }
+
+    @Override
+    public void displaced(PahoConnection source) {
+      perform(PahoTransport.this::tellOfDisplacement);
+      ended(source, "another client connected under its client id");
     }
 
     @Override
