@@ -9,6 +9,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 
 /**
@@ -21,19 +22,11 @@ final class RunningCalls {
   /** In less the examiner's own word comes too late to end it. */
   private static final Duration SHORTEST = Duration.ofMillis(100);
 
-  /** It has then had as much of its time as shows that nothing ended it. */
-  private static final double MOST_OF_IT = 0.75;
+  private static final int MOST_TRIES = 3;
 
   private final Bench bench;
   private final Dialogue dialogue;
   private final Optional<DeviceExamination.FeatureCall> harmless;
-
-  /** A call that was made, and what came of it. */
-  private record Made(Map<String, Object> call, Optional<JsonNode> result, Duration took) {
-    String outcome() {
-      return result.isEmpty() ? "not answered" : Dialogue.outcome(result);
-    }
-  }
 
   RunningCalls(Bench bench, Optional<DeviceExamination.FeatureCall> harmless) {
     this.bench = bench;
@@ -50,11 +43,11 @@ final class RunningCalls {
     if (!usual.outcome().equals("SUCCEEDED")) {
       return without("%s is %s".formatted(harmless.get().feature(), usual.outcome()));
     }
-    Finding recent = new PastCalls(bench).recent(since, usual.call);
-    if (usual.took.compareTo(SHORTEST) < 0) {
+    Finding recent = new PastCalls(bench).recent(since, usual.call());
+    if (usual.took().compareTo(SHORTEST) < 0) {
       String soon =
           "%s is done in %d ms, too soon to be ended before"
-              .formatted(harmless.get().feature(), usual.took.toMillis());
+              .formatted(harmless.get().feature(), usual.took().toMillis());
       return Stream.concat(
               Stream.of(recent, neverWas(), dialogue.succeeds(DeviceRule.SAFE, "$safe")),
               Stream.of(DeviceRule.TIME_IN_QUEUE, DeviceRule.TIME_WHEN_RUNNING)
@@ -62,7 +55,11 @@ final class RunningCalls {
           .toList();
     }
     return List.of(
-        recent, timeWhenRunning(usual), timeInQueue(usual), canceled(usual), safe(usual));
+        recent,
+        atBest(() -> timeWhenRunning(usual)),
+        atBest(() -> timeInQueue(usual)),
+        atBest(() -> canceled(usual)),
+        atBest(() -> safe(usual)));
   }
 
   private List<Finding> without(String why) {
@@ -86,28 +83,27 @@ final class RunningCalls {
 
   private Map<String, Object> shortCall(Made usual) {
     Map<String, Object> call = bench.call(harmless.orElseThrow());
-    call.put("t", Math.max(1, usual.took.toMillis() / 4));
+    call.put("t", Math.max(1, usual.took().toMillis() / 4));
     return call;
   }
 
-  private static boolean wasDoneSooner(Made made, Made usual) {
-    return made.outcome().equals("SUCCEEDED")
-        && made.took.toMillis() < usual.took.toMillis() * MOST_OF_IT;
-  }
-
-  private static String doneSooner(Made made) {
-    return "this time it was done in %d ms, before it could be ended"
-        .formatted(made.took.toMillis());
+  /** A machine that does other things at the moment makes some words late. */
+  private static Finding atBest(Supplier<Finding> trial) {
+    Finding found = trial.get();
+    for (int times = 1; times < MOST_TRIES && found.verdict() == Finding.Verdict.BROKEN; times++) {
+      found = trial.get();
+    }
+    return found;
   }
 
   private Finding timeWhenRunning(Made usual) {
     Made made = made(shortCall(usual), () -> {});
-    if (wasDoneSooner(made, usual)) {
-      return notTried(DeviceRule.TIME_WHEN_RUNNING, doneSooner(made));
+    if (made.wasDoneSooner(usual)) {
+      return notTried(DeviceRule.TIME_WHEN_RUNNING, made.doneSooner());
     }
     String seen =
         "with a t of %s ms a call that takes %d ms is %s"
-            .formatted(made.call.get("t"), usual.took.toMillis(), made.outcome());
+            .formatted(made.call().get("t"), usual.took().toMillis(), made.outcome());
     return made.outcome().equals("TIMED_OUT")
         ? kept(DeviceRule.TIME_WHEN_RUNNING, seen)
         : broken(DeviceRule.TIME_WHEN_RUNNING, seen);
@@ -132,8 +128,8 @@ final class RunningCalls {
                 result.isEmpty() ? "not answered" : Dialogue.outcome(result),
                 isInTime ? "before" : "after",
                 before.outcome());
-    if (Dialogue.outcome(result).equals("SUCCEEDED") && wasDoneSooner(before, usual)) {
-      return notTried(DeviceRule.TIME_IN_QUEUE, doneSooner(before));
+    if (Dialogue.outcome(result).equals("SUCCEEDED") && before.wasDoneSooner(usual)) {
+      return notTried(DeviceRule.TIME_IN_QUEUE, before.doneSooner());
     }
     return isInTime && !Dialogue.outcome(result).equals("SUCCEEDED")
         ? kept(DeviceRule.TIME_IN_QUEUE, seen)
@@ -149,7 +145,7 @@ final class RunningCalls {
     Map<String, Object> cancel = dialogue.call("$cancel", Map.of("id", call.get("id")));
     int since = bench.examiner().now();
     Made made = made(call, () -> bench.examiner().send(cancel));
-    if (wasDoneSooner(made, usual)) {
+    if (made.wasDoneSooner(usual)) {
       return kept(DeviceRule.CANCEL, never.why());
     }
     String seen =
@@ -190,8 +186,8 @@ final class RunningCalls {
             .formatted(
                 result.isEmpty() ? "not answered" : Dialogue.outcome(result), made.outcome());
     boolean isEnded =
-        made.result.isPresent()
-            && (!made.outcome().equals("SUCCEEDED") || wasDoneSooner(made, usual));
+        made.result().isPresent()
+            && (!made.outcome().equals("SUCCEEDED") || made.wasDoneSooner(usual));
     return isEnded && Dialogue.outcome(result).equals("SUCCEEDED")
         ? kept(DeviceRule.SAFE, seen)
         : broken(DeviceRule.SAFE, seen);
