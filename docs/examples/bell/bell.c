@@ -116,7 +116,6 @@ static void tell_state(void) {
   mqtt_send(true);
 }
 
-
 static void announce(void) {
   mqtt_begin("rats/1/%s/member/" ME "/description", site);
   mqtt_say("%s", DESCRIPTION);
@@ -167,8 +166,8 @@ static uint64_t hash(uint64_t before, Text text) { /* FNV-1a */
 static struct Memory *room(void) { /* none: all of them are needed */
   struct Memory *best = NULL;
   for (struct Memory *one = remembered; one < remembered + MOST_REMEMBERED; one++) {
-    bool is_needed = one->until_ms > now_ms() && (one->has_moved || one == ringing.memory);
-    if (one != ringing.memory && !is_needed && (best == NULL || one->until_ms < best->until_ms)) best = one;
+    bool may_go = one != ringing.memory && (!one->has_moved || one->until_ms <= now_ms());
+    if (may_go && (best == NULL || one->until_ms < best->until_ms)) best = one;
   }
   return best;
 }
@@ -241,7 +240,8 @@ static void take(const Call *call) {
   Answer answer = known == NULL ? UNDER_WAY : known->body == body ? (Answer)known->answer : OTHER_BODY;
   if (known == NULL) {
     struct Memory *memory = room();
-    int64_t until_ms = now_ms() + (call->t_ms > REMEMBERED_MS ? call->t_ms : REMEMBERED_MS);
+    int64_t answered_ms = now_ms() + call->t_ms; /* at the latest, and from then on it is remembered */
+    int64_t until_ms = answered_ms + (call->t_ms > REMEMBERED_MS ? call->t_ms : REMEMBERED_MS);
     if (memory != NULL) *memory = (struct Memory){key, body, until_ms, UNDER_WAY, false};
     answer = perform(call, memory);
     if (memory != NULL) memory->answer = (unsigned char)answer;
