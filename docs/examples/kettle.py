@@ -22,8 +22,7 @@ DESCRIPTION = {
         {"id": "k:Kettle", "type": "owl:Class", "subClassOf": "maestro:Device"},
         {"id": "k:Drink", "type": "owl:Class", "subClassOf": "maestro:Thing"},
         {"id": "k:Guest", "type": "owl:Class", "equivalentClass": "domain:Person"},
-        {"id": "k:served", "type": "maestro:Predicate", "label": "served to",
-         "arguments": ["?drink - Drink", "?guest - Guest"]},
+        {"id": "k:served", "type": "maestro:Predicate", "label": "served to", "arguments": ["?drink - Drink", "?guest - Guest"]},
         {"id": "k:tea", "type": "k:Drink", "label": "tea"}]}
 
 
@@ -36,7 +35,8 @@ def tell_state():
 
 
 def announce(*_):  # after each connect, since the broker may have come back empty
-    client.subscribe([(ROOT + topic, SubscribeOptions(1, True, True, 2)) for topic in ("call/#", f"member/{ME}/+")])
+    others = SubscribeOptions(1, noLocal=True, retainAsPublished=True, retainHandling=2)
+    client.subscribe([(topic, others) for topic in (ROOT + "call/#", OWN + "status", OWN + "description")])
     client.publish(OWN + "description", json.dumps(DESCRIPTION), 1, True)
     tell_state()
     publish(OWN + "status", True, id=ME, status="ready", boot=BOOT)
