@@ -77,7 +77,7 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
   public void prepareToTakeUp(Recovery.UnfinishedGoal goal, String awaited) {
     life.takeUp(goal);
     parts.resourceClaims().takeUp(goal.keeps());
-    parts.monitor().takeUp(goal.memory());
+    parts.monitor().lessons().takeUp(goal.memory());
     life.become(GoalPhase.RECOVERING, awaited);
   }
 

@@ -67,7 +67,7 @@ final class GoalEnding {
     awaited.forget();
     life.become(GoalPhase.ENDING);
     if (how == GoalState.ACHIEVED) {
-      monitor.reached();
+      monitor.lessons().reached();
     }
     release.run();
     life.end(how, confirmed, binding, reasons);
@@ -180,9 +180,9 @@ final class GoalEnding {
   }
 
   private List<String> reasons(PlanningRound.Ended round) {
-    List<String> reasons = new ArrayList<>(monitor.reasonsOfLeavingAlone());
+    List<String> reasons = new ArrayList<>(monitor.lessons().reasonsOfLeavingAlone());
     reasons.addAll(story.reasons(round.result()));
-    reasons.addAll(monitor.reasonsOfVainDeeds());
+    reasons.addAll(monitor.lessons().reasonsOfVainDeeds());
     reasons.addAll(awaited.perhapsWithTheLost(round.result()));
     round.notCountedOn().ifPresent(reasons::add);
     if (monitor.restsOnRefusals(round.result())) {

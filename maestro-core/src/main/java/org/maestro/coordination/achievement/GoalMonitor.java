@@ -2,8 +2,6 @@ package org.maestro.coordination.achievement;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -11,30 +9,18 @@ import java.util.Set;
 import org.maestro.coordination.allocation.PlanningRound;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.Ports;
-import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Roster;
-import org.maestro.coordination.api.Sentences;
-import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.coordination.facts.Assured;
 import org.maestro.coordination.facts.Confirmation;
 import org.maestro.coordination.facts.EpistemicGoal;
-import org.maestro.coordination.facts.FactFilter;
 import org.maestro.coordination.facts.FactsMaskedByRunningSteps;
-import org.maestro.coordination.facts.FactsUnder;
 import org.maestro.coordination.facts.KnowledgeVersion;
 import org.maestro.coordination.facts.PlanCheck;
 import org.maestro.coordination.facts.ReckonedFromPlaces;
 import org.maestro.coordination.facts.Relevance;
 import org.maestro.coordination.facts.ReplanTriggers;
-import org.maestro.coordination.facts.Sensing;
-import org.maestro.coordination.lessons.FailureMemory;
-import org.maestro.coordination.lessons.Insistence;
 import org.maestro.coordination.lessons.VainDeeds;
-import org.maestro.knowledge.api.FeatureRun;
-import org.maestro.knowledge.api.Snapshot;
-import org.maestro.ontology.vocabulary.FeatureType;
-import org.maestro.ontology.vocabulary.Reliability;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.PlanningResult;
@@ -42,11 +28,9 @@ import org.maestro.planning.api.PlanningTask;
 import org.maestro.planning.api.PricedFeature;
 import org.maestro.planning.api.Step;
 import org.maestro.planning.api.StepKey;
-import org.maestro.sl.Evaluation;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
-import org.maestro.sl.Truth;
 
 /** The known present as it looks to one goal: whether it holds, and whether steps lead to it. */
 final class GoalMonitor {
@@ -64,17 +48,7 @@ final class GoalMonitor {
   private final Ports ports;
   private final ActiveGoals activeGoals;
   private final PlanCheck check;
-  private final FailureMemory failures;
-  private final SearchLog searches;
-  private final VainDeeds deeds;
-  private final Map<StepKey, String> leftAlone = new LinkedHashMap<>();
-  private final Map<StepKey, String> tooLate = new LinkedHashMap<>();
-  private final Set<Step> inVain = new LinkedHashSet<>();
-  private boolean hasTriedVainDeedsAgain;
-
-  /** What became of it when a step failed, nobody knew. */
-  private final FactFilter leftOpen;
-
+  private final GoalLessons lessons;
   private List<PricedFeature> features = List.of();
   private Optional<Confirmation> confirmation = Optional.empty();
   private Instant confirmedSince = Instant.MIN;
@@ -88,10 +62,7 @@ final class GoalMonitor {
     this.goal = Assured.of(request.goal(), ports.knowledge().home().vocabulary());
     this.ports = ports;
     this.activeGoals = activeGoals;
-    this.deeds = deeds;
-    this.failures = new FailureMemory(goalId, ports.journal(), this::tries);
-    this.searches = new SearchLog(goalId, ports.journal());
-    this.leftOpen = new FactFilter(vocabulary());
+    this.lessons = new GoalLessons(goalId, ports, activeGoals, deeds);
     this.check = new PlanCheck(ports.planner());
   }
 
@@ -99,10 +70,8 @@ final class GoalMonitor {
     return goalId;
   }
 
-  /** What was learnt before a restart. */
-  void takeUp(Recovery.GoalMemory former) {
-    failures.takeUp(former.failures());
-    searches.takeUp(former.looks());
+  GoalLessons lessons() {
+    return lessons;
   }
 
   /** Features at the prices of the latest round. */
@@ -225,141 +194,13 @@ final class GoalMonitor {
         ports.knowledge().snapshot(), ports.knowledge().home().vocabulary());
   }
 
-  /** Returns what is known only now of the conditions on which the step's member insists. */
-  List<Insistence> failed(StepEnd ended, String problem) {
-    StepKey step = ended.step().key();
-    List<FeatureRun.Learnt> refs = ended.report().refs();
-    Set<Formula.Atom> taught = Insistence.facts(refs);
-    Snapshot now = ports.knowledge().snapshot();
-    String after = FactsUnder.with(factsUnder(step), taught, now);
-    List<Insistence> news =
-        describedFeature(step)
-            .map(type -> activeGoals.experience().refused(step, type, refs, now))
-            .orElse(List.of());
-    failures.note(
-        step,
-        FactsUnder.asTaught(ended.factsBefore(), after, taught),
-        Sentences.withoutFullStop(problem),
-        refs,
-        ended.report().refusal().filter(refusal -> !isKnownToLackSomething(step, now)));
-    List<String> lost =
-        ended.change().facts().stream().filter(fact -> fact.startsWith("(unknown ")).toList();
-    leftOpen.addAll(FactFilter.of(lost, vocabulary()));
-    return news;
-  }
-
-  /** Then plans bring that about first, and need not leave the step alone. */
-  private boolean isKnownToLackSomething(StepKey step, Snapshot now) {
-    return describedFeature(step)
-        .map(type -> activeGoals.experience().condition(step.member(), type))
-        .map(condition -> new Evaluation(now).truth(condition, step.values()))
-        .filter(Truth.FALSE::equals)
-        .isPresent();
-  }
-
-  /** Returns whether any barred step had no last chance before. */
-  boolean giveLastChances() {
-    boolean any = failures.giveLastChances(this::factsUnder) || !tooLate.isEmpty();
-    tooLate.clear();
-    if (!hasTriedVainDeedsAgain && deeds.giveLastChances()) {
-      hasTriedVainDeedsAgain = true;
-      any = true;
-    }
-    return any;
-  }
-
-  /** The member offers to do the feature: what failed before says nothing any more. */
-  void offersAgain(String member, String feature) {
-    failures.pardon(member, feature);
-    tooLate
-        .keySet()
-        .removeIf(step -> step.member().equals(member) && step.feature().equals(feature));
-  }
-
-  /** Its member takes so much longer than it said that others are preferred as long as any can. */
-  void tooLate(Step step, String why) {
-    tooLate.put(step.key(), why);
-  }
-
-  /**
-   * Why the step is not to be begun, as it came to nothing so often; plans do without it as long as
-   * nothing changes.
-   */
-  Optional<String> isInVain(Step step) {
-    Optional<String> why = deeds.leftAlone(step, ports.knowledge().snapshot());
-    why.ifPresent(reason -> inVain.add(step));
-    return why;
-  }
-
-  /** What was said to be done again and again, and came to nothing; one sentence each. */
-  List<String> reasonsOfVainDeeds() {
-    Snapshot now = ports.knowledge().snapshot();
-    return inVain.stream()
-        .flatMap(step -> deeds.leftAlone(step, now).stream())
-        .distinct()
-        .map(why -> why + ".")
-        .toList();
-  }
-
-  /** What is known has changed. */
-  void knowledgeChanged() {
-    deeds.look(ports.knowledge().snapshot());
-  }
-
-  /** The goal is reached: what was done was not in vain. */
-  void reached() {
-    deeds.reached();
-  }
-
-  /** The step would end what another goal keeps for good; as long as it does, nobody does it. */
-  void leaveAlone(Step step, String keeper) {
-    leftAlone.put(step.key(), keeper);
-  }
-
-  List<String> reasonsOfLeavingAlone() {
-    return leftAlone.values().stream()
-        .distinct()
-        .flatMap(keeper -> activeGoals.find(keeper).stream())
-        .filter(ActiveGoal::isHolding)
-        .map(
-            keeper ->
-                "It would end what %s keeps, %s; cancel that one, or give this one a higher priority."
-                    .formatted(keeper.id(), keeper.status().goal()))
-        .toList();
-  }
-
-  /**
-   * Steps that failed too often with facts as they are, and those that would end what others keep,
-   * each with its reason.
-   */
+  /** The steps that are left alone as things are, each with its reason. */
   Map<StepKey, String> barred() {
-    leftAlone
-        .values()
-        .removeIf(keeper -> activeGoals.find(keeper).filter(ActiveGoal::isHolding).isEmpty());
-    Map<StepKey, String> barred = new LinkedHashMap<>(failures.barred(this::factsUnder));
-    barred.putAll(tooLate);
-    Snapshot now = ports.knowledge().snapshot();
-    inVain.removeIf(step -> deeds.leftAlone(step, now).isEmpty());
-    inVain.forEach(
-        step -> deeds.leftAlone(step, now).ifPresent(why -> barred.put(step.key(), why)));
-    leftAlone.forEach((step, keeper) -> barred.put(step, "it would end what " + keeper + " keeps"));
-    if (!isConfirming()) {
-      // How often it is looked whether it is done, is counted by itself.
-      searches
-          .spent()
-          .forEach(step -> barred.put(step, "it was in vain " + SearchLog.ROUNDS + " times"));
-    }
-    return barred;
+    return lessons.barred(isConfirming());
   }
 
-  /**
-   * Whether there would be a plan if somebody did what was refused now, or failed, or if that were
-   * so which a step that failed left open.
-   */
   boolean restsOnRefusals(PlanningResult result) {
-    return result instanceof PlanningResult.Impossible impossible
-        && (impossible.explanation().obstacles().stream().anyMatch(this::isOrWouldDoInstead)
-            || features.stream().anyMatch(this::isInsistedOn));
+    return lessons.restsOnRefusals(result, features);
   }
 
   /**
@@ -369,96 +210,9 @@ final class GoalMonitor {
     return new ReckonedFromPlaces(vocabulary()).isIn(goal, ports.knowledge().snapshot());
   }
 
-  private boolean isOrWouldDoInstead(PlanningResult.Obstacle obstacle) {
-    return mayBeOvercome(obstacle)
-        || obstacle.cures().stream()
-            .anyMatch(c -> c.conditions().stream().allMatch(this::mayBeOvercome));
-  }
-
-  private boolean mayBeOvercome(PlanningResult.Obstacle obstacle) {
-    return isRefusal(obstacle) || isLeftOpen(obstacle) || isOfUselessResults(obstacle);
-  }
-
-  /** That it insists on the same elsewhere is not what it said. */
-  private boolean isInsistedOn(PricedFeature feature) {
-    return activeGoals.experience().isInsistedOn(feature.member(), feature.type().name());
-  }
-
-  private boolean isOfUselessResults(PlanningResult.Obstacle obstacle) {
-    return obstacle.kind() == PlanningResult.Obstacle.Kind.MEMBER
-        && activeGoals.experience().isDoubted(obstacle.condition());
-  }
-
-  private boolean isLeftOpen(PlanningResult.Obstacle obstacle) {
-    return obstacle.kind() == PlanningResult.Obstacle.Kind.UNKNOWN
-        && leftOpen.speaksOf(obstacle.condition());
-  }
-
-  private boolean isRefusal(PlanningResult.Obstacle obstacle) {
-    return obstacle.kind() == PlanningResult.Obstacle.Kind.STEP
-        && obstacle.subject().filter(step -> !leftAlone.containsKey(step)).isPresent();
-  }
-
-  /**
-   * A step succeeded, and what it found is known. What is said to be done again and again, and has
-   * to be, counts as a failure from the second time on.
-   *
-   * @param factsBefore under its precondition
-   * @param begun what was known when it was begun
-   */
-  void done(Step step, String factsBefore, Snapshot begun, Map<String, Term> outputs) {
-    if (!Sensing.isIn(step.feature().effect())) {
-      deeds.said(step, begun);
-      if (deeds.isVain(step.key(), factsBefore)) {
-        failures.note(
-            step.key(),
-            factsBefore,
-            "it was said to be done, and is needed again",
-            List.of(),
-            Optional.empty());
-      }
-    }
-    searches.done(
-        step,
-        outputs,
-        ports.knowledge().snapshot(),
-        ports.clock().now(),
-        ports.knowledge().home().vocabulary());
-  }
-
-  /** How many places were looked at in vain, each counted once. */
-  int placesLookedAt() {
-    return searches.places();
-  }
-
   /** What became of the goal's searches. */
   SearchReview searchReview(Roster roster) {
-    return SearchReview.of(goal, ports, roster, features, barred().keySet(), searches);
-  }
-
-  /** The facts on which the step's precondition rests, as text to be compared. */
-  String factsUnder(StepKey key) {
-    return describedFeature(key)
-        .map(
-            feature -> {
-              Snapshot now = ports.knowledge().snapshot();
-              return FactsUnder.with(
-                  FactsUnder.of(feature.precondition(), key.values(), now),
-                  failures.taught(key),
-                  now);
-            })
-        .orElse("");
-  }
-
-  private Optional<FeatureType> describedFeature(StepKey key) {
-    return Optional.ofNullable(ports.knowledge().home().devices().get(key.member())).stream()
-        .flatMap(device -> device.features().stream())
-        .filter(feature -> feature.name().equals(key.feature()))
-        .findFirst();
-  }
-
-  private int tries(StepKey key) {
-    return describedFeature(key).map(FeatureType::reliability).orElse(Reliability.USUAL).tries();
+    return SearchReview.of(goal, ports, roster, features, barred().keySet(), lessons.searches());
   }
 
   private PlanningTask task() {

@@ -70,8 +70,8 @@ final class GoalPlanning {
       lookedInVain();
       return;
     }
-    if (parts.monitor().placesLookedAt() > placesLookedAt) {
-      placesLookedAt = parts.monitor().placesLookedAt();
+    if (parts.monitor().lessons().placesLookedAt() > placesLookedAt) {
+      placesLookedAt = parts.monitor().lessons().placesLookedAt();
       plansBefore = life.plans();
     }
     if (life.plans() - plansBefore >= MOST_PLANS) {

@@ -43,7 +43,7 @@ final class LastTry {
     Set<StepKey> notPriced = new HashSet<>(round.task().barred());
     notPriced.removeAll(monitor.barred().keySet());
     Set<StepKey> unanswered = exactPrices.unusable(ports.clock().now());
-    boolean left = monitor.giveLastChances();
+    boolean left = monitor.lessons().giveLastChances();
     int times = left ? 0 : MOST_QUESTIONS;
     for (StepKey step : notPriced) {
       int before = timesWaitedFor.merge(step, 1, Integer::sum) - 1;

@@ -85,7 +85,7 @@ final class PlanFollowing {
     offers
         .lateBeside(found.steps())
         .filter(underway::contains)
-        .forEach(step -> monitor.tooLate(step, "it takes longer than was told"));
+        .forEach(step -> monitor.lessons().tooLate(step, "it takes longer than was told"));
     execution.callOffAllBut(found.steps());
     parts.resourceClaims().letGoOfWhatIsDone();
     if (monitor.isConfirming()) {
@@ -98,7 +98,7 @@ final class PlanFollowing {
 
   void knowledgeChanged(KnowledgeBase.Change change, FactFilter changed) {
     execution.knowledgeChanged(change);
-    monitor.knowledgeChanged();
+    monitor.lessons().knowledgeChanged();
     if (!isActive()
         || change.version() == ownChange
         || !concern.perhaps(changed)
@@ -137,7 +137,7 @@ final class PlanFollowing {
     if (why.isEmpty()) {
       return;
     }
-    monitor.offersAgain(offer.by(), offer.feature());
+    monitor.lessons().offersAgain(offer.by(), offer.feature());
     underway.mayChangeHands(step);
     ExactPrices prices = parts.exactPrices();
     prices.forget(offer.by());
@@ -192,7 +192,7 @@ final class PlanFollowing {
         leaveAlone(step, spoiled.get());
         return;
       }
-      Optional<String> why = monitor.isInVain(step);
+      Optional<String> why = monitor.lessons().isInVain(step);
       if (why.isPresent()) {
         course.makePlan(why);
         return;
@@ -223,7 +223,7 @@ final class PlanFollowing {
       holding.standBackFor(life.id());
       advance();
     } else {
-      monitor.leaveAlone(step, holding.id());
+      monitor.lessons().leaveAlone(step, holding.id());
       course.makePlan(
           Optional.of(
               "%s would end what %s keeps (%s)"
@@ -255,11 +255,13 @@ final class PlanFollowing {
     List<Insistence> insisted = List.of();
     if (ended.report().succeeded()) {
       plan.done(ended.step());
-      monitor.done(ended.step(), ended.factsBefore(), ended.begun(), ended.report().outputs());
+      monitor
+          .lessons()
+          .done(ended.step(), ended.factsBefore(), ended.begun(), ended.report().outputs());
       story.done(ended.step(), ended.change());
     } else if (!ended.calledOff()) {
       String problem = ended.report().problem().orElse("no reason given");
-      insisted = monitor.failed(ended, problem);
+      insisted = monitor.lessons().failed(ended, problem);
       story.failed(ended.step(), problem, ended.change());
       story.insists(ended.step(), insisted);
     }

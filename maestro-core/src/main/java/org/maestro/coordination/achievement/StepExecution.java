@@ -208,7 +208,7 @@ final class StepExecution {
     boolean calledOff = underway.ended(step);
     resourceClaims.ended(step, used);
     exactPrices.forget(step.member());
-    String factsBefore = monitor.factsUnder(step.key());
+    String factsBefore = monitor.lessons().factsUnder(step.key());
     KnowledgeBase.Change change = ports.knowledge().learn(run);
     ActionDispatcher.Report judged = judged(step, report, performance);
     if (life.isOver()) {
