@@ -16,7 +16,7 @@ record Bench(
     boolean isOpen,
     Patience patience) {
 
-  Map<String, Object> call(DeviceExamination.FeatureCall harmless) {
+  Map<String, Object> call(FeatureCall harmless) {
     return dialogue.call(harmless.feature(), harmless.parameters());
   }
 }

@@ -7,7 +7,6 @@ import static org.maestro.rats.conformance.Finding.notTried;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.transport.Transport;
@@ -23,13 +22,6 @@ public final class DeviceExamination {
   private final Dialogue dialogue;
   private final Optional<FeatureCall> harmless;
   private final List<Finding> findings = new ArrayList<>();
-
-  /**
-   * A call of a feature that may be made.
-   *
-   * @param parameters JSON values
-   */
-  public record FeatureCall(String feature, Map<String, Object> parameters) {}
 
   /**
    * @param transport not open yet; closed at the end

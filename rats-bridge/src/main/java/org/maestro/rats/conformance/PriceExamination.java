@@ -21,15 +21,12 @@ final class PriceExamination {
 
   private final Dialogue dialogue;
   private final Optional<String> offered;
-  private final Optional<DeviceExamination.FeatureCall> harmless;
+  private final Optional<FeatureCall> harmless;
 
   /**
    * @param offered a feature of which a price can be asked
    */
-  PriceExamination(
-      Dialogue dialogue,
-      Optional<String> offered,
-      Optional<DeviceExamination.FeatureCall> harmless) {
+  PriceExamination(Dialogue dialogue, Optional<String> offered, Optional<FeatureCall> harmless) {
     this.dialogue = dialogue;
     this.offered = offered;
     this.harmless = harmless;
@@ -60,7 +57,7 @@ final class PriceExamination {
   private Map<String, Object> parametersOf(String feature) {
     return harmless
         .filter(call -> call.feature().equals(feature))
-        .map(DeviceExamination.FeatureCall::parameters)
+        .map(FeatureCall::parameters)
         .orElse(Map.of());
   }
 

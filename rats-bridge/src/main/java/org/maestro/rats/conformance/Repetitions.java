@@ -18,13 +18,13 @@ final class Repetitions {
 
   private final Bench bench;
   private final Dialogue dialogue;
-  private final Optional<DeviceExamination.FeatureCall> harmless;
+  private final Optional<FeatureCall> harmless;
   private final String boot;
   private Optional<Answered> first = Optional.empty();
 
   private record Answered(Map<String, Object> call, JsonNode result, long atNanos) {}
 
-  Repetitions(Bench bench, Optional<DeviceExamination.FeatureCall> harmless, String boot) {
+  Repetitions(Bench bench, Optional<FeatureCall> harmless, String boot) {
     this.bench = bench;
     this.dialogue = bench.dialogue();
     this.harmless = harmless;

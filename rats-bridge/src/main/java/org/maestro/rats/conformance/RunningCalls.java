@@ -26,9 +26,9 @@ final class RunningCalls {
 
   private final Bench bench;
   private final Dialogue dialogue;
-  private final Optional<DeviceExamination.FeatureCall> harmless;
+  private final Optional<FeatureCall> harmless;
 
-  RunningCalls(Bench bench, Optional<DeviceExamination.FeatureCall> harmless) {
+  RunningCalls(Bench bench, Optional<FeatureCall> harmless) {
     this.bench = bench;
     this.dialogue = bench.dialogue();
     this.harmless = harmless;

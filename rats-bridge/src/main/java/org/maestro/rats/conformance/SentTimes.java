@@ -16,9 +16,9 @@ final class SentTimes {
   private static final long AN_HOUR_MILLIS = 3_600_000;
 
   private final Bench bench;
-  private final Optional<DeviceExamination.FeatureCall> harmless;
+  private final Optional<FeatureCall> harmless;
 
-  SentTimes(Bench bench, Optional<DeviceExamination.FeatureCall> harmless) {
+  SentTimes(Bench bench, Optional<FeatureCall> harmless) {
     this.bench = bench;
     this.harmless = harmless;
   }

@@ -60,7 +60,7 @@ abstract class BellContract {
                   new PahoTransport(broker.uri(), "examiner"),
                   SITE,
                   BellInC.ID,
-                  Optional.of(new DeviceExamination.FeatureCall("ring", Map.of())),
+                  Optional.of(new FeatureCall("ring", Map.of())),
                   true,
                   PATIENCE)
               .run();

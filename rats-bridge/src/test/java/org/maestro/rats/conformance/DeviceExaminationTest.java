@@ -43,13 +43,12 @@ class DeviceExaminationTest {
     broker.close();
   }
 
-  private static List<Finding> examine(
-      URI broker, String member, Optional<DeviceExamination.FeatureCall> call) {
+  private static List<Finding> examine(URI broker, String member, Optional<FeatureCall> call) {
     return examine(new PahoTransport(broker, "examiner"), member, call);
   }
 
   private static List<Finding> examine(
-      Transport transport, String member, Optional<DeviceExamination.FeatureCall> call) {
+      Transport transport, String member, Optional<FeatureCall> call) {
     return new DeviceExamination(transport, SITE, member, call, true, PATIENCE).run();
   }
 
@@ -79,10 +78,7 @@ class DeviceExaminationTest {
     List<DeviceRule> expected = flaw == Flaw.TAKES_RETAINED_CALLS ? List.of() : flaw.breaks();
     try (FlawedDevice device = new FlawedDevice(flaw, broker.uri(), SITE)) {
       List<Finding> findings =
-          examine(
-              broker.uri(),
-              device.id(),
-              Optional.of(new DeviceExamination.FeatureCall("ring", Map.of())));
+          examine(broker.uri(), device.id(), Optional.of(new FeatureCall("ring", Map.of())));
 
       assertThat(findings).extracting(Finding::rule).containsExactly(DeviceRule.values());
       assertThat(findings)
@@ -105,10 +101,7 @@ class DeviceExaminationTest {
               SITE,
               clock);
       List<Finding> findings =
-          examine(
-              broker.uri(),
-              "anna",
-              Optional.of(new DeviceExamination.FeatureCall("wave", Map.of())));
+          examine(broker.uri(), "anna", Optional.of(new FeatureCall("wave", Map.of())));
       member.close();
 
       assertThat(findings)

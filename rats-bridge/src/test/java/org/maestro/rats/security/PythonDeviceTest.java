@@ -23,6 +23,7 @@ import org.maestro.rats.broker.RunsProgram;
 import org.maestro.rats.broker.TestBroker;
 import org.maestro.rats.conformance.DeviceExamination;
 import org.maestro.rats.conformance.DeviceRule;
+import org.maestro.rats.conformance.FeatureCall;
 import org.maestro.rats.conformance.Finding;
 import org.maestro.rats.conformance.Patience;
 import org.maestro.rats.link.RatsLink;
@@ -108,7 +109,7 @@ class PythonDeviceTest {
                   new PahoTransport(broker.uri(), "examiner"),
                   SecuredSite.SITE,
                   PythonKettle.ID,
-                  Optional.of(new DeviceExamination.FeatureCall("brew", tea)),
+                  Optional.of(new FeatureCall("brew", tea)),
                   true,
                   new Patience(
                       Duration.ofSeconds(20), Duration.ofSeconds(5), Duration.ofMillis(500)))

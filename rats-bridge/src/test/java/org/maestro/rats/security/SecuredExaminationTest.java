@@ -12,6 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.maestro.rats.broker.TestBroker;
 import org.maestro.rats.conformance.DeviceExamination;
 import org.maestro.rats.conformance.DeviceRule;
+import org.maestro.rats.conformance.FeatureCall;
 import org.maestro.rats.conformance.Finding;
 import org.maestro.rats.conformance.Patience;
 import org.maestro.rats.transport.PahoTransport;
@@ -29,7 +30,7 @@ class SecuredExaminationTest {
                   new PahoTransport(site.uri(), site.security.password("cca")),
                   SecuredSite.SITE,
                   "lamp",
-                  Optional.of(new DeviceExamination.FeatureCall("wave", Map.of())),
+                  Optional.of(new FeatureCall("wave", Map.of())),
                   false,
                   new Patience(
                       Duration.ofSeconds(20), Duration.ofSeconds(5), Duration.ofMillis(250)))

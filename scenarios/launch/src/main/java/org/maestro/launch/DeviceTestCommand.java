@@ -15,6 +15,7 @@ import java.util.concurrent.Callable;
 import org.maestro.assembly.SiteBus;
 import org.maestro.rats.conformance.DeviceExamination;
 import org.maestro.rats.conformance.DeviceRule;
+import org.maestro.rats.conformance.FeatureCall;
 import org.maestro.rats.conformance.Finding;
 import org.maestro.rats.conformance.Patience;
 import org.maestro.rats.security.SiteSecurity;
@@ -83,7 +84,7 @@ final class DeviceTestCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    Optional<DeviceExamination.FeatureCall> named = call.map(DeviceTestCommand::parsed);
+    Optional<FeatureCall> named = call.map(DeviceTestCommand::parsed);
     URI uri = Endpoint.broker(broker);
     Optional<SiteSecurity> files = security.files();
     new SiteBus(uri, site, files).requireLetIn(files.isPresent() ? user : EXAMINER);
@@ -98,10 +99,10 @@ final class DeviceTestCommand implements Callable<Integer> {
     return is(findings, Finding.Verdict.BROKEN) == 0 ? ExitCode.DONE : ExitCode.NOT_REACHED;
   }
 
-  private static DeviceExamination.FeatureCall parsed(String text) {
+  private static FeatureCall parsed(String text) {
     String[] parts = text.split("=", 2);
     try {
-      return new DeviceExamination.FeatureCall(
+      return new FeatureCall(
           parts[0],
           parts.length == 1
               ? Map.of()
