@@ -126,6 +126,12 @@ final class DeviceReader {
                       + ", or describe it as a maestro:Action or maestro:Task"));
       return;
     }
+    if (name.startsWith("$")) {
+      graph.fault(
+          typeNode.get(),
+          "has a name that is kept for the bus itself",
+          "begin the name of the feature with a letter");
+    }
     Offer before = offers.get(name);
     FeatureType base =
         before != null ? before.type : known != null ? known : features.read(typeNode.get());

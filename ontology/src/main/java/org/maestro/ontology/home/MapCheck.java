@@ -49,7 +49,8 @@ final class MapCheck {
           .forEach(this::checkWatched);
     }
     home.of("Location").forEach(this::checkReferencePoint);
-    home.of("Door").forEach(this::checkDoor);
+    List<Segment> walls = walls();
+    home.of("Door").forEach(door -> checkDoor(door, walls));
     home.individuals().values().forEach(this::checkWindows);
   }
 
@@ -129,7 +130,7 @@ final class MapCheck {
     }
   }
 
-  private void checkDoor(Individual door) {
+  private void checkDoor(Individual door, List<Segment> walls) {
     Geometry.opening(door)
         .ifPresent(
             opening -> {
@@ -139,8 +140,8 @@ final class MapCheck {
                     "openingTo",
                     "is where the opening begins, so that nobody comes through",
                     "write the other end of the opening");
-              } else if (!walls().isEmpty()
-                  && walls().stream().noneMatch(wall -> wall.covers(opening))) {
+              } else if (!walls.isEmpty()
+                  && walls.stream().noneMatch(wall -> wall.covers(opening))) {
                 fault(
                     door,
                     "openingFrom",
