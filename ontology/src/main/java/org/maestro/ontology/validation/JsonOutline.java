@@ -117,7 +117,7 @@ public final class JsonOutline {
       fault(document.line(), "the device", "has no id", "write one, such as " + EXAMPLE_ID);
     } else if (isOne && lacks(document, "type", "@type", terms)) {
       fault(
-          document.line(),
+          JsonPlaces.line(document),
           name(document).orElse("the device"),
           "has no type",
           "write \"type\": \"maestro:Device\", or a class under it, such as \"domain:Lamp\"");
@@ -246,7 +246,11 @@ public final class JsonOutline {
     }
     places.note(name, object);
     if (under.equals("offers") && !described.add(name)) {
-      fault(object.line(), name, "is offered twice", "keep one of both, or give one another id");
+      fault(
+          JsonPlaces.line(object),
+          name,
+          "is offered twice",
+          "keep one of both, or give one another id");
     }
   }
 

@@ -30,7 +30,7 @@ final class JsonPlaces {
     if (lines.isEmpty() && !property.isEmpty()) {
       object.all().forEach(member -> within(member.value(), property, lines));
     }
-    int line = lines.size() == 1 ? lines.get(0) : object.line();
+    int line = lines.size() == 1 ? lines.get(0) : line(object);
     return new Fault(
         fault.source(), line, fault.subject(), fault.property(), fault.problem(), fault.cure());
   }
@@ -52,5 +52,14 @@ final class JsonPlaces {
     String name = member.key().substring(member.key().lastIndexOf(':') + 1);
     return Maestro.localName(name).equals(property)
         || member.key().equals("types") && property.equals("type");
+  }
+
+  /** The line of its id, or at which it begins. */
+  static int line(JsonText.Members object) {
+    return object.all().stream()
+        .filter(member -> member.key().equals("id") || member.key().equals("@id"))
+        .mapToInt(JsonText.Member::line)
+        .findFirst()
+        .orElse(object.line());
   }
 }
