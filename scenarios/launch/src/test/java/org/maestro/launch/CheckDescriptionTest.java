@@ -83,7 +83,7 @@ class CheckDescriptionTest {
     try (Stage stage =
         Stage.paced(
             SiteSettings.of(
-                    "bells",
+                    "checked-bells",
                     new HomeLoader().load(Shipped.text("/homes/bob.ttl").orElseThrow(), "bob.ttl"))
                 .build())) {
       String main = "127.0.0.1:" + stage.platform().port();
