@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiPredicate;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.maestro.ontology.validation.Nearest;
@@ -51,22 +52,22 @@ public final class StatementCheck {
 
   /** The same of a single statement. */
   public Optional<String> fault(Fact fact) {
-    List<String> faults = new ArrayList<>();
-    names(FreeVariables.of(fact), faults).check(fact);
-    return faults.stream().findFirst();
+    return first(FreeVariables.of(fact), names -> names.check(fact));
   }
 
   /** The same of what a feature does; its variables are those of the feature. */
   public Optional<String> fault(Effect effect) {
-    List<String> faults = new ArrayList<>();
-    names(FreeVariables.of(effect), faults).check(effect);
-    return faults.stream().findFirst();
+    return first(FreeVariables.of(effect), names -> names.check(effect));
   }
 
   /** The same of a number. */
   public Optional<String> fault(Expression expression) {
+    return first(FreeVariables.of(expression), names -> names.check(expression));
+  }
+
+  private Optional<String> first(Collection<String> variables, Consumer<NameCheck> check) {
     List<String> faults = new ArrayList<>();
-    names(FreeVariables.of(expression), faults).check(expression);
+    check.accept(names(variables, faults));
     return faults.stream().findFirst();
   }
 
