@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import org.awaitility.Awaitility;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -20,6 +21,9 @@ import org.maestro.experiment.Experiments;
 /** What can be asked for wrongly is refused before anything runs. */
 class ExperimentCommandTest {
   private static final Duration LIMIT = Duration.ofSeconds(60);
+
+  /** A shell that starts them in the background has them, and all they start, ignore INT. */
+  private static final List<String> LISTENING_TO_SIGNALS = List.of("env", "--default-signal=INT");
 
   @TempDir private Path directory;
   private final ByteArrayOutputStream out = new ByteArrayOutputStream();
@@ -61,6 +65,7 @@ class ExperimentCommandTest {
   void whatWasFinishedWhenItIsInterruptedIsKept(String signal, int exitCode) throws Exception {
     try (JavaProcess process =
         JavaProcess.start(
+            LISTENING_TO_SIGNALS,
             Maestro.class.getName(),
             List.of(
                 "experiment",
@@ -69,7 +74,8 @@ class ExperimentCommandTest {
                 "50000",
                 "--json",
                 "--out",
-                directory.toString()))) {
+                directory.toString()),
+            Map.of())) {
       Awaitility.await()
           .pollInterval(Duration.ofMillis(5))
           .atMost(LIMIT)
