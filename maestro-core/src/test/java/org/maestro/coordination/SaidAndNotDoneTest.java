@@ -41,9 +41,13 @@ class SaidAndNotDoneTest {
       """;
 
   private static PretendHouse house() {
+    return house(PUMP);
+  }
+
+  private static PretendHouse house(String pump) {
     try (InputStream turtle = SaidAndNotDoneTest.class.getResourceAsStream("/bob.ttl")) {
       String bob = new String(turtle.readAllBytes(), StandardCharsets.UTF_8);
-      PretendHouse house = new PretendHouse(new HomeLoader().load(bob + PUMP, "bob.ttl"));
+      PretendHouse house = new PretendHouse(new HomeLoader().load(bob + pump, "bob.ttl"));
       house.made.put("water pump-1", step -> PretendHouse.succeeded(Map.of()));
       tell(house, 0.2);
       return house;
@@ -84,6 +88,20 @@ class SaidAndNotDoneTest {
                         + " was needed again"))
         .anyMatch(reason -> reason.contains("not proven"))
         .noneMatch(reason -> reason.contains("after all (pump-1 waters oak), or if pump-1"));
+  }
+
+  /** It may well be possible, with an amount that nobody has described. */
+  @Test
+  void anAmountThatNoPlanCanChooseIsNamedAndNothingIsCalledImpossible() {
+    PretendHouse house = house(PUMP.replace(" ; maestro:oneOf ( 0.1 0.2 0.5 )", ""));
+
+    GoalOutcome outcome = house.achieve("(>= (wetness oak) 0.6)");
+
+    assertThat(house.calls).isEmpty();
+    assertThat(outcome.reasons())
+        .contains(
+            "It is not known whether pump-1 could do it by water: nothing says which values amount"
+                + " may have; its description has to name them (oneOf).");
   }
 
   @Test

@@ -185,6 +185,7 @@ final class GoalEnding {
     reasons.addAll(monitor.lessons().reasonsOfVainDeeds());
     reasons.addAll(awaited.perhapsWithTheLost(round.result()));
     round.notCountedOn().ifPresent(reasons::add);
+    monitor.openChoices().forEach(open -> reasons.add(open.sentence()));
     if (monitor.restsOnRefusals(round.result())) {
       reasons.add(NOT_PROVEN);
     } else if (monitor.restsOnPlaces()) {

@@ -21,6 +21,7 @@ import org.maestro.coordination.facts.ReckonedFromPlaces;
 import org.maestro.coordination.facts.Relevance;
 import org.maestro.coordination.facts.ReplanTriggers;
 import org.maestro.coordination.lessons.VainDeeds;
+import org.maestro.ontology.home.OpenChoice;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.PlanningResult;
@@ -138,6 +139,18 @@ final class GoalMonitor {
   /** Whether the member offers anything that could be part of a plan for the goal. */
   boolean isCandidate(String member) {
     return Relevance.candidates(goal, ports.knowledge().home()).containsKey(member);
+  }
+
+  /** Features that could take part, if it were known what their parameters may be. */
+  List<OpenChoice> openChoices() {
+    List<OpenChoice> open = OpenChoice.of(ports.knowledge().home());
+    if (open.isEmpty()) {
+      return open;
+    }
+    Map<String, List<String>> candidates = Relevance.candidates(goal, ports.knowledge().home());
+    return open.stream()
+        .filter(one -> candidates.getOrDefault(one.device(), List.of()).contains(one.feature()))
+        .toList();
   }
 
   /** Whether looks may show that it is so already, though nobody can make it so. */

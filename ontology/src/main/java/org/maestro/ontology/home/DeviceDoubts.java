@@ -46,6 +46,7 @@ final class DeviceDoubts {
     for (FeatureType feature : device.features()) {
       checkSentence(feature);
       checkEnd(feature);
+      checkChoice(feature);
       feature.inputs().forEach(input -> checkType(feature, input, "input"));
       feature.binds().forEach(bound -> checkType(feature, bound, "binds"));
     }
@@ -88,6 +89,19 @@ final class DeviceDoubts {
                     "endedBy",
                     "names %s, which %s does not offer".formatted(end, device.id()),
                     "offer it too, or name a feature that is offered"));
+  }
+
+  private void checkChoice(FeatureType feature) {
+    OpenChoice.in(feature)
+        .filter(parameter -> !parameter.types().isEmpty())
+        .ifPresent(
+            parameter ->
+                warn(
+                    feature.name(),
+                    "oneOf",
+                    "is not said of %s, so that no plan can choose a value and none has %s in it"
+                        .formatted(parameter.name(), feature.name()),
+                    "name the values that it may have, such as \"oneOf\": [1, 2, 5]"));
   }
 
   private void checkType(FeatureType feature, Parameter parameter, String property) {

@@ -49,6 +49,17 @@ public record Parameter(
     needs = List.copyOf(needs);
   }
 
+  /** Whether a plan can choose a value: one that is named, a truth, or a thing of a class. */
+  public boolean hasChoice() {
+    return !oneOf.isEmpty()
+        || types.stream().anyMatch(type -> type.equals("boolean") || !isDatatype(type));
+  }
+
+  /** Whether it stands for things, all of them. */
+  boolean isOfThings() {
+    return !types.isEmpty() && types.stream().noneMatch(Parameter::isDatatype);
+  }
+
   /** Whether a type of this name is one of values, not of things. */
   static boolean isDatatype(String type) {
     return OWN_DATATYPES.contains(type) || XML_DATATYPES.contains(type);

@@ -220,8 +220,30 @@ public final class VocabularyCheck {
     for (Doubt doubt : feature.doubts()) {
       check(node, "confidence", given, names -> names.check(doubt.when()));
     }
+    Stream.concat(feature.inputs().stream(), feature.binds().stream())
+        .forEach(parameter -> checkChoice(node, parameter));
     for (String property : List.of("input", "binds", "output")) {
       graph.objects(node, Maestro.term(property)).forEach(this::checkTypes);
+    }
+  }
+
+  /** A text is no thing, so that nothing would ever come of it. */
+  private void checkChoice(Node node, Parameter parameter) {
+    if (parameter.isOfThings()) {
+      parameter.oneOf().stream()
+          .filter(value -> !(value instanceof Term.Name))
+          .findFirst()
+          .ifPresent(
+              value ->
+                  fault(
+                      node,
+                      "oneOf",
+                      "gives %s for %s, which is to be a %s"
+                          .formatted(
+                              SlPrinter.print(value),
+                              parameter.name(),
+                              String.join(" or ", parameter.types())),
+                      "write the thing, in JSON-LD as {\"id\": \"...\"}"));
     }
   }
 

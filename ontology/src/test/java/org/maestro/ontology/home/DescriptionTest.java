@@ -168,6 +168,17 @@ class DescriptionTest {
   }
 
   @Test
+  void aTextIsNoThingToChoose() {
+    String wrong =
+        BLIND.replace(
+            "\"types\": [\"maestro:Zone\"]",
+            "\"types\": [\"maestro:Zone\"], \"oneOf\": [\"zone-a\"]");
+    assertThatThrownBy(() -> reader.read(wrong, "blind-1"))
+        .hasMessageContaining(
+            "gives \"zone-a\" for zone, which is to be a Zone; write the thing, in JSON-LD as");
+  }
+
+  @Test
   void aMemberSpeaksOnlyOfItself() {
     assertThatThrownBy(() -> reader.read(BLIND, "blind-2"))
         .isInstanceOf(HomeFaultException.class)

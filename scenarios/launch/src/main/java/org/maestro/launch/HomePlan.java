@@ -9,11 +9,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.InvalidGoalException;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.OpenChoice;
 import org.maestro.planning.OptimalPlanner;
 import org.maestro.planning.api.PlanTime;
 import org.maestro.planning.api.PlanningResult;
@@ -59,7 +61,7 @@ final class HomePlan {
     Formula goal = goal(home, goalText);
     PlanningTask task = task(home, goal);
     Optional<Written> written = directory.map(place -> write(task, place));
-    PlanningResult result = new OptimalPlanner().plan(task);
+    PlanningResult result = asFarAsIsKnown(new OptimalPlanner().plan(task), home);
     Set<String> told =
         result instanceof PlanningResult.Impossible impossible
             ? told(home, impossible.explanation().obstacles())
@@ -83,6 +85,15 @@ final class HomePlan {
     return result instanceof PlanningResult.Impossible && told.isEmpty()
         ? UNSOLVABLE
         : NOTHING_FOUND;
+  }
+
+  /** What is in no plan only because nobody says what may be chosen proves nothing. */
+  private static PlanningResult asFarAsIsKnown(PlanningResult result, Home home) {
+    List<OpenChoice> open = OpenChoice.of(home);
+    return result instanceof PlanningResult.Impossible && !open.isEmpty()
+        ? new PlanningResult.GaveUp(
+            open.stream().map(OpenChoice::sentence).collect(Collectors.joining(" ")))
+        : result;
   }
 
   private void tell(Written written) {
