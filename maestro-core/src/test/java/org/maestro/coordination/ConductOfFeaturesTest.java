@@ -39,9 +39,17 @@ class ConductOfFeaturesTest {
       :dry a maestro:Task ; maestro:order 702 ; maestro:sentence "{self} dries" ;
         maestro:effect "(packed ?self)" ; maestro:cost "1" ; maestro:seconds "10" ;
         maestro:meanwhile "(shut ?self)" .
+      :lying a maestro:Predicate, owl:FunctionalProperty ; rdfs:label "lying at"@en ;
+        maestro:arguments ( "?d - Device" "?at - Device" ) .
+      :cleared a maestro:Predicate ; rdfs:label "cleared"@en ; maestro:arguments ( "?d - Device" ) .
+      :clear a maestro:Task ; maestro:order 703 ; maestro:sentence "{self} clears {box}" ;
+        maestro:input [ maestro:name "box" ; maestro:type :Box ] ;
+        maestro:precondition "(lying ?box picker-1)" ;
+        maestro:effect "(and (cleared ?box) (not (lying ?box picker-1)))" ; maestro:cost "1" ;
+        maestro:seconds "1" .
       :Box a owl:Class ; rdfs:subClassOf maestro:Device ; rdfs:label "box"@en .
       :Picker a owl:Class ; rdfs:subClassOf maestro:Device ; rdfs:label "picker"@en ; maestro:offers :wrap .
-      :Porter a owl:Class ; rdfs:subClassOf maestro:Device ; rdfs:label "porter"@en ; maestro:offers :fill .
+      :Porter a owl:Class ; rdfs:subClassOf maestro:Device ; rdfs:label "porter"@en ; maestro:offers :fill, :clear .
       :Drier a owl:Class ; rdfs:subClassOf maestro:Device ; rdfs:label "drier"@en ; maestro:offers :dry .
       <#picker-1> a :Picker .
       <#porter-1> a :Porter .
@@ -115,6 +123,26 @@ class ConductOfFeaturesTest {
 
     assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
     assertThat(house.calls).containsExactly("wrap picker-1", "fill porter-1");
+  }
+
+  /** Where the box lies now nobody knows, and nobody can see it. */
+  @Test
+  void whatAFailureLeftOpenIsNoProof() {
+    PretendHouse house = house("", "1", 0);
+    house.knowledge.state(
+        new Source(Source.Kind.STATED, "box-1"), List.of("(lying box-1 picker-1)"));
+    house.made.put(
+        "clear porter-1",
+        step -> new Report(false, Map.of(), Optional.of("It gave no answer."), List.of()));
+
+    GoalOutcome outcome = house.achieve("(cleared box-1)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isFalse();
+    assertThat(house.calls).containsOnly("clear porter-1");
+    assertThat(outcome.reasons())
+        .as(String.join("\n", house.story))
+        .anyMatch(reason -> reason.startsWith("It is not known that box-1 is lying at picker-1"))
+        .anyMatch(reason -> reason.contains("not proven"));
   }
 
   @Test

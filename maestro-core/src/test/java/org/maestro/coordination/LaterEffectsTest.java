@@ -10,6 +10,8 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Home;
@@ -85,6 +87,26 @@ class LaterEffectsTest {
             told ->
                 told.contains(
                     "oven-1 has answered, but it was not told within 35 s that (warm ?self)"));
+  }
+
+  /** It may be as cold as before: nobody has seen it, and who answered is gone. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "maestro:effectAfter 30",
+        "maestro:doneWhen \"(warm ?self)\" ; maestro:timeLimit 60"
+      })
+  void theEffectOfOneThatIsLostMeanwhileIsNotExpected(String timing) {
+    PretendHouse house = house(timing);
+    house.clock.schedule(
+        Duration.ofSeconds(5), "test", () -> house.coordinator.memberLost("oven-1", "no power"));
+
+    GoalOutcome outcome = house.achieve("(warm oven-1)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isFalse();
+    assertThat(house.story)
+        .anyMatch(told -> told.contains("oven-1 was lost before the effect was there."))
+        .noneMatch(told -> told.contains("oven-1 reports: done"));
   }
 
   @Test

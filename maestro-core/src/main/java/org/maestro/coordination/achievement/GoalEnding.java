@@ -114,7 +114,7 @@ final class GoalEnding {
     } else if (!monitor.isFindingOut() && lastTry.isLeft(round)) {
       life.become(
           GoalPhase.WAITING_FOR_ANOTHER_TRY, "what failed or was not priced is tried once more");
-      story.triesOnceMore(lastTry.pause(), round.result());
+      story.triesOnceMore(lastTry.pause(), monitor.lessons().asLeftOpen(round.result()));
       lastTry.afterPause(this::tryOnceMore);
     } else if (monitor.isFindingOut()) {
       awaitOrGiveUp();
@@ -181,7 +181,7 @@ final class GoalEnding {
 
   private List<String> reasons(PlanningRound.Ended round) {
     List<String> reasons = new ArrayList<>(monitor.lessons().reasonsOfLeavingAlone());
-    reasons.addAll(story.reasons(round.result()));
+    reasons.addAll(story.reasons(monitor.lessons().asLeftOpen(round.result())));
     reasons.addAll(monitor.lessons().reasonsOfVainDeeds());
     reasons.addAll(awaited.perhapsWithTheLost(round.result()));
     round.notCountedOn().ifPresent(reasons::add);

@@ -36,6 +36,10 @@ import org.maestro.sl.Truth;
  * and so is left alone as things are. The coordinator's thread only.
  */
 final class GoalLessons {
+  /** What nobody can see counts as not so as soon as it is not known any more. */
+  private static final Set<PlanningResult.Obstacle.Kind> LEFT_OPEN =
+      Set.of(PlanningResult.Obstacle.Kind.UNKNOWN, PlanningResult.Obstacle.Kind.FACT);
+
   private final Ports ports;
   private final ActiveGoals activeGoals;
   private final FailureMemory failures;
@@ -202,6 +206,19 @@ final class GoalLessons {
             || features.stream().anyMatch(this::isInsistedOn));
   }
 
+  /** The result, in which what a failure left open is called unknown, and not otherwise. */
+  PlanningResult asLeftOpen(PlanningResult result) {
+    if (!(result instanceof PlanningResult.Impossible impossible)) {
+      return result;
+    }
+    return new PlanningResult.Impossible(
+        new PlanningResult.Explanation(
+            impossible.explanation().obstacles().stream()
+                .map(o -> isLeftOpen(o) ? o.with(PlanningResult.Obstacle.Kind.UNKNOWN) : o)
+                .toList(),
+            impossible.explanation().proven()));
+  }
+
   private boolean isOrWouldDoInstead(PlanningResult.Obstacle obstacle) {
     return mayBeOvercome(obstacle)
         || obstacle.cures().stream()
@@ -223,8 +240,7 @@ final class GoalLessons {
   }
 
   private boolean isLeftOpen(PlanningResult.Obstacle obstacle) {
-    return obstacle.kind() == PlanningResult.Obstacle.Kind.UNKNOWN
-        && leftOpen.speaksOf(obstacle.condition());
+    return LEFT_OPEN.contains(obstacle.kind()) && leftOpen.speaksOf(obstacle.condition());
   }
 
   private boolean isRefusal(PlanningResult.Obstacle obstacle) {

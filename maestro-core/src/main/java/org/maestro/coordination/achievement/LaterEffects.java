@@ -69,6 +69,13 @@ final class LaterEffects {
     there.forEach(one -> release(one.step().key(), one.report()));
   }
 
+  /** The member is lost, or lives anew: nobody knows what becomes of the effects to come. */
+  void memberLost(String member) {
+    List<StepKey> lost =
+        held.keySet().stream().filter(step -> step.member().equals(member)).toList();
+    lost.forEach(step -> release(step, failure(member + " was lost before the effect was there.")));
+  }
+
   /** The step is not wanted any more; nobody knows what becomes of its effect. */
   void giveUp(StepKey step) {
     release(step, failure("It was called off before its effect was there."));

@@ -115,6 +115,7 @@ final class PlanFollowing {
   }
 
   void memberLost(String member) {
+    execution.memberLost(member);
     if (isActive() && plan.remaining().stream().anyMatch(step -> step.member().equals(member))) {
       course.makePlan(Optional.of(member + " is lost (" + parts.roster().absence(member) + ")"));
     }

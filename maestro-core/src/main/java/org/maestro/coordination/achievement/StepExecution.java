@@ -158,6 +158,11 @@ final class StepExecution {
     laterEffects.look();
   }
 
+  /** Of its calls their answers tell; of effects that were still to come nobody does. */
+  void memberLost(String member) {
+    laterEffects.memberLost(member);
+  }
+
   /**
    * Steps under way that the new plan does not want are called off, and so is what has no answer.
    */

@@ -117,6 +117,11 @@ public sealed interface PlanningResult {
           kind, condition, needed, possible, extent, missing, neededBy, subject, others);
     }
 
+    public Obstacle with(Kind other) {
+      return new Obstacle(
+          other, condition, needed, possible, extent, missing, neededBy, subject, cures);
+    }
+
     public Obstacle with(Extent reached) {
       return with(possible, reached);
     }
