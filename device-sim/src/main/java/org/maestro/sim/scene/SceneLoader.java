@@ -260,26 +260,14 @@ public final class SceneLoader {
       throw fault(
           thing,
           word,
-          "gives "
-              + thing
-              + " the scene:"
-              + word
-              + " \""
-              + text
-              + "\", which is no number; write one");
+          "gives %s the scene:%s \"%s\", which is no number; write one"
+              .formatted(thing, word, text));
     }
-    throw fault(
-        thing,
-        word,
-        "gives "
-            + thing
-            + " the scene:"
-            + word
-            + " "
-            + text
-            + (greatest == Double.MAX_VALUE
-                ? "; write 0 or more"
-                : "; it lies between 0 and " + SlPrinter.print(greatest)));
+    String cure =
+        greatest == Double.MAX_VALUE
+            ? "write 0 or more"
+            : "it lies between 0 and " + SlPrinter.print(greatest);
+    throw fault(thing, word, "gives %s the scene:%s %s; %s".formatted(thing, word, text, cure));
   }
 
   private Optional<Boolean> truth(String thing, String word, String text) {

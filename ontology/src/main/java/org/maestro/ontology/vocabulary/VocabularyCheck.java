@@ -256,7 +256,7 @@ public final class VocabularyCheck {
           node,
           property,
           "is less than 0 (" + SlPrinter.print(number) + ")",
-          "write seconds, from 0 on");
+          "write a number from 0 on");
     }
   }
 
