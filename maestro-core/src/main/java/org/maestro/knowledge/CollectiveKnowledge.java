@@ -270,7 +270,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
           World before = world;
           world = devices.recalling(before, run);
           tellOf(run.member(), before);
-          return change.with(lesson.reported());
+          return change.with(lesson.reported()).denying(lesson.denials());
         });
   }
 

@@ -215,7 +215,7 @@ final class StepExecution {
     exactPrices.forget(step.member());
     String factsBefore = monitor.lessons().factsUnder(step.key());
     KnowledgeBase.Change change = ports.knowledge().learn(run);
-    ActionDispatcher.Report judged = judged(step, report, performance);
+    ActionDispatcher.Report judged = judged(step, report, change, performance);
     if (life.isOver()) {
       return;
     }
@@ -228,11 +228,20 @@ final class StepExecution {
     ended.accept(new StepEnd(step, judged, calledOff, factsBefore, before, change));
   }
 
-  /** A result that teaches nothing is none; what was sound in it is known all the same. */
+  /**
+   * A result that teaches nothing is none, and neither is one that its member's own state denies;
+   * what was sound in it is known all the same.
+   */
   private ActionDispatcher.Report judged(
-      Step step, ActionDispatcher.Report report, ActionDispatcher.Handle performance) {
+      Step step,
+      ActionDispatcher.Report report,
+      KnowledgeBase.Change change,
+      ActionDispatcher.Handle performance) {
     if (!report.succeeded()) {
       return report;
+    }
+    if (!change.denials().isEmpty()) {
+      return failed(story.deniedByItself(step, change));
     }
     Experience experience = activeGoals.experience();
     Optional<String> objection = objection(step, report);
@@ -245,7 +254,11 @@ final class StepExecution {
     if (step.feature().continuous()) {
       performance.cancel();
     }
-    return new ActionDispatcher.Report(false, Map.of(), Optional.of(problem + "."), List.of());
+    return failed(problem + ".");
+  }
+
+  private static ActionDispatcher.Report failed(String problem) {
+    return new ActionDispatcher.Report(false, Map.of(), Optional.of(problem), List.of());
   }
 
   private Optional<String> objection(Step step, ActionDispatcher.Report report) {

@@ -224,6 +224,12 @@ public final class GoalStory {
     tell(StoryEntry.Kind.DONE, step.member() + " reports: " + news().report(change) + ".");
   }
 
+  /** The member reports the step as done, and its own state says otherwise: why it is not done. */
+  public String deniedByItself(Step step, KnowledgeBase.Change change) {
+    return "%s reports that it is done, and its own state says otherwise: %s."
+        .formatted(step.member(), news().facts(change.denials()));
+  }
+
   public void failed(Step step, String problem, KnowledgeBase.Change change) {
     tell(
         StoryEntry.Kind.FAILED,

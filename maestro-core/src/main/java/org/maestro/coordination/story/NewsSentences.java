@@ -36,7 +36,7 @@ public final class NewsSentences {
   }
 
   /** What is so now says most; what is not so comes second, what was lost last. */
-  private String facts(List<String> facts) {
+  String facts(List<String> facts) {
     List<Formula> all =
         facts.stream().map(fact -> SlParser.formula(fact, vocabulary::isFluent)).toList();
     List<Formula> telling = all.stream().filter(NewsSentences::isSo).toList();

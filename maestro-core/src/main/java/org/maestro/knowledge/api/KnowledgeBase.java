@@ -67,8 +67,19 @@ public interface KnowledgeBase extends AutoCloseable {
    *
    * @param facts the new beliefs, and {@code (unknown ...)} for what was lost, in MAESTRO-SL
    * @param expected those of them that nobody has reported: they follow from what a step is for
+   * @param denials what a member tells, knowing of its step, that is otherwise than the step was to
+   *     make it
    */
-  record Change(long version, Source source, List<String> facts, List<String> expected) {
+  record Change(
+      long version,
+      Source source,
+      List<String> facts,
+      List<String> expected,
+      List<String> denials) {
+
+    public Change(long version, Source source, List<String> facts, List<String> expected) {
+      this(version, source, facts, expected, List.of());
+    }
 
     public Change(long version, Source source, List<String> facts) {
       this(version, source, facts, List.of());
@@ -85,7 +96,13 @@ public interface KnowledgeBase extends AutoCloseable {
           version,
           source,
           Stream.concat(words.stream(), facts.stream()).distinct().toList(),
-          expected.stream().filter(fact -> !words.contains(fact)).toList());
+          expected.stream().filter(fact -> !words.contains(fact)).toList(),
+          denials);
+    }
+
+    /** The same, where the member tells this against its step's being done. */
+    public Change denying(List<String> words) {
+      return new Change(version, source, facts, expected, words);
     }
   }
 }

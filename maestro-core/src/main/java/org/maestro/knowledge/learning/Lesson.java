@@ -43,6 +43,7 @@ public final class Lesson {
   private final OwnWord own;
   private final List<Fact> ownWords = new ArrayList<>();
   private final Set<Fact> reported = new LinkedHashSet<>();
+  private final Set<Fact> denials = new LinkedHashSet<>();
 
   public Lesson(World world, Snapshot present, FeatureRun run, LastWords lastWords) {
     this.world = world;
@@ -73,6 +74,7 @@ public final class Lesson {
       Snapshot read = feature.learns().isPresent() ? present : before;
       Effect effect = feature.learns().orElse(feature.effect());
       List<Fact> facts = new ArrayList<>();
+      List<Fact> predicted = new ArrayList<>();
       Set<StateVariable> told = new LinkedHashSet<>();
       for (Fact fact :
           EffectReader.facts(effect, bindings, read, fluent -> own.base(fluent, present))) {
@@ -83,11 +85,15 @@ public final class Lesson {
             if (own.agrees(variable, fact)) {
               reported.add(fact);
             }
-            predicted(fact, before, facts, forget);
+            predicted.add(fact);
           }
           case OWN_WORD -> {
             ownWords.addAll(own.news(variable));
             reported.addAll(own.news(variable));
+          }
+          case DENIED -> {
+            ownWords.addAll(own.news(variable));
+            denials.addAll(own.saidOf(variable));
           }
           case OWN_WORD_FOR_NOW -> {
             forget.accept(variable);
@@ -101,6 +107,13 @@ public final class Lesson {
         }
         told.add(variable);
       }
+      for (Fact fact : predicted) {
+        if (denials.isEmpty() || reported.contains(fact)) {
+          predicted(fact, before, facts, forget);
+        } else {
+          leaveOpen(world.declarations().spokenOf(fact), positions);
+        }
+      }
       run.account()
           .map(StepAccount::tellsOfTheEnd)
           .ifPresent(ended -> told.forEach(v -> lastWords.taught(run.member(), v, ended)));
@@ -108,12 +121,17 @@ public final class Lesson {
     }
     if (run.begun()) {
       EffectReader.touched(feature.effect(), bindings, before).stream()
-          .filter(atom -> isUncertain(atom.predicate()))
           .map(draft::variable)
-          .filter(variable -> !isOwnWord(variable))
-          .forEach(variable -> positions.forgetAllBut(ownSource(), variable));
+          .forEach(variable -> leaveOpen(variable, positions));
     }
     return run.refs().stream().map(ref -> FactReader.read(ref, run.member())).toList();
+  }
+
+  /** A step that was not done as it was to be leaves open what it may have changed. */
+  private void leaveOpen(StateVariable variable, PositionKeeping positions) {
+    if (isUncertain(variable.predicate()) && !isOwnWord(variable)) {
+      positions.forgetAllBut(ownSource(), variable);
+    }
   }
 
   /** What the member itself said of what the step changes; to be written before the facts. */
@@ -124,6 +142,11 @@ public final class Lesson {
   /** What the member has told of the step's doing; it may have been known already. */
   public List<String> reported() {
     return reported.stream().filter(fact -> !wasKnown(fact)).map(SlPrinter::print).toList();
+  }
+
+  /** What the member has told, knowing of the step, that is otherwise than the step was to make it. */
+  public List<String> denials() {
+    return denials.stream().map(SlPrinter::print).toList();
   }
 
   private boolean wasKnown(Fact fact) {

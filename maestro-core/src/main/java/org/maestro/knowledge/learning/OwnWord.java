@@ -42,6 +42,8 @@ final class OwnWord {
     PREDICTED,
     /** The member's own word stands. */
     OWN_WORD,
+    /** The member's own word stands, which knows of the step and says that it is not so. */
+    DENIED,
     /**
      * The member's word stands above the prediction; but it may have been said before all was done.
      */
@@ -116,7 +118,8 @@ final class OwnWord {
     return isNews(variable) ? saidOf(variable) : List.of();
   }
 
-  private List<Fact> saidOf(StateVariable variable) {
+  /** What the member said of it last. */
+  List<Fact> saidOf(StateVariable variable) {
     return said.getOrDefault(variable, List.of());
   }
 
@@ -136,6 +139,9 @@ final class OwnWord {
     List<Fact> words = saidOf(variable);
     if (words.stream().noneMatch(word -> knowsBetter(word, predicted))) {
       return Verdict.PREDICTED;
+    }
+    if (includesStep() && words.stream().anyMatch(word -> contradicts(word, predicted))) {
+      return Verdict.DENIED;
     }
     boolean isSure = includesStep() || words.stream().allMatch(word -> isSame(word, predicted));
     return isSure ? Verdict.OWN_WORD : Verdict.OWN_WORD_FOR_NOW;
@@ -249,7 +255,11 @@ final class OwnWord {
     return Math.abs(shown) >= Math.abs(share) / 2;
   }
 
+  /** Of numbers nobody says how near is near enough. */
   private boolean contradicts(Fact fact, Fact predicted) {
+    if (!isSymbol(fact) || !isSymbol(predicted)) {
+      return false;
+    }
     Declarations declarations = world.declarations();
     Term value = declarations.valueOf(declarations.canonical(FactReader.atom(fact)));
     Term other = declarations.valueOf(declarations.canonical(FactReader.atom(predicted)));
@@ -258,6 +268,10 @@ final class OwnWord {
     return holds && predictedToHold
         ? !value.equals(other)
         : holds != predictedToHold && value.equals(other);
+  }
+
+  private static boolean isSymbol(Fact fact) {
+    return fact instanceof Fact.Holds || fact instanceof Fact.Excluded;
   }
 
   private boolean wasKnownBefore(Fact fact) {

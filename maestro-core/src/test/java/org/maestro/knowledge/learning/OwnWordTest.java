@@ -10,6 +10,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.maestro.knowledge.Household;
 import org.maestro.knowledge.api.FeatureRun;
+import org.maestro.knowledge.api.KnowledgeBase.Change;
 import org.maestro.knowledge.api.MemberWord;
 import org.maestro.knowledge.api.Moment;
 import org.maestro.knowledge.api.Snapshot;
@@ -26,6 +27,10 @@ class OwnWordTest {
   private static final String LAMP = "lamp-b1";
   private static final FeatureType FILL =
       Household.feature("(and (increase (level ?self) 20) (open ?self))", "");
+
+  private static final FeatureType FILL_AND_TURN =
+      Household.feature(
+          "(and (increase (level ?self) 20) (open ?self) (in rose zone-b))", "");
 
   private final Household home = new Household();
   private Snapshot before;
@@ -102,6 +107,34 @@ class OwnWordTest {
     assertThat(home.truth("(open lamp-b1)")).isEqualTo(Truth.FALSE);
   }
 
+  /** Who says that a part of it is not so is not believed the rest. */
+  @Test
+  void andThenNothingElseOfTheStepIsExpected() {
+    Change change =
+        learns(2, 4, word(3, "(not (open lamp-b1))", "(= (level lamp-b1) 7)"), true, FILL_AND_TURN);
+
+    assertThat(change.denials()).containsExactly("(not (open lamp-b1))");
+    assertThat(home.truth("(in rose zone-b)")).isNotEqualTo(Truth.TRUE);
+    is(7, Source.Kind.STATED);
+  }
+
+  @Test
+  void whoMaySpeakOfBeforeDeniesNothing() {
+    Change change =
+        learns(2, 4, word(3, "(not (open lamp-b1))"), false, FILL_AND_TURN);
+
+    assertThat(change.denials()).isEmpty();
+    assertThat(home.truth("(in rose zone-b)")).isEqualTo(Truth.TRUE);
+  }
+
+  @Test
+  void anotherNumberThanExpectedDeniesNothing() {
+    Change change = learns(2, 4, word(3, "(= (level lamp-b1) 0)"), true, FILL_AND_TURN);
+
+    assertThat(change.denials()).isEmpty();
+    assertThat(home.truth("(in rose zone-b)")).isEqualTo(Truth.TRUE);
+  }
+
   @Test
   void whatItHasDoneOtherwiseStandsAbovePrediction() {
     learns(2, 4, word(3, "(= (level lamp-b1) 17)"), true);
@@ -165,7 +198,7 @@ class OwnWordTest {
     StepAccount account =
         new StepAccount(
             moment(3), moment(4), Optional.of(word(2, "(= (level lamp-b1) 20)")), false);
-    learn(Optional.empty(), account.begunLongAgo());
+    learn(FILL, Optional.empty(), account.begunLongAgo());
 
     is(20, Source.Kind.EXPECTED);
   }
@@ -201,15 +234,21 @@ class OwnWordTest {
   }
 
   private void learns(long begun, long ended, MemberWord last, boolean includesStep) {
-    learn(
+    learns(begun, ended, last, includesStep, FILL);
+  }
+
+  private Change learns(
+      long begun, long ended, MemberWord last, boolean includesStep, FeatureType feature) {
+    return learn(
+        feature,
         Optional.of(before),
         new StepAccount(moment(begun), moment(ended), Optional.of(last), includesStep));
   }
 
-  private void learn(Optional<Snapshot> known, StepAccount account) {
-    home.knowledge.learn(
+  private Change learn(FeatureType feature, Optional<Snapshot> known, StepAccount account) {
+    return home.knowledge.learn(
         new FeatureRun(
-            LAMP, FILL, Map.of(), true, Map.of(), List.of(), known, true, Optional.of(account)));
+            LAMP, feature, Map.of(), true, Map.of(), List.of(), known, true, Optional.of(account)));
   }
 
   private static MemberWord word(long number, String... facts) {

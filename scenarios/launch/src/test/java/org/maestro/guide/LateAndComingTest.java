@@ -72,6 +72,22 @@ class LateAndComingTest {
     }
   }
 
+  @Test
+  void whoSaysThatItHasSoldAndStillHasTheCanHasNotSoldIt() throws Exception {
+    PythonProcess.assumePython();
+    try (Stage stage = Stage.paced(SiteSettings.of(SITE, bob()).build());
+        PythonProcess machine = new PythonProcess("jammed.py", directory, stage.broker(), SITE)) {
+      stage.await(
+          "the can", () -> stage.platform().knowledge().home().individuals().containsKey("can-1"));
+
+      MaestroAssertions.assertThat(stage.goal("(sold can-1 Bob)"))
+          .isNotReached()
+          .tells("vending-1 reports that it is done, and its own state says otherwise")
+          .hasCalls(1);
+      assertThat(machine.lines("JAMMED")).hasSize(1);
+    }
+  }
+
   private static Home bob() throws IOException {
     try (InputStream text = LateAndComingTest.class.getResourceAsStream("/homes/bob.ttl")) {
       return new HomeLoader()
