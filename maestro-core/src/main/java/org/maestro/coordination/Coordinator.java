@@ -40,6 +40,7 @@ import org.maestro.coordination.recovery.RecoveryBarrier;
 import org.maestro.coordination.story.Decision;
 import org.maestro.coordination.story.Decisions;
 import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Source;
 import org.maestro.planning.api.Step;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Formula;
@@ -357,12 +358,20 @@ public final class Coordinator {
 
   public void knowledgeChanged(KnowledgeBase.Change change) {
     exactPrices.forget(change.source().agent());
+    if (isOfADevice(change.source())) {
+      roster.described(change.source().agent(), ports.clock().now());
+    }
     if (activeGoals.all().isEmpty()) {
       return;
     }
     FactFilter changed = FactFilter.of(change.facts(), ports.knowledge().home().vocabulary());
     activeGoals.run(
         () -> activeGoals.all().forEach(pursuit -> pursuit.knowledgeChanged(change, changed)));
+  }
+
+  private boolean isOfADevice(Source source) {
+    return source.kind() == Source.Kind.DESCRIBED
+        && ports.knowledge().home().devices().containsKey(source.agent());
   }
 
   /** Whether a goal of that id is or was pursued. */

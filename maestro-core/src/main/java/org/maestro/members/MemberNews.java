@@ -25,7 +25,7 @@ public final class MemberNews {
     /** It is there, and can be used as described. */
     void described(String description);
 
-    /** What it says of itself cannot be read. */
+    /** What it says of itself cannot be read: it cannot be used until it says otherwise. */
     default void refused(RuntimeException why) {}
 
     /**
@@ -44,6 +44,7 @@ public final class MemberNews {
   private final SaidFacts saidFacts = new SaidFacts();
   private Optional<String> lastDescription = Optional.empty();
   private String boot = "";
+  private boolean isRefused;
   private long statesHeard = -1;
 
   /**
@@ -65,7 +66,7 @@ public final class MemberNews {
     if (now.phase() == MemberStatus.Phase.READY) {
       boolean isBack = !view.isReady();
       now.description()
-          .filter(text -> isBack || !isCurrent(text) || !boot.equals(now.boot()))
+          .filter(text -> isBack && !isRefused || !isCurrent(text) || !boot.equals(now.boot()))
           .ifPresent(text -> describedAs(text, now.boot()));
       boolean isNews = statesHeard != now.statesHeard();
       statesHeard = now.statesHeard();
@@ -83,7 +84,7 @@ public final class MemberNews {
 
   /** How descriptions are read has changed: the one that was heard last is read again. */
   public void readAgain() {
-    if (view.isReady()) {
+    if (view.isReady() || isRefused) {
       lastDescription.ifPresent(text -> describedAs(text, boot));
     }
   }
@@ -105,9 +106,12 @@ public final class MemberNews {
       view.describedAs(describedBy.apply(description, member));
     } catch (RuntimeException e) {
       LOG.warn("The description of {} is refused: {}", member, DescriptionVerdict.inSentences(e));
+      isRefused = true;
+      view.ready(false);
       listener.refused(e);
       return;
     }
+    isRefused = false;
     view.ready(true);
     listener.described(description);
   }

@@ -2,6 +2,7 @@ package org.maestro.platform;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.Map;
@@ -149,9 +150,37 @@ final class Arrivals {
                     && now.description().equals(Optional.of(description)));
   }
 
-  /** Members that are there and get no agent, since what they say of themselves is faulty. */
-  SortedMap<String, Refusal> refused() {
-    return Collections.unmodifiableSortedMap(new TreeMap<>(refused));
+  /**
+   * Members that are there and cannot be used, since what they say of themselves is faulty; those
+   * that nobody has known before have no agent.
+   *
+   * @param used members that can be used
+   */
+  SortedMap<String, Refusal> refused(Collection<String> used) {
+    SortedMap<String, Refusal> all = new TreeMap<>(refused);
+    for (RatsLink.Member member : link.members()) {
+      if (member.phase() == MemberStatus.Phase.READY
+          && !used.contains(member.id())
+          && deployer.deployment().agentOf(member.id()).isPresent()) {
+        fault(member).ifPresent(refusal -> all.put(member.id(), refusal));
+      }
+    }
+    return Collections.unmodifiableSortedMap(all);
+  }
+
+  private Optional<Refusal> fault(RatsLink.Member member) {
+    return member.description().flatMap(description -> fault(member, description));
+  }
+
+  private Optional<Refusal> fault(RatsLink.Member member, String description) {
+    try {
+      Device unusedAsOnlyFaultsCountHere = describedBy.apply(description, member.id());
+      return Optional.empty();
+    } catch (RuntimeException e) {
+      return Optional.of(
+          new Refusal(
+              DescriptionVerdict.inSentences(e), clock.instant(), description, member.boot()));
+    }
   }
 
   /**

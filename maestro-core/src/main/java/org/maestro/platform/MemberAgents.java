@@ -39,6 +39,7 @@ final class MemberAgents {
   private final PlatformSettings settings;
   private final PlatformServices services;
   private final AgentLives lives;
+  private final Supplier<Collection<String>> present;
   private final Supplier<SupervisorOrders> orders;
   private final TakeoverLinks heirs;
   private final Deployer deployer;
@@ -65,6 +66,7 @@ final class MemberAgents {
     this.settings = settings;
     this.services = services;
     this.lives = lives;
+    this.present = present;
     this.orders = orders;
     this.heirs = new TakeoverLinks(services.otherNames());
     this.deployer =
@@ -131,9 +133,9 @@ final class MemberAgents {
     arrivals.memberChanged(member);
   }
 
-  /** Members that are there and get no agent, with the reason of each. */
+  /** Members that are there and cannot be used as they describe themselves, and why. */
   SortedMap<String, Arrivals.Refusal> refused() {
-    return arrivals.refused();
+    return arrivals.refused(present.get());
   }
 
   /** Waits a while: whether the agents of the home have their places. */

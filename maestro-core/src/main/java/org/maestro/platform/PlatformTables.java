@@ -40,7 +40,7 @@ final class PlatformTables {
   private record Seen(String phase, String state, Instant since) {}
 
   /**
-   * @param refused members that get no agent
+   * @param refused members that cannot be used as they describe themselves
    */
   PlatformTables(
       Deployment deployment,
@@ -106,8 +106,8 @@ final class PlatformTables {
   }
 
   /**
-   * The tables in words: a line for each agent that JADE has, for each member that gets none since
-   * what it says of itself is faulty, and for each container.
+   * The tables in words: a line for each agent that JADE has, for each member that has none of its
+   * own and cannot be used since what it says of itself is faulty, and for each container.
    *
    * @param rows the agents that stand for members
    * @param services of each agent in the directory facilitator
@@ -115,17 +115,26 @@ final class PlatformTables {
   List<Content> inWords(List<AgentRow> rows, Map<String, ? extends Set<String>> services) {
     Map<String, AgentRow> rowByAgent = new TreeMap<>();
     rows.forEach(row -> rowByAgent.put(row.agent(), row));
+    SortedMap<String, Arrivals.Refusal> unused = new TreeMap<>(refused.get());
     List<Content> lines = new ArrayList<>();
-    rows.forEach(row -> lines.add(line(row, services)));
+    rows.forEach(row -> lines.add(line(row, services, ofAgent(row, unused))));
     directory.agents().stream()
         .filter(entry -> !rowByAgent.containsKey(entry.agent()))
         .map(
             entry ->
                 new AgentRow(entry.agent(), entry.container(), List.of(), "-", "-", entry.since()))
-        .forEach(row -> lines.add(line(row, services)));
-    refused.get().forEach((member, refusal) -> lines.add(line(member, refusal)));
+        .forEach(row -> lines.add(line(row, services, Optional.empty())));
+    unused.forEach((member, refusal) -> lines.add(line(member, refusal)));
     directory.containers().forEach(place -> lines.add(line(place)));
     return lines;
+  }
+
+  /** The refusal of the only member that the agent stands for is told in the agent's own line. */
+  private static Optional<Arrivals.Refusal> ofAgent(
+      AgentRow row, SortedMap<String, Arrivals.Refusal> unused) {
+    return row.members().size() == 1
+        ? Optional.ofNullable(unused.remove(row.members().get(0)))
+        : Optional.empty();
   }
 
   private Content line(String member, Arrivals.Refusal refusal) {
@@ -138,13 +147,16 @@ final class PlatformTables {
         Words.named("why", Words.text(refusal.why())));
   }
 
-  private Content line(AgentRow row, Map<String, ? extends Set<String>> services) {
+  private Content line(
+      AgentRow row,
+      Map<String, ? extends Set<String>> services,
+      Optional<Arrivals.Refusal> refusal) {
     return Words.content(
         "inform",
         Words.named("agent", Words.text(row.agent())),
         Words.named("container", Words.text(row.container())),
         Words.named("members", row.members().stream().map(Words::text).toList()),
-        Words.named("phase", Words.text(row.phase())),
+        Words.named("phase", Words.text(refusal.isPresent() ? "refused" : row.phase())),
         Words.named("state", Words.text(row.state())),
         Words.named(
             "life",
@@ -159,7 +171,9 @@ final class PlatformTables {
                 .stream()
                 .sorted()
                 .map(Words::text)
-                .toList()));
+                .toList()),
+        Words.named(
+            "why", refusal.map(Arrivals.Refusal::why).map(Words::text).stream().toList()));
   }
 
   private Content line(Directory.Place place) {

@@ -165,6 +165,14 @@ public final class MemberProxy implements MemberNews.Listener {
   @Override
   public void refused(RuntimeException why) {
     here.link().tell(DescriptionVerdict.refused(member, news.boot(), why));
+    notUsed(DescriptionVerdict.inSentences(why));
+  }
+
+  /** It was used as it had described itself before, and is not any more. */
+  private void notUsed(String why) {
+    if (announced) {
+      lost("its description is refused: " + why);
+    }
   }
 
   @Override
@@ -218,10 +226,9 @@ public final class MemberProxy implements MemberNews.Listener {
           } else if (reply.getPerformative() != ACLMessage.AGREE
               && reply.getPerformative() != ACLMessage.INFORM) {
             LOG.warn("{} is not used: {}", member, reply.getContent());
-            here.link()
-                .tell(
-                    DescriptionVerdict.refused(
-                        member, news.boot(), Replies.reason(reply).orElse("cannot be used")));
+            String why = Replies.reason(reply).orElse("cannot be used");
+            here.link().tell(DescriptionVerdict.refused(member, news.boot(), why));
+            notUsed(why);
           }
         });
   }

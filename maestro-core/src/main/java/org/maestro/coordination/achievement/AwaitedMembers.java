@@ -25,9 +25,10 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /**
- * Members without which there seems to be no plan, and that were lost moments ago only. Devices
- * come back: their network does, or their power. So no goal is given up for want of one before it
- * was waited for a while, counted from its loss. The coordinator's thread only.
+ * Members without which there seems to be no plan, and that were lost, or have described themselves
+ * for the first time, moments ago only. Devices come back: their network does, or their power. So no
+ * goal is given up for want of one before it was waited for a while, counted from then. The
+ * coordinator's thread only.
  */
 final class AwaitedMembers {
   private final Ports ports;
@@ -47,17 +48,17 @@ final class AwaitedMembers {
 
   /**
    * Members that are missed according to the explanation, or that may have what was looked for
-   * everywhere else, and that were lost so lately that they may be back soon.
+   * everywhere else, and of which there was news so lately that they may be there soon.
    */
   Set<String> missed(PlanningResult result) {
     Set<String> missed = new TreeSet<>();
     if (result instanceof PlanningResult.Impossible impossible) {
-      Set<String> lost = roster.lostSince(ports.clock().now().minus(ports.comeback()));
+      Set<String> expected = roster.expectedSince(ports.clock().now().minus(ports.comeback()));
       Snapshot now = ports.knowledge().snapshot();
       conditions(impossible.explanation())
           .forEach(
               condition ->
-                  lost.stream()
+                  expected.stream()
                       .filter(
                           member -> isOf(condition, member) || mayBeWith(condition, member, now))
                       .forEach(missed::add));
@@ -149,7 +150,7 @@ final class AwaitedMembers {
             : List.of();
     Duration limit =
         members.stream()
-            .flatMap(member -> roster.lostAt(member).stream())
+            .flatMap(member -> roster.expectedFrom(member).stream())
             .max(Duration::compareTo)
             .orElseThrow()
             .plus(ports.comeback())

@@ -142,7 +142,8 @@ final class GoalEnding {
         missed.stream()
             .map(
                 member ->
-                    "for %s to come back (%s)".formatted(member, parts.roster().absence(member)))
+                    (parts.roster().isLost(member) ? "for %s to come back (%s)" : "for %s (%s)")
+                        .formatted(member, parts.roster().absence(member)))
             .collect(Collectors.joining(", "));
     life.become(GoalPhase.WAITING_FOR_MEMBERS, members);
     story.awaits(members, atMost);

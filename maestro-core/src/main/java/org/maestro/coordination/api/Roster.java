@@ -17,6 +17,7 @@ public final class Roster {
   private final SortedMap<String, String> doubtByMember = new TreeMap<>();
   private final SortedMap<String, Optional<String>> lifeByMember = new TreeMap<>();
   private final SortedMap<String, Duration> lostByMember = new TreeMap<>();
+  private final SortedMap<String, Duration> arrivingByMember = new TreeMap<>();
 
   public void present(String member) {
     present(member, Optional.empty());
@@ -26,6 +27,7 @@ public final class Roster {
    * @param life names the life that the member lives now, and the way in which it is called
    */
   public void present(String member, Optional<String> life) {
+    arrivingByMember.remove(member);
     absenceByMember.put(member, Optional.empty());
     doubtByMember.remove(member);
     lifeByMember.put(member, life);
@@ -35,6 +37,19 @@ public final class Roster {
     absenceByMember.put(member, Optional.of(reason));
     doubtByMember.remove(member);
     lostByMember.remove(member);
+    arrivingByMember.remove(member);
+  }
+
+  /**
+   * A member has described itself. If nothing was heard of it before, its agent is still to come.
+   *
+   * @param at when it was, by the coordinator's clock
+   */
+  public void described(String member, Duration at) {
+    if (!absenceByMember.containsKey(member)) {
+      absent(member, "it has described itself, and its agent is still to come");
+      arrivingByMember.put(member, at);
+    }
   }
 
   /**
@@ -83,16 +98,23 @@ public final class Roster {
     return lost;
   }
 
-  /** Those of them that were lost later than that. */
-  public Set<String> lostSince(Duration time) {
-    Set<String> lost = lost();
-    lost.removeIf(member -> lostAt(member).filter(at -> at.compareTo(time) > 0).isEmpty());
-    return lost;
+  /** Whether it was there, and has not come back. */
+  public boolean isLost(String member) {
+    return lostByMember.containsKey(member) && !isThere(member);
   }
 
-  /** When it was lost last, as far as that is known. */
-  public Optional<Duration> lostAt(String member) {
-    return Optional.ofNullable(lostByMember.get(member));
+  /** Members that may be there soon: lost, or described for the first time, later than that. */
+  public Set<String> expectedSince(Duration time) {
+    Set<String> expected = lost();
+    expected.addAll(arrivingByMember.keySet());
+    expected.removeIf(member -> expectedFrom(member).filter(at -> at.compareTo(time) > 0).isEmpty());
+    return expected;
+  }
+
+  /** When it was lost last, or described for the first time, as far as that is known. */
+  public Optional<Duration> expectedFrom(String member) {
+    return Optional.ofNullable(lostByMember.get(member))
+        .or(() -> Optional.ofNullable(arrivingByMember.get(member)));
   }
 
   public boolean isPresent(String member) {

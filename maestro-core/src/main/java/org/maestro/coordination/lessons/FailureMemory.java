@@ -98,8 +98,10 @@ public final class FailureMemory {
                 failed.refused()
                     ? "it was refused, and nothing that it rests on has changed: "
                         + failed.problem()
-                    : "it failed %d times with the same facts: %s"
-                        .formatted(failed.count(), failed.problem()));
+                    : failed.count() == 1
+                        ? "it failed: " + failed.problem()
+                        : "it failed %d times with the same facts: %s"
+                            .formatted(failed.count(), failed.problem()));
           }
         });
     return barred;

@@ -8,8 +8,10 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.maestro.coordination.api.Sentences;
+import org.maestro.coordination.facts.Sensing;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
@@ -94,9 +96,19 @@ public final class KnownOf {
   private boolean canBeSomewhere(String name) {
     Individual individual = individual(name);
     return !individual.properties().containsKey(POSE)
-        && places()
+        && soughtPlaces()
             .map(place -> place.parameters().get(0).className())
             .anyMatch(kind -> kind.isEmpty() || individual.classes().contains(kind.get()));
+  }
+
+  /** What tells where something is, and somebody can look for. */
+  private Stream<PredicateDeclaration> soughtPlaces() {
+    Set<String> sought =
+        home.devices().values().stream()
+            .flatMap(device -> device.features().stream())
+            .flatMap(feature -> Sensing.names(feature.effect()).stream())
+            .collect(Collectors.toSet());
+    return places().filter(place -> sought.contains(place.name()));
   }
 
   private Stream<PredicateDeclaration> places() {

@@ -9,6 +9,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.PretendHouse;
@@ -32,10 +33,13 @@ class AwaitedMembersTest {
 
   @BeforeAll
   static void loadHome() throws IOException {
+    home = loaded(UnaryOperator.identity());
+  }
+
+  private static Home loaded(UnaryOperator<String> changed) throws IOException {
     try (InputStream turtle = AwaitedMembersTest.class.getResourceAsStream("/bob.ttl")) {
-      home =
-          new HomeLoader()
-              .load(new String(turtle.readAllBytes(), StandardCharsets.UTF_8), "bob.ttl");
+      String bob = new String(turtle.readAllBytes(), StandardCharsets.UTF_8);
+      return new HomeLoader().load(changed.apply(bob), "bob.ttl");
     }
   }
 
@@ -73,6 +77,30 @@ class AwaitedMembersTest {
     assertThat(meanwhile.get(0).detail()).isEqualTo("for rose to come back (no power)");
     assertThat(house.story).anyMatch(line -> line.contains("for rose to come back"));
     assertThat(house.story).anyMatch(line -> line.contains("because rose is there"));
+  }
+
+  /** Between its description and its agent a moment passes, in which goals are stated, too. */
+  @Test
+  void whoHasJustDescribedItselfIsWaitedFor() throws IOException {
+    Home withoutRose = loaded(turtle -> turtle.replaceFirst("home:rose a [^;]+;[^;]+;[^;]+;[^;]+;[^;]+;[^;]+;[^;]+\\.\\n", ""));
+    assertThat(withoutRose.devices()).hasSize(home.devices().size() - 1);
+    PretendHouse newHouse = new PretendHouse(withoutRose);
+    newHouse.knowledge.describe(home.devices().get("rose"));
+    newHouse.clock.schedule(
+        SOON,
+        "test",
+        () -> {
+          newHouse.coordinator.memberPresent("rose");
+          newHouse.knowledge.state(
+              new Source(Source.Kind.STATED, "rose"), List.of("(in rose zone-b)"));
+        });
+
+    GoalOutcome outcome = newHouse.achieve(GOAL);
+
+    assertThat(outcome.reached()).as(String.join("\n", newHouse.story)).isTrue();
+    assertThat(newHouse.story)
+        .anyMatch(line -> line.contains("it is waited for rose (it has described itself, and its"))
+        .anyMatch(line -> line.contains("because rose is there"));
   }
 
   @Test

@@ -32,13 +32,35 @@ public final class Nearest {
         .orElse(wanted);
   }
 
-  /** The nearest known name, if any is near. */
+  /**
+   * The nearest known name, if any is near; of those as near as each other, the one that begins
+   * more alike.
+   */
   public static Optional<String> to(String name, Collection<String> known) {
     return known.stream()
+        .filter(other -> isNear(name, other))
         .min(
             Comparator.comparingInt((String other) -> edits(name, other))
-                .thenComparing(Comparator.naturalOrder()))
-        .filter(other -> edits(name, other) <= Math.min(FEW_EDITS, name.length() / 2));
+                .thenComparing(other -> -commonLetters(name, other))
+                .thenComparing(Comparator.naturalOrder()));
+  }
+
+  /** Names that differ more than by a slip begin alike. */
+  private static boolean isNear(String name, String other) {
+    int edits = edits(name, other);
+    return edits <= Math.min(FEW_EDITS, name.length() / 2)
+        && (edits < FEW_EDITS || commonLetters(name, other) > 0);
+  }
+
+  /** How many letters both begin with; case does not count. */
+  private static int commonLetters(String name, String other) {
+    int letters = 0;
+    while (letters < Math.min(name.length(), other.length())
+        && Character.toLowerCase(name.charAt(letters))
+            == Character.toLowerCase(other.charAt(letters))) {
+      letters++;
+    }
+    return letters;
   }
 
   /** How many letters must be changed, put in or left out; case does not count. */

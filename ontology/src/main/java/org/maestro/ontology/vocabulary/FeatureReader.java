@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.DoublePredicate;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.apache.jena.graph.Node;
 import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceGraph;
@@ -59,7 +60,7 @@ public final class FeatureReader {
             Literals.name(node),
             node.isURI() ? node.getURI() : "",
             graph.isA(node, Maestro.term("Task")),
-            "{self} runs " + literals.label(node),
+            spoken(node),
             List.of(),
             List.of(),
             List.of(),
@@ -83,6 +84,15 @@ public final class FeatureReader {
       graph.fault(node, "has no maestro:cost", "write a number, an expression, or maestro:asked");
     }
     return read(node, blank);
+  }
+
+  /** What is told of a feature that has no sentence of its own. */
+  private String spoken(Node node) {
+    String inputs =
+        parameters(node, "input", List.of()).stream()
+            .map(input -> "{" + input.name() + "}")
+            .collect(Collectors.joining(", "));
+    return "{self} runs " + literals.label(node) + (inputs.isEmpty() ? "" : " (" + inputs + ")");
   }
 
   /** The feature type with what the node says otherwise. */

@@ -55,11 +55,15 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
     if (!(failure instanceof UnmatchedArgumentException unmatched) || command.getParent() != null) {
       return Optional.empty();
     }
-    String name = unmatched.getUnmatched().get(0);
+    return Optional.of(noCommand(unmatched.getUnmatched().get(0), command));
+  }
+
+  /** That there is no command of that name, and what to do. */
+  static String noCommand(String name, CommandLine maestro) {
     String cure =
         Nearest.cure(
-            name, command.getSubcommands().keySet(), "./maestro --help lists those there are");
-    return Optional.of("There is no command %s; %s.".formatted(name, cure));
+            name, maestro.getSubcommands().keySet(), "./maestro --help lists those there are");
+    return "There is no command %s; %s.".formatted(name, cure);
   }
 
   private static String wording(ParameterException failure) {

@@ -81,7 +81,11 @@ final class GoalCommand implements Callable<Integer> {
       description = "Simulated seconds from now by which it has to be reached; else it fails.")
   private Optional<Double> deadlineSeconds = Optional.empty();
 
+  /** The last line of a story is on its way when the goal has ended; it comes by itself. */
+  private static final Duration STORY_ENDS = Duration.ofSeconds(2);
+
   private volatile String id = "";
+  private volatile CompletableFuture<Void> told = CompletableFuture.completedFuture(null);
   private volatile boolean agreed;
   private boolean resumes;
   private long goneSince;
@@ -183,9 +187,11 @@ final class GoalCommand implements Callable<Integer> {
         throw CommandException.outside(Reply.reason(Reply.words(reply)));
       }
       GoalEndPrinter printer = new GoalEndPrinter(goal, json, spec.commandLine().getOut());
-      return reply.getPerformative() == ACLMessage.CONFIRM
-          ? printer.print(HeldReport.read(true, reply.getContent()))
-          : printer.print(GoalReport.read(reply.getContent()));
+      if (reply.getPerformative() == ACLMessage.CONFIRM) {
+        return printer.print(HeldReport.read(true, reply.getContent()));
+      }
+      awaitEndOfStory();
+      return printer.print(GoalReport.read(reply.getContent()));
     } catch (PlatformGoneException e) {
       container.abandon();
       throw e;
@@ -273,6 +279,17 @@ final class GoalCommand implements Callable<Integer> {
     }
   }
 
+  /** How it ended is said after how it came to that. */
+  private void awaitEndOfStory() {
+    try {
+      told.get(STORY_ENDS.toMillis(), TimeUnit.MILLISECONDS);
+    } catch (TimeoutException | ExecutionException e) {
+      // How it ended counts more than the last lines of how it came to that.
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
   private Content request() {
     if (stated || resumes) {
       return Words.content("await", Words.named("goal", Words.name(resumes ? id : goal)));
@@ -293,6 +310,7 @@ final class GoalCommand implements Callable<Integer> {
     if (!json) {
       out.println(id + ": " + goal);
       Follower follower = new Follower(out);
+      told = follower.told;
       Consumer<ACLMessage> lines = follower::line;
       other.ifPresentOrElse(
           platform -> container.desk().follow(platform, id, lines),
@@ -303,6 +321,7 @@ final class GoalCommand implements Callable<Integer> {
   /** Prints the lines of a story, with the first one's time as zero. */
   private static final class Follower {
     private final PrintWriter out;
+    private final CompletableFuture<Void> told = new CompletableFuture<>();
     private @Nullable StoryPrinter printer;
 
     private Follower(PrintWriter out) {
@@ -318,6 +337,9 @@ final class GoalCommand implements Callable<Integer> {
         printer = new StoryPrinter(out, entry.at());
       }
       printer.print(entry);
+      if (entry.kind() == StoryEntry.Kind.END) {
+        told.complete(null);
+      }
     }
   }
 }

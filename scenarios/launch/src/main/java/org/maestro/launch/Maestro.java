@@ -42,7 +42,8 @@ import picocli.CommandLine.Spec;
       PlanCommand.class,
       SecureCommand.class,
       BenchCommand.class,
-      ExperimentCommand.class
+      ExperimentCommand.class,
+      HelpCommand.class
     },
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {

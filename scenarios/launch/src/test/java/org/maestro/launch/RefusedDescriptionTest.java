@@ -17,7 +17,9 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.maestro.assembly.SiteSettings;
+import org.maestro.junit.MaestroAssertions;
 import org.maestro.junit.Stage;
+import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.rats.protocol.MemberStatus;
 import org.maestro.rats.protocol.Topics;
@@ -47,12 +49,7 @@ class RefusedDescriptionTest {
   @Test
   void theDeviceIsToldAndMendsItself() throws IOException, InterruptedException {
     try (Stage stage =
-            Stage.paced(
-                SiteSettings.of(
-                        SITE,
-                        new HomeLoader()
-                            .load(Shipped.text("/homes/bob.ttl").orElseThrow(), "bob.ttl"))
-                    .build());
+            Stage.paced(SiteSettings.of(SITE, bob()).build());
         Transport bell = new PahoTransport(stage.broker(), "bell-1")) {
       joins(bell, BELL.replace("(called ?who)", "(calld ?whom)"));
 
@@ -77,12 +74,48 @@ class RefusedDescriptionTest {
                 assertThat(one.path("why").asText()).contains("unknown predicate calld");
               });
 
-      bell.publish(
-          Publication.retained(topics.description("bell-1"), BELL.getBytes(UTF_8)), failure -> {});
+      tells(bell, BELL);
       assertThat(next().accepted()).isTrue();
       stage.await("the bell", () -> stage.platform().presentMembers().contains("bell-1"));
       assertThat(agents(stage)).doesNotContain("refused");
     }
+  }
+
+  @Test
+  void whoDescribesItselfWronglyLaterIsNotUsedAnyMoreAndThatIsShown()
+      throws IOException, InterruptedException {
+    try (Stage stage = Stage.paced(SiteSettings.of(SITE, bob()).build());
+        Transport bell = new PahoTransport(stage.broker(), "bell-1")) {
+      joins(bell, BELL);
+      stage.await("the bell", () -> stage.platform().presentMembers().contains("bell-1"));
+
+      tells(bell, BELL.replace("(called ?who)", "(calld ?who)"));
+      assertThat(next().accepted()).isFalse();
+      stage.await(
+          "it is not used", () -> !stage.platform().presentMembers().contains("bell-1"));
+
+      assertThat(agents(stage))
+          .containsPattern("bell-1 +\\S+ +bell-1 +refused")
+          .contains("bell-1 is refused: bell-1: ring effect uses the unknown predicate calld");
+      MaestroAssertions.assertThat(stage.goal("(called Bob)"))
+          .isNotReached()
+          .tells("its description is refused: bell-1: ring effect uses the unknown predicate");
+
+      tells(bell, BELL);
+      assertThat(next().accepted()).isTrue();
+      stage.await("the bell", () -> stage.platform().presentMembers().contains("bell-1"));
+      assertThat(agents(stage)).doesNotContain("refused");
+    }
+  }
+
+  private static Home bob() {
+    return new HomeLoader().load(Shipped.text("/homes/bob.ttl").orElseThrow(), "bob.ttl");
+  }
+
+  private void tells(Transport bell, String description) {
+    bell.publish(
+        Publication.retained(topics.description("bell-1"), description.getBytes(UTF_8)),
+        failure -> {});
   }
 
   private void joins(Transport bell, String description) throws InterruptedException {
@@ -103,9 +136,7 @@ class RefusedDescriptionTest {
           public void lost(String reason) {}
         });
     assertThat(connected.poll(30, TimeUnit.SECONDS)).isNotNull();
-    bell.publish(
-        Publication.retained(topics.description("bell-1"), description.getBytes(UTF_8)),
-        failure -> {});
+    tells(bell, description);
     bell.publish(
         Publication.retained(
             topics.status("bell-1"),
