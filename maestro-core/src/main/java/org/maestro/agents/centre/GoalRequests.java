@@ -94,8 +94,15 @@ public final class GoalRequests {
           news -> answer(message, news),
           outcome -> endings.ended(goal, outcome));
     } catch (InvalidGoalException e) {
-      agent.refuse(
-          message, ACLMessage.REFUSE, Objects.requireNonNullElse(e.getMessage(), e.toString()));
+      agent.reply(
+          message,
+          ACLMessage.REFUSE,
+          Words.content(
+              "inform",
+              Words.named(
+                  "reason",
+                  Words.text(Objects.requireNonNullElse(e.getMessage(), e.toString()))),
+              Words.named("invalid", Words.name("true"))));
     }
   }
 

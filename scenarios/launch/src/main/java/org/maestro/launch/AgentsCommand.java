@@ -45,10 +45,7 @@ final class AgentsCommand implements Callable<Integer> {
   @Override
   public Integer call() {
     try (JoinedContainer container = platform.join()) {
-      List<Words> lines =
-          Reply.lines(
-              container.ask(
-                  ACLMessage.QUERY_REF, AgentNames.SUPERVISOR, Words.content("query-ref")));
+      List<Words> lines = tables(container);
       String own = container.name();
       List<Words> wanted =
           lines.stream()
@@ -70,6 +67,19 @@ final class AgentsCommand implements Callable<Integer> {
       }
       return ExitCode.DONE;
     }
+  }
+
+  private static List<Words> tables(JoinedContainer container) {
+    return Reply.lines(
+        container.ask(ACLMessage.QUERY_REF, AgentNames.SUPERVISOR, Words.content("query-ref")));
+  }
+
+  /** Members that are there and cannot be used as they describe themselves. */
+  static List<String> refused(JoinedContainer container) {
+    return tables(container).stream()
+        .filter(line -> line.string(WHY).isPresent())
+        .flatMap(line -> words(line, "members").stream())
+        .toList();
   }
 
   private String document(List<Words> lines) {

@@ -35,6 +35,11 @@ final class CommandException extends RuntimeException {
     return new CommandException(ExitCode.OUTSIDE, sentence, cause);
   }
 
+  /** The same, with one sentence more. */
+  CommandException and(String sentence) {
+    return new CommandException(exitCode, getMessage() + " " + sentence, this);
+  }
+
   int exitCode() {
     return exitCode;
   }

@@ -177,7 +177,7 @@ final class GoalCommand implements Callable<Integer> {
       ACLMessage reply = reply(ended, endpoint, container);
       if (reply.getPerformative() == ACLMessage.NOT_UNDERSTOOD
           || reply.getPerformative() == ACLMessage.REFUSE) {
-        throw Reply.refusal(Reply.words(reply));
+        throw refusal(reply, container);
       }
       Words words = Reply.words(reply).get(0);
       if (words.string("state").isEmpty() && resumes) {
@@ -277,6 +277,20 @@ final class GoalCommand implements Callable<Integer> {
         throw CommandException.outside("The goal is not followed any more.", e);
       }
     }
+  }
+
+  /** Words may be unknown because the device that brings them cannot be used. */
+  private CommandException refusal(ACLMessage reply, JoinedContainer container) {
+    List<Words> words = Reply.words(reply);
+    CommandException refusal = Reply.refusal(words);
+    boolean isInvalid = words.stream().anyMatch(line -> line.string("invalid").isPresent());
+    List<String> unusable =
+        isInvalid && other.isEmpty() ? AgentsCommand.refused(container) : List.of();
+    return unusable.isEmpty()
+        ? refusal
+        : refusal.and(
+            "What %s would bring is not known, as it is described wrongly; ./maestro agents says how."
+                .formatted(String.join(", ", unusable)));
   }
 
   /** How it ended is said after how it came to that. */

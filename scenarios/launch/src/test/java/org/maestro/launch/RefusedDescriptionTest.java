@@ -65,6 +65,10 @@ class RefusedDescriptionTest {
           .containsPattern("bell-1 +refused")
           .contains("bell-1 is refused: bell-1: ring effect uses the unknown predicate calld");
 
+      assertThat(told(stage, "goal", "(called Bob)"))
+          .contains("uses the unknown predicate called")
+          .contains("What bell-1 would bring is not known, as it is described wrongly");
+
       JsonNode row = new ObjectMapper().readTree(agents(stage, "--json")).path("agents");
       assertThat(row)
           .anySatisfy(
@@ -152,11 +156,17 @@ class RefusedDescriptionTest {
 
   private static String agents(Stage stage, String... more)
       throws IOException, InterruptedException {
+    return told(stage, "agents", more);
+  }
+
+  private static String told(Stage stage, String name, String... more)
+      throws IOException, InterruptedException {
     List<String> command =
-        new ArrayList<>(List.of("agents", "--main", "127.0.0.1:" + stage.platform().port()));
+        new ArrayList<>(List.of(name, "--main", "127.0.0.1:" + stage.platform().port()));
     command.addAll(List.of(more));
     try (JavaProcess asking = JavaProcess.start(Maestro.class.getName(), command)) {
-      return asking.await(Duration.ofSeconds(60)).output();
+      JavaProcess.Ended ended = asking.await(Duration.ofSeconds(60));
+      return ended.output() + ended.errors();
     }
   }
 }
