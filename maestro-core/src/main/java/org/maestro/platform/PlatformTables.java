@@ -172,8 +172,7 @@ final class PlatformTables {
                 .sorted()
                 .map(Words::text)
                 .toList()),
-        Words.named(
-            "why", refusal.map(Arrivals.Refusal::why).map(Words::text).stream().toList()));
+        Words.named("why", refusal.map(Arrivals.Refusal::why).map(Words::text).stream().toList()));
   }
 
   private Content line(Directory.Place place) {

@@ -3,6 +3,7 @@ package org.maestro.sl;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 
 /**
@@ -44,6 +45,23 @@ public record Synonyms(Map<String, String> commonWords) {
       return text;
     }
     return translated.toString();
+  }
+
+  /** A word of the speaker that stands for one of the other's, who says so the other way round. */
+  public Optional<String> crossing(Synonyms other) {
+    return commonWords.entrySet().stream()
+        .filter(entry -> entry.getKey().equals(other.commonWords.get(entry.getValue())))
+        .map(Map.Entry::getKey)
+        .findFirst();
+  }
+
+  /** A common word with how the speaker calls it, where that differs. */
+  public String asSaid(String word) {
+    return commonWords.entrySet().stream()
+        .filter(entry -> entry.getValue().equals(word))
+        .map(entry -> word + " (in its own words " + entry.getKey() + ")")
+        .findFirst()
+        .orElse(word);
   }
 
   private static void words(Node.Group group, Map<Integer, String> found) {

@@ -100,8 +100,7 @@ public final class GoalRequests {
           Words.content(
               "inform",
               Words.named(
-                  "reason",
-                  Words.text(Objects.requireNonNullElse(e.getMessage(), e.toString()))),
+                  "reason", Words.text(Objects.requireNonNullElse(e.getMessage(), e.toString()))),
               Words.named("invalid", Words.name("true"))));
     }
   }

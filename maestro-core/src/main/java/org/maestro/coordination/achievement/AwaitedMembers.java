@@ -26,8 +26,8 @@ import org.maestro.sl.Truth;
 
 /**
  * Members without which there seems to be no plan, and that were lost, or have described themselves
- * for the first time, moments ago only. Devices come back: their network does, or their power. So no
- * goal is given up for want of one before it was waited for a while, counted from then. The
+ * for the first time, moments ago only. Devices come back: their network does, or their power. So
+ * no goal is given up for want of one before it was waited for a while, counted from then. The
  * coordinator's thread only.
  */
 final class AwaitedMembers {

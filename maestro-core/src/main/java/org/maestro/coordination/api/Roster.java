@@ -107,7 +107,8 @@ public final class Roster {
   public Set<String> expectedSince(Duration time) {
     Set<String> expected = lost();
     expected.addAll(arrivingByMember.keySet());
-    expected.removeIf(member -> expectedFrom(member).filter(at -> at.compareTo(time) > 0).isEmpty());
+    expected.removeIf(
+        member -> expectedFrom(member).filter(at -> at.compareTo(time) > 0).isEmpty());
     return expected;
   }
 

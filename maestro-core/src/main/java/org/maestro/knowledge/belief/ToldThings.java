@@ -50,7 +50,7 @@ public final class ToldThings {
     Extension own = device.extension();
     Map<String, Individual> all = new TreeMap<>(told);
     all.putAll(own.things());
-    return device.bringing(new Extension(own.words(), all, own.synonyms()));
+    return device.bringing(own.with(all));
   }
 
   /** Notes what the device tells to be there now, beside what it has told before. */

@@ -144,7 +144,9 @@ public final class Lesson {
     return reported.stream().filter(fact -> !wasKnown(fact)).map(SlPrinter::print).toList();
   }
 
-  /** What the member has told, knowing of the step, that is otherwise than the step was to make it. */
+  /**
+   * What the member has told, knowing of the step, that is otherwise than the step was to make it.
+   */
   public List<String> denials() {
     return denials.stream().map(SlPrinter::print).toList();
   }

@@ -82,7 +82,11 @@ class AwaitedMembersTest {
   /** Between its description and its agent a moment passes, in which goals are stated, too. */
   @Test
   void whoHasJustDescribedItselfIsWaitedFor() throws IOException {
-    Home withoutRose = loaded(turtle -> turtle.replaceFirst("home:rose a [^;]+;[^;]+;[^;]+;[^;]+;[^;]+;[^;]+;[^;]+\\.\\n", ""));
+    Home withoutRose =
+        loaded(
+            turtle ->
+                turtle.replaceFirst(
+                    "home:rose a [^;]+;[^;]+;[^;]+;[^;]+;[^;]+;[^;]+;[^;]+\\.\\n", ""));
     assertThat(withoutRose.devices()).hasSize(home.devices().size() - 1);
     PretendHouse newHouse = new PretendHouse(withoutRose);
     newHouse.knowledge.describe(home.devices().get("rose"));

@@ -29,8 +29,7 @@ class OwnWordTest {
       Household.feature("(and (increase (level ?self) 20) (open ?self))", "");
 
   private static final FeatureType FILL_AND_TURN =
-      Household.feature(
-          "(and (increase (level ?self) 20) (open ?self) (in rose zone-b))", "");
+      Household.feature("(and (increase (level ?self) 20) (open ?self) (in rose zone-b))", "");
 
   private final Household home = new Household();
   private Snapshot before;
@@ -120,8 +119,7 @@ class OwnWordTest {
 
   @Test
   void whoMaySpeakOfBeforeDeniesNothing() {
-    Change change =
-        learns(2, 4, word(3, "(not (open lamp-b1))"), false, FILL_AND_TURN);
+    Change change = learns(2, 4, word(3, "(not (open lamp-b1))"), false, FILL_AND_TURN);
 
     assertThat(change.denials()).isEmpty();
     assertThat(home.truth("(in rose zone-b)")).isEqualTo(Truth.TRUE);

@@ -1,13 +1,14 @@
 package org.maestro.ontology.home;
 
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.apache.jena.graph.Node;
 import org.apache.jena.graph.NodeFactory;
 import org.apache.jena.graph.Triple;
@@ -24,8 +25,9 @@ import org.maestro.sl.Synonyms;
 /**
  * Those of a description's words that mean what the home, or another maker, calls otherwise, as
  * {@code owl:equivalentClass} and {@code owl:equivalentProperty} tell in it and in the home. One
- * word stands for all that mean the same: the home's, else the first by its IRI, so that every
- * reader takes the same one.
+ * word stands for all that mean the same, so that every reader takes the same one without knowing
+ * other descriptions: the home's; else the first, by its IRI, of those of which the home tells that
+ * they mean the same; else that of the other maker, who may know nothing of it.
  */
 final class Alignment {
 
@@ -40,26 +42,25 @@ final class Alignment {
   private static final Node ARGUMENTS = Maestro.term("arguments");
   private static final Node SENTENCE = Maestro.term("sentence");
 
+  private final SourceGraph description;
+  private final Background background;
   private final Vocabulary vocabulary;
+  private final Set<Node> bridged = new HashSet<>();
   private final Map<Node, Node> common = new LinkedHashMap<>();
   private final Synonyms synonyms;
 
   /**
-   * @param ofHome what the home states of words of others
+   * @param background what the home states of words of others
    * @param vocabulary the home's words
    */
-  Alignment(SourceGraph description, SourceGraph ofHome, Vocabulary vocabulary) {
+  Alignment(SourceGraph description, Background background, Vocabulary vocabulary) {
+    this.description = description;
+    this.background = background;
     this.vocabulary = vocabulary;
     Map<Node, Set<Node>> same = new LinkedHashMap<>();
-    for (SourceGraph graph : List.of(description, ofHome)) {
-      for (Node equivalent : EQUIVALENT) {
-        for (Node word : graph.subjectsWith(equivalent)) {
-          graph.objects(word, equivalent).stream()
-              .filter(other -> word.isURI() && other.isURI())
-              .forEach(other -> join(word, other, same));
-        }
-      }
-    }
+    joinAll(background.ofHome(), same);
+    bridged.addAll(same.keySet());
+    joinAll(description, same);
     same.forEach(
         (word, all) -> {
           Node one = commonOf(all);
@@ -68,6 +69,16 @@ final class Alignment {
           }
         });
     this.synonyms = synonyms(common);
+  }
+
+  private static void joinAll(SourceGraph graph, Map<Node, Set<Node>> same) {
+    for (Node equivalent : EQUIVALENT) {
+      for (Node word : graph.subjectsWith(equivalent)) {
+        graph.objects(word, equivalent).stream()
+            .filter(other -> word.isURI() && other.isURI())
+            .forEach(other -> join(word, other, same));
+      }
+    }
   }
 
   private static void join(Node one, Node other, Map<Node, Set<Node>> same) {
@@ -80,8 +91,25 @@ final class Alignment {
     return words.stream()
         .min(
             Comparator.comparing((Node word) -> !isOfHome(word))
+                .thenComparing(word -> !bridged.contains(word))
+                .thenComparing(word -> !isAnothers(word))
                 .thenComparing(word -> word.getURI()))
         .orElseThrow();
+  }
+
+  /** Whether another maker may declare the word, which can be used as it is called then. */
+  private boolean isAnothers(Node word) {
+    return !Brought.isWord(description, word)
+        && !background.explains(word)
+        && vocabulary.iri(Literals.name(word)).isEmpty();
+  }
+
+  /** Local names of words that stand for the description's, and are no words of the home. */
+  Set<String> borrowed() {
+    return common.values().stream()
+        .filter(word -> !isOfHome(word))
+        .map(Literals::name)
+        .collect(Collectors.toSet());
   }
 
   private boolean isOfHome(Node word) {

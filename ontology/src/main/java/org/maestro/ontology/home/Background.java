@@ -56,6 +56,11 @@ final class Background {
     }
   }
 
+  /** Whether the word is one of another vocabulary of which is known what it means. */
+  boolean explains(Node word) {
+    return !known().aboutWords().predicates(word).isEmpty();
+  }
+
   /** What the home states of words, its own and those of others. */
   SourceGraph ofHome() {
     return known().ofHome();

@@ -111,14 +111,8 @@ final class Brought {
         (name, node) -> {
           Individual thing = reader.read(node);
           read.put(name, thing);
-          if (!Extension.mayBring(thing.classes())) {
-            graph.fault(
-                node,
-                "is of classes that a device does not bring ("
-                    + String.join(", ", thing.classes())
-                    + ")",
-                "give it a class under maestro:Thing, and none of places, devices or permissions");
-          }
+          Extension.objection(thing.classes())
+              .ifPresent(objection -> graph.fault(node, objection.problem(), objection.cure()));
         });
     return read;
   }

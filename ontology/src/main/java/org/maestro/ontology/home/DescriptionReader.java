@@ -78,7 +78,7 @@ public final class DescriptionReader {
       source.readTurtle(text);
     }
     refuseFaults(graph);
-    Alignment alignment = new Alignment(graph, background.ofHome(), vocabulary);
+    Alignment alignment = new Alignment(graph, background, vocabulary);
     return understood(alignment.applied(graph), member, alignment);
   }
 
@@ -112,7 +112,8 @@ public final class DescriptionReader {
     HomeCheck check = new HomeCheck(graph, all);
     check.checkDescription(node);
     brought.check(words, check);
-    Extension extension = new Extension(own, brought.things(individuals), alignment.synonyms());
+    Extension extension =
+        new Extension(own, brought.things(individuals), alignment.synonyms(), alignment.borrowed());
     refuseFaults(graph);
     return device.bringing(extension);
   }

@@ -81,7 +81,13 @@ public record Home(
             });
     things.put(device.id(), device.individual());
     return new Home(
-        iri, label, vocabulary.with(device.extension().words()), things, joined, groups, words);
+        iri,
+        label,
+        vocabulary.with(device.extension().wordsBeside(vocabulary)),
+        things,
+        joined,
+        groups,
+        words);
   }
 
   /**
@@ -93,14 +99,9 @@ public record Home(
     List<Device> others =
         devices.values().stream().filter(other -> !other.id().equals(device.id())).toList();
     for (Device other : others) {
-      Optional<String> word = other.extension().words().unlike(own.words());
-      if (word.isPresent()) {
-        return Optional.of(
-            new Contradiction(
-                "declares the word %s, which %s declares otherwise"
-                    .formatted(word.get(), other.id()),
-                "give one of both another name, or tell in the home that both are the same"
-                    + " (owl:equivalentProperty, owl:equivalentClass)"));
+      Optional<Contradiction> ofWords = contradiction(own, other);
+      if (ofWords.isPresent()) {
+        return ofWords;
       }
     }
     Optional<Contradiction> ofItsName = nameTaken(device);
@@ -124,6 +125,27 @@ public record Home(
       }
     }
     return Optional.empty();
+  }
+
+  private static Optional<Contradiction> contradiction(Extension own, Device other) {
+    Extension there = other.extension();
+    Optional<String> crossed = own.synonyms().crossing(there.synonyms());
+    if (crossed.isPresent()) {
+      return Optional.of(
+          new Contradiction(
+              "says that its %s is a word of %s, which says the same the other way round"
+                  .formatted(crossed.get(), other.id()),
+              "say it in one of both descriptions, or in the home"));
+    }
+    return there
+        .unlike(own)
+        .map(
+            word ->
+                new Contradiction(
+                    "declares the word %s, which %s declares otherwise"
+                        .formatted(own.synonyms().asSaid(word), other.id()),
+                    "give one of both another name, or tell in the home that both are the same"
+                        + " (owl:equivalentProperty, owl:equivalentClass)"));
   }
 
   /** A place or a thing of the home is called so; what another device brought gives way. */

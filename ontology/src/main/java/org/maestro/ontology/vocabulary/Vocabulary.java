@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 
@@ -55,11 +56,47 @@ public record Vocabulary(
    * with another meaning. How arguments are called, and what people read, does not count.
    */
   public Optional<String> unlike(Vocabulary other) {
+    return unlike(other, Set.of());
+  }
+
+  /**
+   * The same, where of some words somebody has only said that they are another's: of these what
+   * kind of word it is counts, and how many arguments it has.
+   */
+  public Optional<String> unlike(Vocabulary other, Set<String> borrowed) {
     return other
         .names()
         .filter(name -> iri(name).isPresent())
-        .filter(name -> !comparable(name).equals(other.comparable(name)))
+        .filter(
+            name ->
+                borrowed.contains(name)
+                    ? !form(name).equals(other.form(name))
+                    : !comparable(name).equals(other.comparable(name)))
         .findFirst();
+  }
+
+  private List<Object> form(String name) {
+    return Stream.of(
+            Optional.ofNullable(classes.get(name)).stream().map(ClassDeclaration::iri),
+            predicate(name).stream()
+                .flatMap(
+                    declared ->
+                        Stream.of(declared.iri(), declared.fluent(), declared.parameters().size())),
+            Optional.ofNullable(features.get(name)).stream())
+        .<Object>flatMap(parts -> parts)
+        .toList();
+  }
+
+  /** This vocabulary without these classes and predicates. */
+  public Vocabulary without(Set<String> names) {
+    if (names.isEmpty()) {
+      return this;
+    }
+    Map<String, ClassDeclaration> otherClasses = new TreeMap<>(classes);
+    otherClasses.keySet().removeAll(names);
+    Map<String, PredicateDeclaration> otherPredicates = new TreeMap<>(predicates);
+    otherPredicates.keySet().removeAll(names);
+    return new Vocabulary(otherClasses, otherPredicates, features);
   }
 
   private Stream<String> names() {

@@ -3,6 +3,7 @@ package org.maestro.ontology.home;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
@@ -76,6 +77,12 @@ class WordsOfMakersTest {
   }
 
   @Test
+  void aFeatureWithoutASentenceIsToldWithItsInputs() {
+    assertThat(feature(read(bob, OTHER, "table-1")).sentence())
+        .isEqualTo("{self} runs clear ({cup})");
+  }
+
+  @Test
   void aWordThatMeansOneOfTheHomesIsThatOne() {
     Device kettle = read(bob, KETTLE, "kettle-1");
 
@@ -102,6 +109,111 @@ class WordsOfMakersTest {
     assertThat(joined.with(table).individuals().get("tea").classes()).contains("Beverage");
     assertThat(kettle.extension().synonyms().translated("(served tea Bob)"))
         .isEqualTo("(broughtTo tea Bob)");
+  }
+
+  /** The table's maker knows the kettle's; the kettle's knows nobody. */
+  private static final String KNOWING =
+      OTHER
+          .replace(
+              "{\"id\": \"t:Beverage\", ",
+              "{\"id\": \"t:Beverage\", \"equivalentClass\": \"https://example.org/kitchen#Drink\", ")
+          .replace(
+              "{\"id\": \"t:broughtTo\", ",
+              "{\"id\": \"t:broughtTo\", \"equivalentProperty\":"
+                  + " \"https://example.org/kitchen#served\", ");
+
+  @Test
+  void aMakerBridgesToAnotherInEitherOrder() {
+    Device kettle = read(bob, KETTLE, "kettle-1");
+    Device table = read(bob, KNOWING, "table-1");
+
+    assertThat(bob.with(kettle).contradiction(table)).isEmpty();
+    assertThat(bob.with(table).contradiction(kettle)).isEmpty();
+    for (Home joined : List.of(bob.with(kettle).with(table), bob.with(table).with(kettle))) {
+      assertThat(joined.vocabulary().predicates())
+          .containsKey("served")
+          .doesNotContainKey("broughtTo");
+      assertThat(joined.vocabulary().predicates().get("served"))
+          .isEqualTo(kettle.extension().words().predicates().get("served"));
+      assertThat(joined.vocabulary().classes()).containsKey("Drink").doesNotContainKey("Beverage");
+    }
+    assertThat(SlPrinter.print(feature(table).precondition()))
+        .isEqualTo("(exists (?p - Person) (served ?cup ?p))");
+    assertThat(table.extension().synonyms().translated("(broughtTo tea Bob)"))
+        .isEqualTo("(served tea Bob)");
+  }
+
+  @Test
+  void aClassMayBeUnderAnothersClassThatIsDeclaredToo() {
+    String milk =
+        ",\n   {\"id\": \"t:milk\", \"type\": \"t:Beverage\"},"
+            + "{\"id\": \"https://example.org/kitchen#Drink\", \"type\": \"owl:Class\","
+            + " \"subClassOf\": \"maestro:Thing\"}]}";
+    String under =
+        OTHER
+            .replace(
+                "\"subClassOf\": \"maestro:Thing\"",
+                "\"subClassOf\": [\"maestro:Thing\", \"https://example.org/kitchen#Drink\"]")
+            .replace("]}\n", milk + "\n");
+    Device table = read(bob, under, "table-1");
+    Home joined = bob.with(table).with(read(bob, KETTLE, "kettle-1"));
+
+    assertThat(joined.vocabulary().isA("Beverage", "Drink")).isTrue();
+    assertThat(joined.individuals().get("milk").classes()).contains("Beverage", "Drink", "Thing");
+  }
+
+  @Test
+  void howItsMakerDeclaresAWordCountsAndNotWhoBridgesToIt() {
+    Device kettle = read(bob, KETTLE, "kettle-1");
+    Device careless =
+        read(
+            bob,
+            KNOWING.replace(
+                "[\"maestro:Predicate\", \"maestro:Observable\"]", "\"maestro:Predicate\""),
+            "table-1");
+
+    assertThat(bob.with(careless).contradiction(kettle)).isEmpty();
+    assertThat(bob.with(careless).with(kettle).vocabulary().predicates().get("served").observable())
+        .isTrue();
+    assertThat(bob.with(kettle).with(careless).vocabulary().predicates().get("served").observable())
+        .isTrue();
+  }
+
+  @Test
+  void anotherNumberOfArgumentsIsNotTheSame() {
+    Device kettle = read(bob, KETTLE, "kettle-1");
+    Device wrong =
+        read(
+            bob,
+            KNOWING
+                .replace("\"?d - Beverage\", \"?g - Person\"", "\"?d - Beverage\"")
+                .replace("(exists (?p - Person) (broughtTo ?cup ?p))", "(broughtTo ?cup)"),
+            "table-1");
+
+    assertThat(bob.with(kettle).contradiction(wrong))
+        .hasValueSatisfying(
+            reason ->
+                assertThat(reason.sentence("table-1"))
+                    .contains(
+                        "table-1 declares the word served (in its own words broughtTo), which"
+                            + " kettle-1 declares otherwise"));
+  }
+
+  @Test
+  void twoThatTakeEachOthersWordsAreToldSo() {
+    String mutual =
+        KETTLE.replace(
+            "{\"id\": \"k:served\", ",
+            "{\"id\": \"k:served\", \"equivalentProperty\":"
+                + " \"https://example.com/tables#broughtTo\", ");
+    Device table = read(bob, KNOWING, "table-1");
+
+    assertThat(bob.with(table).contradiction(read(bob, mutual, "kettle-1")))
+        .hasValueSatisfying(
+            reason ->
+                assertThat(reason.sentence("kettle-1"))
+                    .contains("says that its served is a word of table-1, which says the same")
+                    .contains("say it in one of both descriptions"));
   }
 
   @Test
@@ -164,6 +276,10 @@ class WordsOfMakersTest {
         "\"type\": \"maestro:Fluent\", \"equivalentProperty\": \"domain:pathLength\",",
         "pathLength has 2 arguments, and filled, which is said to be the same, has 1");
     faulty("\"id\": \"k:tea\"", "\"id\": \"domain:Person\"", "Person is not for kettle-1");
+    faulty(
+        "\"k:Drink\", \"type\": \"owl:Class\", \"subClassOf\": \"maestro:Thing\"",
+        "\"k:Drink\", \"type\": \"owl:Class\", \"subClassOf\": \"https://example.com/tables#Beverage\"",
+        "tea is of no class that is under maestro:Thing");
     faulty("\"type\": \"k:Drink\", ", "", "tea is not for kettle-1 to describe");
   }
 

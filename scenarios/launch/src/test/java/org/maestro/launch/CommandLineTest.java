@@ -30,6 +30,7 @@ class CommandLineTest {
       delimiter = '|',
       value = {
         "dance | 2 | There is no command dance",
+        "help gaol | 2 | There is no command gaol; write goal, if that is meant",
         "demo bob-bright | 2 | There is no demo bob-bright",
         "demo --speed 0 | 2 | --speed is above 0",
         "run | 2 | Missing required parameter",
@@ -105,6 +106,12 @@ class CommandLineTest {
 
     assertThat(said.exitCode()).isZero();
     assertThat(said.out()).contains("demo", "run", "goal", "why", "check");
+  }
+
+  @Test
+  void helpIsACommandToo() {
+    assertThat(maestro("help")).isEqualTo(maestro("--help"));
+    assertThat(maestro("help", "goal").out()).isEqualTo(maestro("goal", "--help").out());
   }
 
   private static Said maestro(String... arguments) {

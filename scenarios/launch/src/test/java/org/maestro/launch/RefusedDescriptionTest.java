@@ -48,8 +48,7 @@ class RefusedDescriptionTest {
 
   @Test
   void theDeviceIsToldAndMendsItself() throws IOException, InterruptedException {
-    try (Stage stage =
-            Stage.paced(SiteSettings.of(SITE, bob()).build());
+    try (Stage stage = Stage.paced(SiteSettings.of(SITE, bob()).build());
         Transport bell = new PahoTransport(stage.broker(), "bell-1")) {
       joins(bell, BELL.replace("(called ?who)", "(calld ?whom)"));
 
@@ -95,8 +94,7 @@ class RefusedDescriptionTest {
 
       tells(bell, BELL.replace("(called ?who)", "(calld ?who)"));
       assertThat(next().accepted()).isFalse();
-      stage.await(
-          "it is not used", () -> !stage.platform().presentMembers().contains("bell-1"));
+      stage.await("it is not used", () -> !stage.platform().presentMembers().contains("bell-1"));
 
       assertThat(agents(stage))
           .containsPattern("bell-1 +\\S+ +bell-1 +refused")
