@@ -21,6 +21,7 @@ import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.CostAnswer;
 import org.maestro.rats.protocol.Offer;
 import org.maestro.rats.protocol.Outcome;
+import org.maestro.rats.time.Clock;
 import org.maestro.sl.Term;
 
 /**
@@ -29,10 +30,16 @@ import org.maestro.sl.Term;
  * the worker's thread only, on which everything is told, too.
  */
 public final class MemberOrders {
+  /**
+   * Who tells that a call is over has told so by then: the broker may hand it on a little later.
+   */
+  private static final Duration STATE_COMES = Duration.ofMillis(100);
+
   private final String member;
   private final RatsLink link;
   private final MemberView view;
   private final Executor worker;
+  private final Clock clock;
   private final Consumer<MemberWord> say;
   private long lastOrder;
 
@@ -40,11 +47,17 @@ public final class MemberOrders {
    * @param say tells what the member said of itself while it was called
    */
   public MemberOrders(
-      String member, RatsLink link, MemberView view, Executor worker, Consumer<MemberWord> say) {
+      String member,
+      RatsLink link,
+      MemberView view,
+      Executor worker,
+      Clock clock,
+      Consumer<MemberWord> say) {
     this.member = member;
     this.link = link;
     this.view = view;
     this.worker = worker;
+    this.clock = clock;
     this.say = say;
   }
 
@@ -146,12 +159,17 @@ public final class MemberOrders {
     return values;
   }
 
-  /** The reports of one call, each with its account. */
+  /**
+   * The reports of one call, each with its account. The good report of a member whose state may
+   * still be on its way waits for that, a moment at most.
+   */
   private final class Accounted implements CallReporter.Listener {
     private final String conversation;
     private final FeatureType feature;
     private final CallReporter.Listener listener;
     private String call = "";
+    private Optional<Runnable> heldBack = Optional.empty();
+    private boolean isOver;
 
     Accounted(String conversation, FeatureType feature, CallReporter.Listener listener) {
       this.conversation = conversation;
@@ -161,6 +179,32 @@ public final class MemberOrders {
 
     @Override
     public void reported(Outcome outcome, ActionDispatcher.Report report) {
+      if (!report.succeeded() || !view.mayStillTellOf(call, feature)) {
+        tell(outcome, report);
+        return;
+      }
+      heldBack = Optional.of(() -> tell(outcome, report));
+      Clock.Timer end =
+          clock.schedule(
+              clock.ofWallAtLeast(STATE_COMES), member, () -> worker.execute(this::goOn));
+      view.whenItTellsOf(
+          call,
+          () -> {
+            end.cancel();
+            goOn();
+          });
+    }
+
+    private void goOn() {
+      Optional<Runnable> told = heldBack;
+      heldBack = Optional.empty();
+      told.ifPresent(Runnable::run);
+      if (told.isPresent() && isOver) {
+        over();
+      }
+    }
+
+    private void tell(Outcome outcome, ActionDispatcher.Report report) {
       listener.reported(
           outcome, report.with(view.account(conversation, call, feature, report.succeeded())));
       view.over().ifPresent(say);
@@ -193,8 +237,12 @@ public final class MemberOrders {
 
     @Override
     public void over() {
-      view.forget(conversation);
-      listener.over();
+      isOver = true;
+      if (heldBack.isEmpty()) {
+        view.forget(conversation);
+        view.forgetCall(call);
+        listener.over();
+      }
     }
   }
 }

@@ -39,6 +39,9 @@ public final class MemberView {
   /** When each call that is under way was begun. */
   private final Map<String, Moment> underway = new TreeMap<>();
 
+  /** What waits for the member to tell that a call is over, by call. */
+  private final Map<String, Runnable> awaitsTelling = new TreeMap<>();
+
   private Optional<Device> device = Optional.empty();
   private boolean ready;
   private int running;
@@ -153,6 +156,27 @@ public final class MemberView {
         });
   }
 
+  /**
+   * Whether the member may be about to tell that the call is over: it tells so of others, or was
+   * never called before, and it has spoken.
+   */
+  boolean mayStillTellOf(String call, FeatureType feature) {
+    return !feature.continuous()
+        && feature.learns().isEmpty()
+        && last.filter(heard -> !heard.isOver(call))
+            .filter(heard -> !heard.isSilent() || ended.isEmpty())
+            .isPresent();
+  }
+
+  /** The action is run once, when the member tells that the call is over. */
+  void whenItTellsOf(String call, Runnable action) {
+    awaitsTelling.put(call, action);
+  }
+
+  void forgetCall(String call) {
+    awaitsTelling.remove(call);
+  }
+
   /** The call is over, or established; returns what the member said of itself meanwhile. */
   public Optional<MemberWord> over() {
     running--;
@@ -176,7 +200,10 @@ public final class MemberView {
    * @return what may be told now
    */
   public Optional<MemberWord> said(MemberState state) {
-    return heard(new MemberWord(state.values(), momentOf(state)), over(state));
+    Set<String> over = over(state);
+    Optional<MemberWord> told = heard(new MemberWord(state.values(), momentOf(state)), over);
+    over.stream().map(awaitsTelling::remove).filter(Objects::nonNull).forEach(Runnable::run);
+    return told;
   }
 
   /** The member has withdrawn what it said of itself. */

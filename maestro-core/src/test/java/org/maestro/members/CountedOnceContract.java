@@ -188,7 +188,7 @@ abstract class CountedOnceContract {
                 asked++;
                 link.describe(ID);
               });
-      this.orders = new MemberOrders(ID, link, view, Runnable::run, new Ear()::said);
+      this.orders = new MemberOrders(ID, link, view, this::inTurn, clock(), new Ear()::said);
       this.news =
           new MemberNews(ID, view, (text, speaker) -> HOME.devices().get(speaker), new Ear());
     }
@@ -199,11 +199,7 @@ abstract class CountedOnceContract {
               ID,
               member -> {
                 if (member.boot().equals(vat.boot)) {
-                  news.changed(member);
-                  if (statesHeard != member.statesHeard()) {
-                    member.state().ifPresent(state -> heard.append(" ").append(state.values()));
-                  }
-                  statesHeard = member.statesHeard();
+                  inTurn(() -> heard(member));
                 }
               });
 
@@ -233,6 +229,19 @@ abstract class CountedOnceContract {
       comeToBeKnown(said.size());
       check();
       unwatch.run();
+    }
+
+    /** On the link's thread and on the clock's, as the worker of a member is one only. */
+    private synchronized void inTurn(Runnable action) {
+      action.run();
+    }
+
+    private void heard(RatsLink.Member member) {
+      news.changed(member);
+      if (statesHeard != member.statesHeard()) {
+        member.state().ifPresent(state -> heard.append(" ").append(state.values()));
+      }
+      statesHeard = member.statesHeard();
     }
 
     private synchronized int reportCount() {

@@ -78,7 +78,8 @@ public final class MemberProxy implements MemberNews.Listener {
                     member, here.link().controller(), here.time().clock().instant().toEpochMilli()),
             () -> here.link().describe(member));
     this.news = new MemberNews(member, view, this::read, this);
-    MemberOrders orders = new MemberOrders(member, here.link(), view, agent::tell, this::say);
+    MemberOrders orders =
+        new MemberOrders(member, here.link(), view, agent::tell, here.time().clock(), this::say);
     this.actions = new ActionExecution(agent, member, here.link(), view, news, orders, formerCalls);
     this.prices = new PriceQuestions(agent, orders);
     OwnMember own = new OwnMember(member, orders, actions);

@@ -133,6 +133,7 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
 
   @Override
   public void memberPresent(String member) {
+    planning.memberPresent(member);
     ending.memberPresent(member);
   }
 

@@ -54,6 +54,13 @@ final class GoalPlanning {
     }
   }
 
+  /** No plan without it counts for what is possible with it. */
+  void memberPresent(String member) {
+    if (isPlanning() && planAgain.isEmpty() && parts.monitor().isCandidate(member)) {
+      planAgain = Optional.of(member + " is there");
+    }
+  }
+
   void makePlanAgain(String why) {
     planAgain = Optional.of(why);
   }

@@ -47,7 +47,7 @@ public final class Roster {
    */
   public void described(String member, Duration at) {
     if (!absenceByMember.containsKey(member)) {
-      absent(member, "it has described itself, and its agent is still to come");
+      absent(member, "its agent is still to come");
       arrivingByMember.put(member, at);
     }
   }

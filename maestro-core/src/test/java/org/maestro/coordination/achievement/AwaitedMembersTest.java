@@ -103,8 +103,20 @@ class AwaitedMembersTest {
 
     assertThat(outcome.reached()).as(String.join("\n", newHouse.story)).isTrue();
     assertThat(newHouse.story)
-        .anyMatch(line -> line.contains("it is waited for rose (it has described itself, and its"))
+        .anyMatch(line -> line.contains("it is waited for rose (its agent is still to come)"))
         .anyMatch(line -> line.contains("because rose is there"));
+  }
+
+  @Test
+  void whoComesWhileItIsPlannedWithoutItIsTakenIntoAccount() throws IOException {
+    loses("rose");
+    house.clock.run(LONG_AGO);
+    house.clock.schedule(Duration.ofMillis(10), "test", () -> comesBack("rose"));
+
+    GoalOutcome outcome = house.achieve(GOAL);
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(house.story).anyMatch(line -> line.contains("because rose is there"));
   }
 
   @Test

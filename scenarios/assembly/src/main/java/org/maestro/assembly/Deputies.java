@@ -77,7 +77,7 @@ final class Deputies {
       this.view = new MemberView(member, () -> link.describe(member));
       this.news = new MemberNews(member, view, describedBy, this);
       this.orders =
-          new MemberOrders(member, link, view, action -> later(member, action), this::said);
+          new MemberOrders(member, link, view, action -> later(member, action), clock, this::said);
     }
 
     MemberOrders orders() {
