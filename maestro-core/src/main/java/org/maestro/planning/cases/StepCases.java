@@ -25,6 +25,7 @@ public final class StepCases {
   private final Operator operator;
   private final NumberRanges ranges;
   private final ClauseCompiler conditions;
+  private final boolean timed;
 
   /**
    * One way.
@@ -32,13 +33,15 @@ public final class StepCases {
    * @param values of variables that have one afterwards
    * @param effects other facts that hold afterwards, or do not; all others stay as they are
    * @param increases what is added to sums
+   * @param seconds how long it takes; 0 where nobody wants to know
    */
   public record Case(
       Clause condition,
       Map<Variable, Integer> values,
       Map<Clause.Fact, Boolean> effects,
       Map<NumberVariable, Double> increases,
-      double cost) {
+      double cost,
+      double seconds) {
 
     /** Whether all stays as it is. */
     public boolean isIdle() {
@@ -65,7 +68,7 @@ public final class StepCases {
       allValues.putAll(way.values());
       Map<Clause.Fact, Boolean> all = new LinkedHashMap<>(effects);
       all.putAll(way.effects());
-      return new Case(stricter, allValues, all, increases, cost);
+      return new Case(stricter, allValues, all, increases, cost, seconds);
     }
   }
 
@@ -77,9 +80,18 @@ public final class StepCases {
       Clause condition, Map<Variable, Integer> values, Map<Clause.Fact, Boolean> effects) {}
 
   public StepCases(Operator operator, NumberRanges ranges, ClauseCompiler conditions) {
+    this(operator, ranges, conditions, false);
+  }
+
+  /**
+   * @param timed whether ways that take differently long are to be told apart
+   */
+  public StepCases(
+      Operator operator, NumberRanges ranges, ClauseCompiler conditions, boolean timed) {
     this.operator = operator;
     this.ranges = ranges;
     this.conditions = conditions;
+    this.timed = timed;
   }
 
   /**
@@ -112,6 +124,17 @@ public final class StepCases {
     }
   }
 
+  private void refuseSum(NumberVariable number) {
+    if (ranges.isSum(number)) {
+      throw new NotCarriedException(
+          "PDDL cannot carry how long %s of %s takes: it depends on %s, which amounts are added to."
+              .formatted(
+                  operator.feature().type().name(),
+                  operator.feature().member(),
+                  SlPrinter.print(number.fluent())));
+    }
+  }
+
   private List<Happening> split(List<Happening> happenings, Change change) {
     List<Clause> when = conditions.clauses(change.condition());
     List<Clause> whenNot = conditions.contrary(change.condition());
@@ -133,6 +156,10 @@ public final class StepCases {
   private List<Case> cases(Happening happening) {
     Set<NumberVariable> read = new LinkedHashSet<>();
     operator.price().cost().forEachVariable(read::add);
+    if (timed) {
+      operator.price().seconds().forEachVariable(this::refuseSum);
+      operator.price().seconds().forEachVariable(read::add);
+    }
     Set<Object> targets = new LinkedHashSet<>();
     for (Change change : happening.changes()) {
       targets.add(change.target());
@@ -209,7 +236,8 @@ public final class StepCases {
         }
       }
     }
-    return new Case(clause, Map.of(), effects, increases, cost);
+    return new Case(
+        clause, Map.of(), effects, increases, cost, timed ? operator.price().seconds(numbers) : 0);
   }
 
   private static List<Case> withChanges(List<Case> cases, Variable variable, List<Change> changes) {

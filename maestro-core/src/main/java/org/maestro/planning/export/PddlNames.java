@@ -80,6 +80,11 @@ final class PddlNames {
     return "(%s)".formatted(word("number", SlPrinter.print(fluent)));
   }
 
+  /** A function without arguments that tells how long something has gone on. */
+  String clock(String text) {
+    return "(%s)".formatted(word("clock", "clock " + text));
+  }
+
   private String atom(String kind, Formula.Atom atom) {
     return "("
         + predicate(kind + atom.predicate(), atom.arguments().size())

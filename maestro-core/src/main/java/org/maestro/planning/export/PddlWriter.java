@@ -41,6 +41,8 @@ public final class PddlWriter {
   private final ClauseCompiler conditions;
   private final StringBuilder actions = new StringBuilder();
   private final Set<String> functions = new LinkedHashSet<>();
+  private final Set<String> clocks = new LinkedHashSet<>();
+  private final boolean timed;
 
   /**
    * The two texts.
@@ -53,7 +55,8 @@ public final class PddlWriter {
     }
   }
 
-  private PddlWriter(GroundProblem problem) {
+  private PddlWriter(GroundProblem problem, boolean timed) {
+    this.timed = timed;
     this.problem = problem.placed();
     this.ranges = NumberRanges.of(this.problem);
     this.conditions = new ClauseCompiler(ranges);
@@ -66,8 +69,18 @@ public final class PddlWriter {
    * @throws NotCarriedException when PDDL has no words for a part of it
    */
   public static Texts write(PlanningTask task, String name) {
-    GroundProblem problem = new Grounder(task).ground();
-    return new PddlWriter(problem).texts(task, name);
+    return new PddlWriter(new Grounder(task).ground(), false).texts(task, name);
+  }
+
+  /**
+   * The task as PDDL+, in which steps take their time: an action begins a step, a process lets it
+   * go on, and an event ends it with its effects. What a step occupies nobody else takes meanwhile.
+   *
+   * @param name of the problem
+   * @throws NotCarriedException when PDDL has no words for a part of it
+   */
+  public static Texts writeTimed(PlanningTask task, String name) {
+    return new PddlWriter(new Grounder(task).ground(), true).texts(task, name);
   }
 
   private Texts texts(PlanningTask task, String name) {
@@ -76,11 +89,11 @@ public final class PddlWriter {
     }
     String goal = goal();
     String title = PddlNames.plain(name);
-    String numeric = functions.isEmpty() ? "" : " :numeric-fluents";
+    String numeric = functions.isEmpty() && !timed ? "" : " :numeric-fluents";
     String init = initially();
     String domain =
-        "(define (domain %s)%n  (:requirements :strips :negative-preconditions :action-costs%s)%n"
-                .formatted(title, numeric)
+        "(define (domain %s)%n  (:requirements :strips :negative-preconditions :action-costs%s%s)%n"
+                .formatted(title, numeric, timed ? " :time" : "")
             + names.declarations()
             + "  (:functions (total-cost) - number%s)%n"
                 .formatted(functions.stream().map(f -> "\n    " + f).collect(Collectors.joining()))
@@ -109,7 +122,10 @@ public final class PddlWriter {
           "Prices that only the member itself can reckon stand in the PDDL with what they are at"
               + " least.");
     }
-    sentences.add("How long steps take, and which of them may go on at once, is not in the PDDL.");
+    sentences.add(
+        timed
+            ? "What has to hold while a step goes on is asked only at its beginning."
+            : "How long steps take, and which of them may go on at once, is not in the PDDL.");
     if (task.objective() != Objective.CHEAPEST) {
       sentences.add("The PDDL asks for the cheapest plan, not for the one that is over first.");
     }
@@ -124,7 +140,7 @@ public final class PddlWriter {
       words.add(SlPrinter.print(value));
     }
     String name = String.join("__", words);
-    for (StepCases.Case one : new StepCases(operator, ranges, conditions).all()) {
+    for (StepCases.Case one : new StepCases(operator, ranges, conditions, timed).all()) {
       List<String> effects = new ArrayList<>();
       one.allEffects().forEach((fact, holds) -> effects.add(literal(fact, holds)));
       one.increases()
@@ -134,9 +150,55 @@ public final class PddlWriter {
       if (effects.isEmpty()) {
         continue;
       }
-      effects.add("(increase (total-cost) %s)".formatted(number(one.cost())));
-      action(name, one.condition(), effects);
+      String cost = "(increase (total-cost) %s)".formatted(number(one.cost()));
+      if (timed) {
+        process(operator, name, one, effects, cost);
+      } else {
+        effects.add(cost);
+        action(name, one.condition(), effects);
+      }
     }
+  }
+
+  private void process(
+      Operator operator, String name, StepCases.Case one, List<String> effects, String cost) {
+    String action = names.action(name);
+    Clause.Fact runs = new Clause.Said("running " + action);
+    String clock = names.clock(action);
+    functions.add(clock);
+    clocks.add(clock);
+    List<Clause.Fact> taken = new ArrayList<>(List.of(runs));
+    operator
+        .feature()
+        .type()
+        .occupies()
+        .forEach(
+            part -> taken.add(new Clause.Said("busy " + operator.feature().member() + " " + part)));
+    actions.append(
+        "  (:action %s%n    :parameters ()%n    :precondition (and%s%s)%n    :effect (and %s (assign %s 0) %s))%n"
+            .formatted(
+                action,
+                condition(one.condition()),
+                literals(taken, false),
+                literals(taken, true).strip(),
+                clock,
+                cost));
+    actions.append(
+        "  (:process goes-on__%s%n    :parameters ()%n    :precondition (and %s)%n    :effect (and (increase %s (* #t 1))))%n"
+            .formatted(action, literal(runs, true), clock));
+    actions.append(
+        "  (:event ends__%s%n    :parameters ()%n    :precondition (and %s (>= %s %s))%n    :effect (and%s %s))%n"
+            .formatted(
+                action,
+                literal(runs, true),
+                clock,
+                number(Math.max(0, one.seconds())),
+                literals(taken, false),
+                String.join(" ", effects)));
+  }
+
+  private String literals(List<Clause.Fact> facts, boolean hold) {
+    return facts.stream().map(fact -> " " + literal(fact, hold)).collect(Collectors.joining());
   }
 
   private void action(String name, Clause condition, List<String> effects) {
@@ -206,6 +268,7 @@ public final class PddlWriter {
         facts.put(new Clause.Has(variable, variable.initial()), true);
       }
     }
+    clocks.forEach(clock -> text.append("%n    (= %s 0)".formatted(clock)));
     Set<String> atoms = new TreeSet<>();
     facts.forEach(
         (fact, holds) -> {

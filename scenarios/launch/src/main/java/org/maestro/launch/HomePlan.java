@@ -38,9 +38,14 @@ final class HomePlan {
   private static final int NOTHING_FOUND = 12;
 
   private final PrintWriter out;
+  private final boolean timed;
 
-  HomePlan(PrintWriter out) {
+  /**
+   * @param timed whether PDDL is to tell how long steps take
+   */
+  HomePlan(PrintWriter out, boolean timed) {
     this.out = out;
+    this.timed = timed;
   }
 
   /**
@@ -144,9 +149,12 @@ final class HomePlan {
     }
   }
 
-  private static Written write(PlanningTask task, Path directory) {
+  private Written write(PlanningTask task, Path directory) {
     try {
-      PddlWriter.Texts texts = PddlWriter.write(task, "maestro-home");
+      PddlWriter.Texts texts =
+          timed
+              ? PddlWriter.writeTimed(task, "maestro-home")
+              : PddlWriter.write(task, "maestro-home");
       Files.createDirectories(directory);
       Path domain = directory.resolve("domain.pddl");
       Path problem = directory.resolve("problem.pddl");

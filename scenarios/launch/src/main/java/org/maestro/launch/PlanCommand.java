@@ -42,6 +42,12 @@ final class PlanCommand implements Callable<Integer> {
   private Optional<Path> pddl = Optional.empty();
 
   @Option(
+      names = "--pddl-plus",
+      paramLabel = "DIR",
+      description = "The same as PDDL+, in which steps take their time.")
+  private Optional<Path> timedPddl = Optional.empty();
+
+  @Option(
       names = "--deadline",
       paramLabel = "S",
       description = "Seconds from the start of the process until the best plan so far is printed.")
@@ -67,11 +73,16 @@ final class PlanCommand implements Callable<Integer> {
             "--deadline, --first and --verbose go with a problem in PDDL; a home's goal is planned"
                 + " as the platform plans it.");
       }
-      return new HomePlan(spec.commandLine().getOut()).show(domain, problem, pddl, json);
+      if (pddl.isPresent() && timedPddl.isPresent()) {
+        throw CommandException.badInput("--pddl and --pddl-plus write the same files; give one.");
+      }
+      return new HomePlan(spec.commandLine().getOut(), timedPddl.isPresent())
+          .show(domain, problem, pddl.or(() -> timedPddl), json);
     }
-    if (pddl.isPresent()) {
+    if (pddl.isPresent() || timedPddl.isPresent()) {
       throw CommandException.badInput(
-          "--pddl goes with a home and a goal, as in: plan bob \"(nextTo Cup Bob)\" --pddl DIR.");
+          "--pddl and --pddl-plus go with a home and a goal, as in:"
+              + " plan bob \"(nextTo Cup Bob)\" --pddl DIR.");
     }
     return new PddlSolving(
             new PddlSolving.Asked(domain, problem, deadline, first, verbose, json),

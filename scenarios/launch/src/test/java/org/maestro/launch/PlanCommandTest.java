@@ -33,6 +33,34 @@ class PlanCommandTest {
   private static final String PROBLEM =
       "(define (problem t) (:domain tank) (:init (= (fuel) 0)) (:goal (and (ready) GOAL)) (:metric minimize (total-cost)))";
 
+  /** It goes ten degrees up or down in a second. */
+  private static final String KILN =
+      """
+      @prefix : <https://w3id.org/maestro/domain#> .
+      @prefix home: <https://w3id.org/maestro/home/pottery#> .
+      @prefix maestro: <https://w3id.org/maestro#> .
+      @prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
+      @prefix owl: <http://www.w3.org/2002/07/owl#> .
+      @prefix xsd: <http://www.w3.org/2001/XMLSchema#> .
+
+      <https://w3id.org/maestro/home/pottery> a maestro:Home ; rdfs:label "the pottery"@en .
+      home:Vessel a owl:Class ; rdfs:subClassOf maestro:Thing .
+      home:Kiln a owl:Class ; rdfs:subClassOf maestro:Device ; maestro:offers home:heat , home:fire .
+      home:warmth a maestro:Fluent ; maestro:arguments ( "?k - Kiln" ) .
+      home:fired a maestro:Predicate ; maestro:arguments ( "?v - Vessel" ) .
+      home:heat a maestro:Task ; maestro:sentence "{self} goes to {degrees} degrees" ;
+        maestro:input [ maestro:name "degrees" ; maestro:type xsd:decimal ; maestro:oneOf ( 400 900 ) ] ;
+        maestro:effect "(assign (warmth ?self) ?degrees)" ; maestro:cost "1" ;
+        maestro:seconds "(/ (- ?degrees (warmth ?self)) 10)" ; maestro:occupies ( "coil" ) .
+      home:fire a maestro:Task ; maestro:sentence "{self} fires {vessel}" ;
+        maestro:input [ maestro:name "vessel" ; maestro:type home:Vessel ] ;
+        maestro:precondition "(>= (warmth ?self) 900)" ; maestro:effect "(fired ?vessel)" ;
+        maestro:cost "5" ; maestro:seconds "30" ; maestro:occupies ( "chamber" ) .
+      home:kiln-1 a home:Kiln ; home:warmth 20 .
+      home:jug a home:Vessel .
+      home:bowl a home:Vessel .
+      """;
+
   @TempDir Path directory;
 
   private record Said(int exitCode, String out, String err) {}
@@ -51,6 +79,53 @@ class PlanCommandTest {
     assertThat(last(written.out())).startsWith("; cost = ").endsWith("(optimal)");
     assertThat(last(home.out()))
         .isEqualTo(last(written.out()).replace("(optimal)", "(if what is found out is as hoped)"));
+  }
+
+  @Test
+  void writesProcessesThatTakeAsLongAsTheyDoHere() throws IOException {
+    Path home = Files.writeString(directory.resolve("kiln.ttl"), KILN);
+    Path pddl = directory.resolve("plus");
+
+    Said said = maestro("plan", home.toString(), "(fired jug)", "--pddl-plus", pddl.toString());
+
+    assertThat(said.exitCode()).as(said.err()).isZero();
+    assertThat(said.out()).contains("What has to hold while a step goes on is asked only");
+    String domain = Files.readString(pddl.resolve("domain.pddl"));
+    String fromCold = "(value-of-warmth kiln-1 n20) (not (running-heat__kiln-1__900))";
+    assertThat(domain)
+        .contains(":time")
+        .contains(
+            fromCold
+                + " (not (busy-kiln-1-coil)))\n    :effect (and (running-heat__kiln-1__900)"
+                + " (busy-kiln-1-coil) (assign (clock-heat__kiln-1__900) 0)"
+                + " (increase (total-cost) 1)))")
+        .contains("(increase (clock-heat__kiln-1__900) (* #t 1))")
+        .contains("(and (running-heat__kiln-1__900) (>= (clock-heat__kiln-1__900) 88))")
+        .contains("(and (not (running-fire__kiln-1__jug)) (not (busy-kiln-1-chamber)) (fired jug))")
+        .contains("(>= (clock-fire__kiln-1__jug) 30)");
+    assertThat(Files.readString(pddl.resolve("problem.pddl")))
+        .contains("(= (clock-fire__kiln-1__jug) 0)")
+        .contains("(:goal (and (fired jug)))");
+  }
+
+  @Test
+  void saysWhenAnotherPlannerCannotBeToldHowLongSomethingTakes() throws IOException {
+    Path home =
+        Files.writeString(
+            directory.resolve("kiln.ttl"),
+            KILN.replace("(assign (warmth ?self) ?degrees)", "(increase (warmth ?self) ?degrees)"));
+
+    Said said =
+        maestro(
+            "plan",
+            home.toString(),
+            "(fired jug)",
+            "--pddl-plus",
+            directory.resolve("plus").toString());
+
+    assertThat(said.exitCode()).isEqualTo(2);
+    assertThat(said.err())
+        .contains("PDDL cannot carry how long heat of kiln-1 takes: it depends on (warmth kiln-1)");
   }
 
   @Test
