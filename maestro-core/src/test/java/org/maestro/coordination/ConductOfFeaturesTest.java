@@ -125,6 +125,26 @@ class ConductOfFeaturesTest {
     assertThat(house.calls).containsExactly("wrap picker-1", "fill porter-1");
   }
 
+  /** Its doer says that it is packed, and somebody else that it is not. */
+  @Test
+  void norIsItWhenItWasSaidToBeDoneAndIsNot() {
+    PretendHouse house = house("; maestro:tries 1", "1000", 0);
+    house.made.put("fill porter-1", step -> PretendHouse.succeeded(Map.of()));
+    house.clock.schedule(
+        Duration.ofMillis(530),
+        "porter-1",
+        () ->
+            house.knowledge.state(
+                new Source(Source.Kind.OBSERVED, "porter-1"), List.of("(not (packed box-1))")));
+
+    house.achieve("(packed box-1)");
+
+    assertThat(house.calls)
+        .as(String.join("\n", house.story))
+        .containsOnlyOnce("wrap picker-1")
+        .contains("fill porter-1");
+  }
+
   /** Where the box lies now nobody knows, and nobody can see it. */
   @Test
   void whatAFailureLeftOpenIsNoProof() {

@@ -26,6 +26,7 @@ import org.maestro.planning.api.PlanningResult;
 import org.maestro.planning.api.PricedFeature;
 import org.maestro.planning.api.Step;
 import org.maestro.planning.api.StepKey;
+import org.maestro.sl.Effect;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
@@ -250,7 +251,7 @@ final class GoalLessons {
 
   /**
    * A step succeeded, and what it found is known. What is said to be done again and again, and has
-   * to be, counts as a failure from the second time on.
+   * to be, counts as a failure from the second time on; what may be tried only once, at once.
    *
    * @param factsBefore under its precondition
    * @param begun what was known when it was begun
@@ -258,7 +259,7 @@ final class GoalLessons {
   void done(Step step, String factsBefore, Snapshot begun, Map<String, Term> outputs) {
     if (!Sensing.isIn(step.feature().effect())) {
       deeds.said(step, begun);
-      if (deeds.isVain(step.key(), factsBefore)) {
+      if (deeds.isVain(step.key(), factsBefore) || isForOnce(step)) {
         failures.note(
             step.key(),
             factsBefore,
@@ -273,6 +274,12 @@ final class GoalLessons {
         ports.knowledge().snapshot(),
         ports.clock().now(),
         ports.knowledge().home().vocabulary());
+  }
+
+  /** What it adds to a number may have to be added again. */
+  private boolean isForOnce(Step step) {
+    return tries(step.key()) == 1
+        && !Sensing.any(step.feature().effect(), Effect.Change.class::isInstance);
   }
 
   /** How many places were looked at in vain, each counted once. */
