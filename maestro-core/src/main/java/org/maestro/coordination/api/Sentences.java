@@ -24,6 +24,8 @@ import org.maestro.sl.Term;
 public final class Sentences {
   private static final Pattern PLACE_HOLDER = Pattern.compile("\\{([A-Za-z][A-Za-z0-9-]*)}");
 
+  private static final Pattern COORDINATES = Pattern.compile("[-+.\\d\\s]*\\d[-+.\\d\\s]*");
+
   private static final double TENTH = 0.1;
 
   private final Vocabulary vocabulary;
@@ -152,7 +154,9 @@ public final class Sentences {
       return number(number.value());
     }
     if (term instanceof Term.Text text) {
-      return "(" + text.value().replaceAll("(\\.\\d{2})\\d+", "$1") + ")";
+      return COORDINATES.matcher(text.value()).matches()
+          ? "(" + text.value().replaceAll("(\\.\\d{2})\\d+", "$1") + ")"
+          : SlPrinter.print(text);
     }
     return SlPrinter.print(term);
   }
