@@ -72,6 +72,25 @@ class DeviceTest(unittest.TestCase):
         result = self.broker.result(identifier, number)
         return result["outcome"], result.get("error", {}).get("code")
 
+    def test_words_say_all_that_descriptions_can_say_of_them(self):
+        self.assertEqual(
+            {"id": "own:level", "type": ["maestro:Fluent", "maestro:Observable"],
+             "arguments": ["?t - Tank"], "unit": "http://qudt.org/vocab/unit/LITRE", "least": 0,
+             "validFor": "PT10S", "equivalentProperty": "https://example.org/tanks#content"},
+            rats.word("level", "?t - Tank", number=True, observable=True, least=0,
+                      unit="http://qudt.org/vocab/unit/LITRE", valid_for="PT10S",
+                      same_as="https://example.org/tanks#content"))
+        self.assertEqual(
+            {"id": "own:touches", "arguments": ["?a - Tank", "?b - Tank"],
+             "type": ["maestro:Predicate", "owl:FunctionalProperty", "owl:SymmetricProperty"],
+             "derivedWhen": "(full ?a)"},
+            rats.word("touches", "?a - Tank", "?b - Tank", functional=True, symmetric=True,
+                      derived_when="(full ?a)"))
+        self.assertEqual(
+            {"id": "own:Vat", "type": "owl:Class", "subClassOf": "maestro:Thing",
+             "equivalentClass": "https://example.org/tanks#Tank"},
+            rats.kind("Vat", same_as="https://example.org/tanks#Tank"))
+
     def test_a_call_is_done_and_answered(self):
         self.call("a")
         result = self.broker.result("a")

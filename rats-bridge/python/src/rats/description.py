@@ -18,24 +18,30 @@ class Thing:
 
 
 def word(name: str, *arguments: str, number: bool = False, observable: bool = False,
+         functional: bool = False, symmetric: bool = False, unit: str | None = None,
+         least: float | None = None, derived_when: str | None = None, valid_for: str | None = None,
          label: str | None = None, same_as: str | None = None) -> dict[str, Any]:
     """A predicate of the device's own, or with ``number`` a fluent.
 
-    ``word("served", "?drink - Drink", "?guest - Person")``; ``same_as`` names the home's word that
-    means the same, such as ``domain:in``.
+    ``word("served", "?drink - Drink", "?guest - Person")``. ``functional``: of the last argument
+    there is one only, such as the place of a thing. ``symmetric``: it holds both ways round.
+    ``least``: no value is below it. ``derived_when``: it holds exactly when that formula does.
+    ``valid_for``: how long an observation counts, such as ``PT10S``. ``same_as`` names the word of
+    the home or of another maker that means the same: ``domain:in``, or an IRI.
     """
     kinds = ["maestro:Fluent" if number else "maestro:Predicate"]
     kinds += ["maestro:Observable"] if observable else []
+    kinds += ["owl:FunctionalProperty"] if functional else []
+    kinds += ["owl:SymmetricProperty"] if symmetric else []
     declared: dict[str, Any] = {"id": f"{PREFIX}:{name}", "type": kinds, "arguments": list(arguments)}
-    if label:
-        declared["label"] = label
-    if same_as:
-        declared["equivalentProperty"] = same_as
+    more = {"label": label, "equivalentProperty": same_as, "unit": unit, "least": least,
+            "derivedWhen": derived_when, "validFor": valid_for}
+    declared.update((key, value) for key, value in more.items() if value is not None)
     return declared
 
 
 def kind(name: str, under: str = "maestro:Thing", same_as: str | None = None) -> dict[str, Any]:
-    """A class of the device's own."""
+    """A class of the device's own; ``same_as`` as with words. Put it among a device's ``words``."""
     declared = {"id": f"{PREFIX}:{name}", "type": "owl:Class", "subClassOf": under}
     return {**declared, "equivalentClass": same_as} if same_as else declared
 
