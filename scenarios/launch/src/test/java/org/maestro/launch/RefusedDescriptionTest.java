@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.junit.MaestroAssertions;
@@ -32,7 +33,6 @@ import org.maestro.rats.transport.Transport;
 /** A device that describes itself wrongly is told what is wrong, and so is who looks for it. */
 class RefusedDescriptionTest {
 
-  private static final String SITE = "bells";
   private static final String BELL =
       """
       {"@context": ["https://w3id.org/maestro/context.jsonld", {"b": "https://example.org/bells#"}],
@@ -42,13 +42,17 @@ class RefusedDescriptionTest {
        "brings": {"id": "b:called", "type": "maestro:Predicate", "arguments": ["?p - Person"]}}
       """;
 
-  private final Topics topics = new Topics(SITE);
+  /** JADE keeps what it knows of a platform for a second after its end, by its name. */
+  private static final AtomicInteger PLATFORMS = new AtomicInteger();
+
+  private final String site = "bells-" + PLATFORMS.incrementAndGet();
+  private final Topics topics = new Topics(site);
   private final WireFormat wire = new WireFormat();
   private final BlockingQueue<Verdict> verdicts = new LinkedBlockingQueue<>();
 
   @Test
   void theDeviceIsToldAndMendsItself() throws IOException, InterruptedException {
-    try (Stage stage = Stage.paced(SiteSettings.of(SITE, bob()).build());
+    try (Stage stage = Stage.paced(SiteSettings.of(site, bob()).build());
         Transport bell = new PahoTransport(stage.broker(), "bell-1")) {
       joins(bell, BELL.replace("(called ?who)", "(calld ?whom)"));
 
@@ -87,7 +91,7 @@ class RefusedDescriptionTest {
   @Test
   void whoDescribesItselfWronglyLaterIsNotUsedAnyMoreAndThatIsShown()
       throws IOException, InterruptedException {
-    try (Stage stage = Stage.paced(SiteSettings.of(SITE, bob()).build());
+    try (Stage stage = Stage.paced(SiteSettings.of(site, bob()).build());
         Transport bell = new PahoTransport(stage.broker(), "bell-1")) {
       joins(bell, BELL);
       stage.await("the bell", () -> stage.platform().presentMembers().contains("bell-1"));
