@@ -14,8 +14,10 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.api.ActionDispatcher.Report;
 import org.maestro.coordination.api.GoalOutcome;
+import org.maestro.coordination.api.GoalRequest;
 import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.HomeLoader;
+import org.maestro.sl.SlParser;
 
 /** What features say of how often they work, how often they may be tried, and what has to hold. */
 class ConductOfFeaturesTest {
@@ -138,6 +140,23 @@ class ConductOfFeaturesTest {
                 new Source(Source.Kind.OBSERVED, "porter-1"), List.of("(not (packed box-1))")));
 
     house.achieve("(packed box-1)");
+
+    assertThat(house.calls)
+        .as(String.join("\n", house.story))
+        .containsOnlyOnce("wrap picker-1")
+        .contains("fill porter-1");
+  }
+
+  @Test
+  void norWhileTheGoalIsKept() {
+    PretendHouse house = house("; maestro:tries 1", "1000", Integer.MAX_VALUE);
+    house.made.put(
+        "fill porter-1",
+        step -> new Report(false, Map.of(), Optional.of("It is empty."), List.of()));
+
+    house.coordinator.submit(
+        new GoalRequest(SlParser.formula("(keep (packed box-1))"), "Bob"), outcome -> {});
+    house.clock.run(Duration.ofMinutes(5));
 
     assertThat(house.calls)
         .as(String.join("\n", house.story))

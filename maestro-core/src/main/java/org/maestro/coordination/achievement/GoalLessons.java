@@ -80,6 +80,9 @@ final class GoalLessons {
         describedFeature(step)
             .map(type -> activeGoals.experience().refused(step, type, refs, now))
             .orElse(List.of());
+    if (tries(step) == 1 && ended.report().begun() && ended.report().refusal().isEmpty()) {
+      deeds.spent(step, after);
+    }
     failures.note(
         step,
         FactsUnder.asTaught(ended.factsBefore(), after, taught),
@@ -182,7 +185,8 @@ final class GoalLessons {
     leftAlone
         .values()
         .removeIf(keeper -> activeGoals.find(keeper).filter(ActiveGoal::isHolding).isEmpty());
-    Map<StepKey, String> barred = new LinkedHashMap<>(failures.barred(this::factsUnder));
+    Map<StepKey, String> barred = new LinkedHashMap<>(deeds.spent(this::factsUnder));
+    barred.putAll(failures.barred(this::factsUnder));
     barred.putAll(tooLate);
     Snapshot now = ports.knowledge().snapshot();
     inVain.removeIf(step -> deeds.leftAlone(step, now).isEmpty());
@@ -266,6 +270,9 @@ final class GoalLessons {
             "it was said to be done, and is needed again",
             List.of(),
             Optional.empty());
+      }
+      if (isForOnce(step)) {
+        deeds.spent(step.key(), factsBefore);
       }
     }
     searches.done(

@@ -164,10 +164,15 @@ final class StepExecution {
   }
 
   /**
-   * Steps under way that the new plan does not want are called off, and so is what has no answer.
+   * Steps under way that the new plan does not want are called off, and so is what has no answer,
+   * and a look at what is to be changed before it is looked at.
    */
   void callOffAllBut(List<Step> wanted) {
-    Set<StepKey> keys = wanted.stream().map(Step::key).collect(Collectors.toSet());
+    Set<StepKey> keys =
+        wanted.stream()
+            .filter(step -> !PrematureLook.isIn(wanted, step))
+            .map(Step::key)
+            .collect(Collectors.toSet());
     underway.callOffAllBut(keys, story::cancelled);
     ports.dispatcher().giveUpOwed(goalId, keys).forEach(this::end);
   }

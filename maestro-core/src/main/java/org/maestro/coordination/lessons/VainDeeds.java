@@ -5,12 +5,14 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.maestro.coordination.facts.FactsUnder;
@@ -35,6 +37,9 @@ import org.maestro.sl.Term;
 public final class VainDeeds {
   private final Map<StepKey, String> done = new HashMap<>();
   private final Map<Deed, Repeated> deeds = new HashMap<>();
+
+  /** Steps that may be tried only once and were, with the facts that they rested on. */
+  private final Map<StepKey, String> spent = new LinkedHashMap<>();
 
   /** What a member's feature changes. */
   private record Deed(String member, String feature, Set<Formula.Atom> targets) {
@@ -164,6 +169,27 @@ public final class VainDeeds {
                     .formatted(deed.member(), repeated.times(), deed.feature()));
   }
 
+  /**
+   * The step may be tried only once, and was.
+   *
+   * @param facts on which it rested
+   */
+  public void spent(StepKey step, String facts) {
+    spent.put(step, facts);
+  }
+
+  /** Steps that may not be tried again as things are, each with the reason. */
+  public Map<StepKey, String> spent(Function<StepKey, String> factsUnder) {
+    Map<StepKey, String> barred = new LinkedHashMap<>();
+    spent.forEach(
+        (step, facts) -> {
+          if (FactsUnder.areSame(facts, factsUnder.apply(step))) {
+            barred.put(step, "it may be tried only once, and was");
+          }
+        });
+    return barred;
+  }
+
   /** Lets each deed that is left alone be done once more; returns whether there is any. */
   public boolean giveLastChances() {
     boolean any = deeds.values().stream().anyMatch(Repeated::hasALastChance);
@@ -176,6 +202,7 @@ public final class VainDeeds {
   public void reached() {
     done.clear();
     deeds.clear();
+    spent.clear();
   }
 
   private static Deed deed(Step step) {

@@ -88,7 +88,10 @@ public final class ObstacleSentences {
               + purpose
               + ", and it is not so; looked for in "
               + String.join(", ", obstacle.possible().split(" "));
-      case FACT -> "it is needed that " + fact(obstacle) + purpose + ", and " + otherwise(obstacle);
+      case FACT ->
+          isUnknownNumber(obstacle)
+              ? "it is not known that " + fact(obstacle) + purpose + "; nobody can find out"
+              : "it is needed that " + fact(obstacle) + purpose + ", and " + otherwise(obstacle);
       case UNKNOWN ->
           "it is not known that "
               + fact(obstacle)
@@ -109,6 +112,12 @@ public final class ObstacleSentences {
     return (known ? "it is not so now that " : "it is not known whether ")
         + fact(obstacle)
         + ", and no description of a device says what it does to that";
+  }
+
+  /** Of numbers nothing is so because nobody has said anything. */
+  private boolean isUnknownNumber(Obstacle obstacle) {
+    return formula(obstacle) instanceof Formula.Comparison comparison
+        && new Evaluation(facts).truth(comparison, Map.of()) == Truth.UNKNOWN;
   }
 
   /** Others, who are not there or refuse, might change it. */

@@ -1,8 +1,10 @@
 package org.maestro.knowledge.belief;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import org.maestro.knowledge.api.MemberWord;
 import org.maestro.knowledge.api.Moment;
@@ -17,6 +19,7 @@ public final class LastWords {
   private final Map<String, Map<StateVariable, Moment>> toldByMember = new TreeMap<>();
   private final Map<String, MemberWord> heardByMember = new TreeMap<>();
   private final Map<String, Map<StateVariable, Moment>> taughtByMember = new TreeMap<>();
+  private final Set<String> lost = new HashSet<>();
 
   /** Returns whether nothing later was told of it; then this is what was told last. */
   public boolean takes(String member, StateVariable variable, Moment moment) {
@@ -29,8 +32,14 @@ public final class LastWords {
 
   /** The member said of itself all that it tells. */
   public void heard(String member, MemberWord word) {
+    lost.remove(member);
     heardByMember.merge(
         member, word, (one, next) -> one.moment().isAfter(next.moment()) ? one : next);
+  }
+
+  /** Whether the member is gone, and has said nothing since. */
+  public boolean isLost(String member) {
+    return lost.contains(member);
   }
 
   public Optional<MemberWord> lastHeard(String member) {
@@ -55,6 +64,7 @@ public final class LastWords {
   }
 
   public void forget(String member) {
+    lost.add(member);
     toldByMember.remove(member);
     heardByMember.remove(member);
     taughtByMember.remove(member);

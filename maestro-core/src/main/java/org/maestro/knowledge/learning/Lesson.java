@@ -129,7 +129,12 @@ public final class Lesson {
 
   /** A step that was not done as it was to be leaves open what it may have changed. */
   private void leaveOpen(StateVariable variable, PositionKeeping positions) {
-    if (isUncertain(variable.predicate()) && !isOwnWord(variable)) {
+    if (!isUncertain(variable.predicate()) || isOwnWord(variable)) {
+      return;
+    }
+    if (lastWords.isLost(run.member())) {
+      positions.forget(variable);
+    } else {
       positions.forgetAllBut(ownSource(), variable);
     }
   }
@@ -180,7 +185,6 @@ public final class Lesson {
   /** What was known of the number, or of what the step does to it, was not so. */
   private boolean isBelowAll(Fact fact) {
     return fact instanceof Fact.Equation equation
-        && run.feature().learns().isEmpty()
         && equation.value() instanceof Term.Number expected
         && expected.value() < world.declarations().least(equation.fluent().name());
   }
@@ -234,14 +238,15 @@ public final class Lesson {
 
   /**
    * A member goes on telling what it tells of itself, whatever became of the step: its own values,
-   * and what it holds.
+   * and what it holds. One that is lost does not.
    */
   private boolean isOwnWord(StateVariable variable) {
-    return world
-        .cell(variable)
-        .flatMap(Cell::value)
-        .filter(held -> held.source().equals(ownSource()))
-        .isPresent();
+    return !lastWords.isLost(run.member())
+        && world
+            .cell(variable)
+            .flatMap(Cell::value)
+            .filter(held -> held.source().equals(ownSource()))
+            .isPresent();
   }
 
   private Source ownSource() {

@@ -106,6 +106,25 @@ class OwnWordTest {
     assertThat(home.truth("(open lamp-b1)")).isEqualTo(Truth.FALSE);
   }
 
+  @Test
+  void whatALostMemberWasChangingIsNotKnownThoughItHadToldOfIt() {
+    home.knowledge.state("lamp-b2", word(2, "(= (level lamp-b1) 5)"));
+    home.knowledge.lost("lamp-b2");
+    home.knowledge.learn(
+        new FeatureRun(
+            "lamp-b2",
+            Household.feature("(increase (level lamp-b1) 20)", ""),
+            Map.of(),
+            false,
+            Map.of(),
+            List.of(),
+            Optional.of(before),
+            true,
+            Optional.empty()));
+
+    assertThat(home.number("(level lamp-b1)")).isEmpty();
+  }
+
   /** Who says that a part of it is not so is not believed the rest. */
   @Test
   void andThenNothingElseOfTheStepIsExpected() {
