@@ -147,6 +147,18 @@ class ConductOfFeaturesTest {
         .contains("fill porter-1");
   }
 
+  /** Who was lost after it had cleared the box told nobody. */
+  @Test
+  void whatNobodyHasSaidToBeSoIsNotSeenNotToBeSo() {
+    PretendHouse house = house("", "1", 0);
+
+    GoalOutcome outcome = house.achieve("(not (cleared box-1))");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(outcome.confirmed()).isFalse();
+    assertThat(house.calls).isEmpty();
+  }
+
   @Test
   void norWhileTheGoalIsKept() {
     PretendHouse house = house("; maestro:tries 1", "1000", Integer.MAX_VALUE);

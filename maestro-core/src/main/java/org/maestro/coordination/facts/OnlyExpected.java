@@ -156,6 +156,10 @@ final class OnlyExpected {
       note(snapshot.belief(atom), claims, name, condition);
       collectObjections(atom, condition);
     } else if (claims.isEmpty()) {
+      if (condition instanceof Formula.Not && testimony.isChangedBySomebody(name)) {
+        // That nobody has said so is no sight of it: who was lost at it may have done it.
+        facts.add(atom);
+      }
       collectThings(atom.arguments(), claims, name, condition);
     } else if (!isSure(snapshot.belief(atom), name)
         && !testimony.isWitnessed(claims, name, condition)) {

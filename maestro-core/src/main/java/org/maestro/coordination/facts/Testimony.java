@@ -105,6 +105,11 @@ final class Testimony {
                 isNumber(name) ? Sensing.names(effect).contains(name) : Sensing.isOfAtoms(effect));
   }
 
+  /** Whether a device of the home has a feature that changes it. */
+  boolean isChangedBySomebody(String name) {
+    return home.devices().values().stream().anyMatch(device -> changes(device, name));
+  }
+
   /** Who changes anything that positions decide tells of positions as a doer. */
   private boolean changes(Device device, String name) {
     for (FeatureType feature : device.features()) {
