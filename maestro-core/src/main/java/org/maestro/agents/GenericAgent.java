@@ -261,6 +261,7 @@ public final class GenericAgent extends MaestroAgent {
                 message,
                 ACLMessage.REQUEST,
                 () -> door.allowed(message, words, proxy -> proxy.prices().cost(message, words)));
+        case "describe" -> door.when(message, ACLMessage.REQUEST, () -> describe(message, words));
         case "cancel" -> cancel(message, words);
         case "subscribe" -> door.when(message, ACLMessage.SUBSCRIBE, () -> subscribe(message));
         case "query-ref" ->
@@ -275,7 +276,7 @@ public final class GenericAgent extends MaestroAgent {
                 getLocalName()
                     + " does not know the operator "
                     + Replies.shortened(content.operator())
-                    + "; it knows perform, cost, cancel, subscribe and query-ref.");
+                    + "; it knows perform, cost, describe, cancel, subscribe and query-ref.");
       }
     }
   }
@@ -294,6 +295,19 @@ public final class GenericAgent extends MaestroAgent {
     } else {
       configure(message, words);
     }
+  }
+
+  private void describe(ACLMessage message, Words words) {
+    door.asked(
+        message,
+        words,
+        proxy ->
+            proxy.tellAgain(
+                () ->
+                    reply(
+                        message,
+                        ACLMessage.INFORM,
+                        Words.content("inform", Words.named("done", Words.name("described"))))));
   }
 
   private void move(ACLMessage message, String container) {

@@ -35,6 +35,9 @@ public final class MemberOrders {
    */
   private static final Duration STATE_COMES = Duration.ofMillis(100);
 
+  /** Who is asked once more what it says of itself is waited for so long. */
+  private static final Duration ANSWER_COMES = Duration.ofSeconds(2);
+
   private final String member;
   private final RatsLink link;
   private final MemberView view;
@@ -135,6 +138,18 @@ public final class MemberOrders {
         answers ->
             worker.execute(
                 () -> answer.accept(answers.stream().map(MemberOrders::quote).toList())));
+  }
+
+  /**
+   * Has the member tell once more what it says of itself.
+   *
+   * @param told is run once: it has, as far as it does so soon
+   */
+  public void tellAgain(Runnable told) {
+    link.describe(
+        member,
+        clock.ofWallAtLeast(ANSWER_COMES),
+        () -> clock.schedule(clock.ofWallAtLeast(STATE_COMES), member, () -> worker.execute(told)));
   }
 
   private static ContractNet.Quote quote(CostAnswer answer) {

@@ -17,6 +17,8 @@ import org.maestro.ontology.home.Device;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.rats.bounded.BoundedMap;
 import org.maestro.rats.protocol.MemberState;
+import org.maestro.sl.Effect;
+import org.maestro.sl.EffectTarget;
 
 /**
  * A generic agent's picture of the member it stands for: what it described, and what runs on it.
@@ -162,10 +164,17 @@ public final class MemberView {
    */
   boolean mayStillTellOf(String call, FeatureType feature) {
     return !feature.continuous()
-        && feature.learns().isEmpty()
+        && feature.learns().map(this::speaksOf).orElse(true)
         && last.filter(heard -> !heard.isOver(call))
             .filter(heard -> !heard.isSilent() || ended.isEmpty())
             .isPresent();
+  }
+
+  private boolean speaksOf(Effect learnt) {
+    Set<String> names =
+        EffectTarget.of(learnt).stream().map(EffectTarget::name).collect(Collectors.toSet());
+    return last.filter(heard -> !AwaitedFacts.among(heard.word().facts(), names).isEmpty())
+        .isPresent();
   }
 
   /** The action is run once, when the member tells that the call is over. */

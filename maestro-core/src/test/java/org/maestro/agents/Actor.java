@@ -147,6 +147,9 @@ public final class Actor extends MaestroAgent {
   }
 
   private void heard(ACLMessage message) {
+    if (saysNothingOfItself(message)) {
+      return;
+    }
     synchronized (heard) {
       heard.add(ProposalReader.performative(message));
     }
@@ -168,7 +171,17 @@ public final class Actor extends MaestroAgent {
     }
   }
 
-  /** Performatives of all messages that came, in order. Any thread. */
+  private boolean saysNothingOfItself(ACLMessage message) {
+    boolean isAsked =
+        message.getPerformative() == ACLMessage.REQUEST
+            && message.getContent().startsWith("(describe");
+    if (isAsked) {
+      answer(message, ACLMessage.INFORM, "(inform (:done described))");
+    }
+    return isAsked;
+  }
+
+  /** Performatives of all messages that came, in order, but for questions what it is like. */
   List<String> heard() {
     synchronized (heard) {
       return List.copyOf(heard);

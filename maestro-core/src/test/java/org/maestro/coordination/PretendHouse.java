@@ -63,6 +63,9 @@ public final class PretendHouse implements ActionDispatcher {
 
   Consumer<Request> ordered = order -> {};
 
+  /** What a member does that is to say once more what it says of itself. */
+  Consumer<String> whenAsked = member -> {};
+
   final List<String> calledOff = new ArrayList<>();
   final List<String> cancelled = new ArrayList<>();
 
@@ -273,6 +276,17 @@ public final class PretendHouse implements ActionDispatcher {
       ended[0] = true;
       cancelled.add(step.feature().procedure() + " " + step.member());
     };
+  }
+
+  @Override
+  public void ask(String member, Runnable heard) {
+    clock.schedule(
+        Duration.ofMillis(100),
+        member,
+        () -> {
+          whenAsked.accept(member);
+          heard.run();
+        });
   }
 
   @Override

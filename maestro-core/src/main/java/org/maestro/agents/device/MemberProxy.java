@@ -2,6 +2,7 @@ package org.maestro.agents.device;
 
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import org.maestro.agents.calls.ActionExecution;
 import org.maestro.agents.calls.FormerCalls;
@@ -23,6 +24,7 @@ import org.maestro.members.MemberView;
 import org.maestro.ontology.home.Device;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.sl.Content;
+import org.maestro.sl.Formula;
 import org.maestro.sl.Self;
 import org.maestro.sl.Substitution;
 import org.slf4j.Logger;
@@ -45,12 +47,16 @@ public final class MemberProxy implements MemberNews.Listener {
 
   private static final Duration ANSWER_WITHIN = Duration.ofSeconds(30);
 
+  /** Whoever answers this has taken in what it was told before. */
+  private static final Formula TRUE = new Formula.And(List.of());
+
   private final MaestroAgent agent;
   private final Announcements announcements;
   private final String member;
   private final Surroundings here;
   private final MemberView view;
   private final MemberNews news;
+  private final MemberOrders orders;
   private final ActionExecution actions;
   private final PriceQuestions prices;
   private final Optional<OwnGoals> goals;
@@ -78,7 +84,7 @@ public final class MemberProxy implements MemberNews.Listener {
                     member, here.link().controller(), here.time().clock().instant().toEpochMilli()),
             () -> here.link().describe(member));
     this.news = new MemberNews(member, view, this::read, this);
-    MemberOrders orders =
+    this.orders =
         new MemberOrders(member, here.link(), view, agent::tell, here.time().clock(), this::say);
     this.actions = new ActionExecution(agent, member, here.link(), view, news, orders, formerCalls);
     this.prices = new PriceQuestions(agent, orders);
@@ -145,6 +151,23 @@ public final class MemberProxy implements MemberNews.Listener {
 
   public Optional<OwnGoals> goals() {
     return goals;
+  }
+
+  /**
+   * Has the member tell once more what it says of itself.
+   *
+   * @param known is run once: what it says is known now, or it says nothing
+   */
+  public void tellAgain(Runnable known) {
+    orders.tellAgain(
+        () ->
+            agent.ask(
+                agent.message(
+                    ACLMessage.REQUEST,
+                    agent.getAID(AgentNames.KNOWLEDGE),
+                    Words.content("query-if", Words.formula(TRUE))),
+                ANSWER_WITHIN,
+                answeredBehindWhatWasSaid -> known.run()));
   }
 
   /** Whether it has goals of its own, which only an agent that reaches the knowledge can have. */

@@ -75,7 +75,8 @@ public final class RequestGuard {
     return objection;
   }
 
-  private void asked(ACLMessage message, Words words, Consumer<MemberProxy> deed) {
+  /** The member of which the message speaks answers whoever asks. */
+  public void asked(ACLMessage message, Words words, Consumer<MemberProxy> deed) {
     proxy(words)
         .ifPresentOrElse(
             deed,

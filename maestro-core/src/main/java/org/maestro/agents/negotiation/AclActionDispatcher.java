@@ -2,6 +2,7 @@ package org.maestro.agents.negotiation;
 
 import jade.core.AID;
 import jade.lang.acl.ACLMessage;
+import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -10,6 +11,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.maestro.agents.content.Orders;
+import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.ActionDispatcher;
 
@@ -18,6 +20,9 @@ import org.maestro.coordination.api.ActionDispatcher;
  * order is reported exactly once, whatever its agent does.
  */
 public final class AclActionDispatcher implements ActionDispatcher {
+  /** A member that is asked what it says of itself has so long, its agent included. */
+  private static final Duration HEARD_WITHIN = Duration.ofSeconds(5);
+
   private final MaestroAgent agent;
   private final Function<String, Optional<AID>> agentOf;
   private final Predicate<String> isDoubted;
@@ -78,6 +83,22 @@ public final class AclActionDispatcher implements ActionDispatcher {
                         receiver,
                         Orders.callOff(
                             call, agent.getLocalName(), member, receiver.getLocalName()))));
+  }
+
+  @Override
+  public void ask(String member, Runnable heard) {
+    Optional<AID> receiver = agentOf.apply(member);
+    if (receiver.isEmpty()) {
+      agent.tell(heard);
+      return;
+    }
+    agent.ask(
+        agent.message(
+            ACLMessage.REQUEST,
+            receiver.get(),
+            Words.content("describe", Words.named("member", Words.name(member)))),
+        HEARD_WITHIN,
+        reply -> heard.run());
   }
 
   @Override

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.maestro.coordination.allocation.PlanningRound;
 import org.maestro.coordination.api.GoalState;
@@ -38,15 +39,15 @@ final class GoalEnding {
   private final GoalStory story;
   private final LastTry lastTry;
   private final AwaitedMembers awaited;
-  private final Runnable release;
+  private final Consumer<GoalState> release;
   private final GoalTransitions course;
   private List<String> whyNot = List.of();
   private Optional<PlanningRound.Ended> hopeless = Optional.empty();
 
   /**
-   * @param release of all that runs for the goal
+   * @param release of what runs for the goal, by how it ends
    */
-  GoalEnding(PursuitParts parts, Runnable release, GoalTransitions course) {
+  GoalEnding(PursuitParts parts, Consumer<GoalState> release, GoalTransitions course) {
     this.parts = parts;
     this.monitor = parts.monitor();
     this.life = parts.life();
@@ -69,7 +70,7 @@ final class GoalEnding {
     if (how == GoalState.ACHIEVED) {
       monitor.lessons().reached();
     }
-    release.run();
+    release.accept(how);
     life.end(how, confirmed, binding, reasons);
     parts.activeGoals().leave(life.id());
   }
@@ -234,10 +235,47 @@ final class GoalEnding {
 
   /** Whoever did it is believed where nobody can look, and not against who has looked. */
   private void endUnseen(Confirmation needed, Map<String, Term> binding) {
-    if (needed.denials().isEmpty() && needed.missed().isEmpty()) {
-      end(GoalState.ACHIEVED, false, binding, List.of(story.unconfirmed(needed)));
-    } else {
+    if (isDenied(needed)) {
       giveUp(List.of(story.denied(needed), NOT_PROVEN));
+    } else if (needed.speakers().isEmpty()) {
+      endUnseen(binding, needed);
+    } else {
+      life.become(GoalPhase.ASKING, "for what " + String.join(", ", needed.speakers()) + " say");
+      Speakers.ask(
+          needed.speakers(),
+          parts.ports().dispatcher(),
+          () -> parts.activeGoals().run(() -> heard(needed)));
+    }
+  }
+
+  private static boolean isDenied(Confirmation needed) {
+    return !needed.denials().isEmpty() || !needed.missed().isEmpty();
+  }
+
+  private void endUnseen(Map<String, Term> binding, Confirmation needed) {
+    end(GoalState.ACHIEVED, false, binding, List.of(story.unconfirmed(needed)));
+  }
+
+  /** What those say who were asked is known. */
+  private void heard(Confirmation asked) {
+    if (life.phase() != GoalPhase.ASKING) {
+      return;
+    }
+    Optional<Plan> reached = monitor.holds();
+    if (reached.isEmpty()) {
+      monitor.confirm(Optional.empty());
+      course.makePlan(
+          Optional.of(
+              "%s had said that the goal is reached, and asked once more, it is not"
+                  .formatted(String.join(", ", asked.speakers()))));
+      return;
+    }
+    Map<String, Term> binding = reached.get().goalBinding();
+    Optional<Confirmation> needed = monitor.toBeSeen(binding);
+    if (needed.isPresent() && !isDenied(needed.get())) {
+      endUnseen(binding, needed.get());
+    } else {
+      needed.ifPresentOrElse(now -> listenOrEndUnseen(now, binding), () -> settle(binding));
     }
   }
 
@@ -258,7 +296,7 @@ final class GoalEnding {
       List<String> all = new ArrayList<>(reasons);
       reports.forEach(report -> all.addAll(story.searched(report)));
       life.become(GoalPhase.ENDING);
-      release.run();
+      release.accept(GoalState.FAILED);
       life.end(GoalState.FAILED, false, Map.of(), all, reports);
       parts.activeGoals().leave(life.id());
     }

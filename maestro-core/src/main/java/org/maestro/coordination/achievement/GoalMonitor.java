@@ -20,6 +20,7 @@ import org.maestro.coordination.facts.PlanCheck;
 import org.maestro.coordination.facts.ReckonedFromPlaces;
 import org.maestro.coordination.facts.Relevance;
 import org.maestro.coordination.facts.ReplanTriggers;
+import org.maestro.coordination.facts.Symbols;
 import org.maestro.coordination.lessons.VainDeeds;
 import org.maestro.ontology.home.OpenChoice;
 import org.maestro.ontology.vocabulary.Vocabulary;
@@ -29,6 +30,7 @@ import org.maestro.planning.api.PlanningTask;
 import org.maestro.planning.api.PricedFeature;
 import org.maestro.planning.api.Step;
 import org.maestro.planning.api.StepKey;
+import org.maestro.sl.Effect;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
@@ -191,6 +193,12 @@ final class GoalMonitor {
     return isFindingOut()
         ? EpistemicGoal.withWhatIsSeen(presentFacts(), ports.knowledge().snapshot())
         : presentFacts();
+  }
+
+  /** Whether the goal speaks of what the effect may change. */
+  boolean isAbout(Effect effect) {
+    Set<String> names = Symbols.withDerivations(goal, vocabulary());
+    return Symbols.changedBy(effect).stream().anyMatch(names::contains);
   }
 
   private Vocabulary vocabulary() {

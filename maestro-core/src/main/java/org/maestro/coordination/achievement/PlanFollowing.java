@@ -67,8 +67,8 @@ final class PlanFollowing {
   }
 
   /** The goal is over. */
-  void release() {
-    execution.release();
+  void release(GoalState how) {
+    execution.release(how);
   }
 
   private boolean isActive() {

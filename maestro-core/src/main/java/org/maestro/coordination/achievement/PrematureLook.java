@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Set;
 import org.maestro.coordination.facts.Sensing;
 import org.maestro.planning.api.Step;
-import org.maestro.sl.Effect;
 import org.maestro.sl.EffectTarget;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Substitution;
@@ -23,14 +22,8 @@ final class PrematureLook {
     }
     Set<Formula.Atom> looked = targets(look);
     return plan.subList(0, plan.indexOf(look)).stream()
-        .filter(step -> changes(step.feature().effect()))
+        .filter(step -> !Sensing.isAll(step.feature().effect()))
         .anyMatch(step -> targets(step).stream().anyMatch(looked::contains));
-  }
-
-  private static boolean changes(Effect effect) {
-    return Sensing.any(
-        effect,
-        part -> !(part instanceof Effect.SenseAtom) && !(part instanceof Effect.SenseNumber));
   }
 
   private static Set<Formula.Atom> targets(Step step) {

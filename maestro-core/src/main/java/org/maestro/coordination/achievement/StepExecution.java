@@ -13,6 +13,7 @@ import org.maestro.coordination.allocation.ExactPrices;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.Argument;
 import org.maestro.coordination.api.CallArguments;
+import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Resource;
 import org.maestro.coordination.contention.ActiveGoals;
@@ -30,6 +31,7 @@ import org.maestro.knowledge.api.StepAccount;
 import org.maestro.knowledge.learning.ResultCheck;
 import org.maestro.planning.api.Step;
 import org.maestro.planning.api.StepKey;
+import org.maestro.sl.Effect;
 import org.maestro.sl.Term;
 
 /** Has one goal's steps done: takes what they occupy, orders them, learns from their reports. */
@@ -49,7 +51,9 @@ final class StepExecution {
   private final Consumer<StepEnd> ended;
   private final StandingConditions standing;
   private final LaterEffects laterEffects;
-  private final List<ActionDispatcher.Handle> established = new ArrayList<>();
+  private final List<Established> established = new ArrayList<>();
+
+  private record Established(Step step, ActionDispatcher.Handle performance) {}
 
   StepExecution(PursuitParts parts, Consumer<StepEnd> ended) {
     this.goalId = parts.id();
@@ -189,10 +193,19 @@ final class StepExecution {
     underway.isEnding(step);
   }
 
-  /** The goal is over: nothing that runs for it goes on. */
-  void release() {
+  /**
+   * The goal is over: nothing that runs for it goes on, but what makes it so that it is reached.
+   */
+  void release(GoalState how) {
     underway.callOffAllBut(Set.of(), step -> {});
-    established.forEach(ActionDispatcher.Handle::cancel);
+    established.stream()
+        .filter(one -> how != GoalState.ACHIEVED || !isForTheGoalItself(one.step()))
+        .forEach(one -> one.performance().cancel());
+  }
+
+  private boolean isForTheGoalItself(Step step) {
+    Effect effect = step.feature().effect();
+    return !Sensing.isAll(effect) && monitor.isAbout(effect);
   }
 
   /** What its maker allows it, else thrice the expected time; and what the bus may take. */
@@ -242,6 +255,12 @@ final class StepExecution {
       ActionDispatcher.Report report,
       KnowledgeBase.Change change,
       ActionDispatcher.Handle performance) {
+    if (report.unanswered() && step.feature().continuous()) {
+      performance.cancel();
+      return failed(
+          report.problem().orElse("it has not answered")
+              + "; what is continuous has to tell by progress ESTABLISHED that its effect is there");
+    }
     if (!report.succeeded()) {
       return report;
     }
@@ -271,10 +290,14 @@ final class StepExecution {
         .or(() -> EmptyResult.of(step, ports.knowledge()));
   }
 
-  /** Sight is kept until the goal ends; one reading of a number is enough while it is valid. */
+  /**
+   * Sight is kept until the goal ends, and so is what is so only as long as it goes on; one reading
+   * of a number is enough while it is valid.
+   */
   private void keepOrEnd(Step step, ActionDispatcher.Handle performance) {
-    if (Sensing.isOfAtoms(step.feature().effect())) {
-      established.add(performance);
+    Effect effect = step.feature().effect();
+    if (Sensing.isOfAtoms(effect) || !Sensing.isAll(effect)) {
+      established.add(new Established(step, performance));
     } else {
       performance.cancel();
     }

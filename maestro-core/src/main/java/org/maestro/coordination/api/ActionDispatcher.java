@@ -26,6 +26,17 @@ public interface ActionDispatcher {
    */
   default void callOff(String member, Call call) {}
 
+  /**
+   * Has the member say once more what it says of itself. A crew whose members say nothing has
+   * nothing to do.
+   *
+   * @param heard is run once, on the coordinator's thread: what it says is known now, or it says
+   *     nothing
+   */
+  default void ask(String member, Runnable heard) {
+    heard.run();
+  }
+
   /** The member says that it is at a step of the goal still, though it takes long. */
   default void alive(String goalId, String member, String feature) {}
 

@@ -46,6 +46,7 @@ public final class Confirmation {
   private final List<Belief> denials;
   private final List<Belief> missed;
   private final SortedSet<String> tellers;
+  private final SortedSet<String> speakers;
   private final Optional<Instant> oldest;
 
   private Confirmation(OnlyExpected expected) {
@@ -57,6 +58,7 @@ public final class Confirmation {
     this.denials = expected.denials();
     this.missed = expected.missed();
     this.tellers = expected.tellers();
+    this.speakers = expected.speakers();
     this.oldest = expected.oldest();
   }
 
@@ -102,6 +104,11 @@ public final class Confirmation {
   /** Who tells of it of its own accord, and may yet have to. */
   public SortedSet<String> tellers() {
     return tellers;
+  }
+
+  /** Devices that have said of it how it is, or have reported a deed that makes it so. */
+  public SortedSet<String> speakers() {
+    return speakers;
   }
 
   /** It was seen; but others go on to say otherwise. */

@@ -49,6 +49,7 @@ final class OnlyExpected {
   private final Set<Belief> denials = new LinkedHashSet<>();
   private final Set<Belief> missed = new LinkedHashSet<>();
   private final SortedSet<String> tellers = new TreeSet<>();
+  private final SortedSet<String> speakers = new TreeSet<>();
   private Optional<Instant> oldest = Optional.empty();
 
   /**
@@ -98,6 +99,11 @@ final class OnlyExpected {
   /** Witnesses that tell of it of their own accord whenever it changes. */
   SortedSet<String> tellers() {
     return tellers;
+  }
+
+  /** Devices that have said of it how it is, or have reported a deed that makes it so. */
+  SortedSet<String> speakers() {
+    return speakers;
   }
 
   /** When the oldest of what was observed too long ago was observed. */
@@ -235,6 +241,11 @@ final class OnlyExpected {
         .filter(said -> said.source().kind() == Source.Kind.STATED)
         .filter(said -> testimony.isWitness(said, name))
         .forEach(said -> tellers.add(said.source().agent()));
+    claims.stream()
+        .filter(said -> said.source().kind() == Source.Kind.STATED || isExpected(said))
+        .map(said -> said.source().agent())
+        .filter(home.devices()::containsKey)
+        .forEach(device -> speakers.add(device));
   }
 
   /**

@@ -19,6 +19,12 @@ public final class Sensing {
     return any(effect, e -> e instanceof Effect.SenseAtom || e instanceof Effect.SenseNumber);
   }
 
+  /** Whether it changes nothing. */
+  public static boolean isAll(Effect effect) {
+    return !any(
+        effect, e -> !(e instanceof Effect.SenseAtom) && !(e instanceof Effect.SenseNumber));
+  }
+
   public static boolean isOfAtoms(Effect effect) {
     return any(effect, Effect.SenseAtom.class::isInstance);
   }

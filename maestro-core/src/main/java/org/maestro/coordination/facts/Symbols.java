@@ -2,6 +2,8 @@ package org.maestro.coordination.facts;
 
 import java.util.Set;
 import java.util.TreeSet;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Leaves;
@@ -16,8 +18,26 @@ public final class Symbols {
     return symbols.names;
   }
 
+  /** What a formula speaks of, and what that is derived from. */
+  public static Set<String> withDerivations(Formula formula, Vocabulary vocabulary) {
+    Set<String> all = new TreeSet<>();
+    addDerivations(of(formula), vocabulary, all);
+    return all;
+  }
+
+  private static void addDerivations(Set<String> names, Vocabulary vocabulary, Set<String> all) {
+    for (String name : names) {
+      if (all.add(name)) {
+        vocabulary
+            .predicate(name)
+            .flatMap(PredicateDeclaration::derivedWhen)
+            .ifPresent(when -> addDerivations(of(when), vocabulary, all));
+      }
+    }
+  }
+
   /** What an effect may change or sense. */
-  static Set<String> changedBy(Effect effect) {
+  public static Set<String> changedBy(Effect effect) {
     Symbols symbols = new Symbols();
     symbols.addChanged(effect);
     return symbols.names;

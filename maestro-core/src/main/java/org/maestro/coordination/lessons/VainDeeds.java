@@ -73,16 +73,25 @@ public final class VainDeeds {
    * @param times how often it was done
    * @param inVain how often in a row from where it had been begun already
    * @param tries how often it may be tried from there, the last chance included
+   * @param cameOfIt whether things were otherwise for a while
    */
   private record Repeated(
-      List<String> from, Told told, Instant judged, int times, int inVain, int tries) {
+      List<String> from,
+      Told told,
+      Instant judged,
+      int times,
+      int inVain,
+      int tries,
+      boolean cameOfIt) {
 
     static Repeated once(Told told, int tries) {
-      return new Repeated(List.of(told.facts()), told, told.latest(), 1, 0, tries);
+      return new Repeated(List.of(told.facts()), told, told.latest(), 1, 0, tries, false);
     }
 
     Repeated told(Told now) {
-      return new Repeated(from, told.or(now), judged, times, inVain, tries);
+      Told latest = told.or(now);
+      boolean isOtherwise = !from.contains(latest.facts());
+      return new Repeated(from, latest, judged, times, inVain, tries, cameOfIt || isOtherwise);
     }
 
     /** As long as nobody has told anything since, nothing shows what has come of it. */
@@ -96,7 +105,7 @@ public final class VainDeeds {
 
     Repeated again() {
       if (isJudged()) {
-        return new Repeated(from, told, judged, times + 1, inVain, tries);
+        return new Repeated(from, told, judged, times + 1, inVain, tries, cameOfIt);
       }
       List<String> all = new ArrayList<>(from);
       if (!isWhereItBegan()) {
@@ -108,7 +117,8 @@ public final class VainDeeds {
           told.latest(),
           times + 1,
           isWhereItBegan() ? inVain + 1 : 0,
-          tries);
+          tries,
+          cameOfIt);
     }
 
     boolean hasALastChance() {
@@ -116,7 +126,7 @@ public final class VainDeeds {
     }
 
     Repeated withALastChance() {
-      return new Repeated(from, told, told.latest(), times, tries - 2, tries);
+      return new Repeated(from, told, told.latest(), times, tries - 2, tries, cameOfIt);
     }
 
     boolean isTooOften() {
@@ -165,8 +175,14 @@ public final class VainDeeds {
         .filter(Repeated::isTooOften)
         .map(
             repeated ->
-                "%s said %d times that it had done %s, and nothing had changed when it was needed again"
-                    .formatted(deed.member(), repeated.times(), deed.feature()));
+                "%s said %d times that it had done %s, and %s when it was needed again"
+                    .formatted(
+                        deed.member(),
+                        repeated.times(),
+                        deed.feature(),
+                        repeated.cameOfIt()
+                            ? "what had come of it was gone"
+                            : "nothing had changed"));
   }
 
   /**

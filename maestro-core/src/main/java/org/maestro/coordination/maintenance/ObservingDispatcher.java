@@ -6,8 +6,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.coordination.api.ActionDispatcher;
+import org.maestro.coordination.facts.Sensing;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Snapshot;
+import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.planning.api.StepKey;
 
 /**
@@ -68,9 +70,14 @@ final class ObservingDispatcher implements ActionDispatcher {
   private void done(Request order, Snapshot before, Handle performance, boolean sets) {
     if (sets) {
       settings.done(order.step(), before);
-    } else if (watch.concerns(order.step().feature(), knowledge.home())) {
+    } else if (watch.concerns(order.step().feature(), knowledge.home())
+        || isSoWhileItGoesOn(order.step().feature())) {
       watch.keep(order.step(), performance, knowledge.snapshot(), knowledge.home());
     }
+  }
+
+  private static boolean isSoWhileItGoesOn(FeatureType feature) {
+    return feature.continuous() && !Sensing.isAll(feature.effect());
   }
 
   @Override
@@ -81,6 +88,11 @@ final class ObservingDispatcher implements ActionDispatcher {
   @Override
   public List<Request> giveUpOwed(String goalId, Set<StepKey> wanted) {
     return dispatcher.giveUpOwed(goalId, wanted);
+  }
+
+  @Override
+  public void ask(String member, Runnable heard) {
+    dispatcher.ask(member, heard);
   }
 
   @Override

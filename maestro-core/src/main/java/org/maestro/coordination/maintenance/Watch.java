@@ -104,23 +104,11 @@ final class Watch {
           .flatMap(device -> device.features().stream())
           .filter(FeatureType::continuous)
           .forEach(feature -> sensed.addAll(Sensing.names(feature.effect())));
-      Set<String> names = new TreeSet<>();
-      dependencies(Symbols.of(goal), now.vocabulary(), names);
+      Set<String> names = Symbols.withDerivations(goal, now.vocabulary());
       names.retainAll(sensed);
       watchable = names;
     }
     return watchable;
-  }
-
-  private static void dependencies(Set<String> names, Vocabulary vocabulary, Set<String> all) {
-    for (String name : names) {
-      if (all.add(name)) {
-        vocabulary
-            .predicate(name)
-            .flatMap(PredicateDeclaration::derivedWhen)
-            .ifPresent(when -> dependencies(Symbols.of(when), vocabulary, all));
-      }
-    }
   }
 
   private static Subject subject(Formula.Atom atom, Vocabulary vocabulary) {

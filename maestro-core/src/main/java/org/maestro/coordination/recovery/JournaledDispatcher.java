@@ -74,6 +74,11 @@ public final class JournaledDispatcher implements ActionDispatcher {
   }
 
   @Override
+  public void ask(String member, Runnable heard) {
+    dispatcher.ask(member, heard);
+  }
+
+  @Override
   public void callOff(String member, Call call) {
     dispatcher.callOff(member, call);
   }
@@ -169,7 +174,7 @@ public final class JournaledDispatcher implements ActionDispatcher {
         reported.accept(report);
         return;
       }
-      if (report.unanswered() && !calledOff) {
+      if (report.unanswered() && !calledOff && !order.step().feature().continuous()) {
         owed.put(new Owed(order.goalId(), order.step().key()), order);
       }
       journal.write(

@@ -29,6 +29,7 @@ public enum GoalPhase {
   WAITING_FOR_MEMBERS(GoalState.WAITING, "There is no plan; who was lost just now may come back."),
   WAITING_FOR_ANOTHER_TRY(GoalState.WAITING, "There is no plan; what was refused is tried again."),
   LISTENING(GoalState.WAITING, "Nobody has seen it; who tells of it unasked has time to."),
+  ASKING(GoalState.WAITING, "Nobody can see it; who speaks of it is asked once more."),
   SUSPENDED(GoalState.SUSPENDED, "It gave way to a goal that goes first, and goes on afterwards."),
   BRINGING_ABOUT("To be kept, and not so: it is brought about."),
   HOLDING(GoalState.HOLDING, "To be kept, and so."),
@@ -78,6 +79,7 @@ public enum GoalPhase {
               WAITING_FOR_MEMBERS,
               WAITING_FOR_ANOTHER_TRY,
               LISTENING,
+              ASKING,
               ENDING);
       case RUNNING, LOOKING ->
           EnumSet.of(
@@ -88,6 +90,7 @@ public enum GoalPhase {
               WAITING_FOR_STEP,
               WAITING_FOR_PLANS,
               LISTENING,
+              ASKING,
               SUSPENDED,
               ENDING);
       case HALTING, WAITING_FOR_TURN ->
@@ -104,11 +107,13 @@ public enum GoalPhase {
               REPLANNING,
               PLANNING_TO_SEE,
               LISTENING,
+              ASKING,
               SUSPENDED,
               ENDING);
       case WAITING_FOR_STEPS, WAITING_FOR_CERTAINTY, WAITING_FOR_MEMBERS, WAITING_FOR_ANOTHER_TRY ->
-          EnumSet.of(REPLANNING, PLANNING_TO_SEE, LISTENING, ENDING);
+          EnumSet.of(REPLANNING, PLANNING_TO_SEE, LISTENING, ASKING, ENDING);
       case LISTENING -> EnumSet.of(REPLANNING, PLANNING_TO_SEE, ENDING);
+      case ASKING -> EnumSet.of(REPLANNING, PLANNING_TO_SEE, LISTENING, ENDING);
       case SUSPENDED ->
           EnumSet.of(
               SUSPENDED,
@@ -117,6 +122,7 @@ public enum GoalPhase {
               REPLANNING,
               PLANNING_TO_SEE,
               LISTENING,
+              ASKING,
               HOLDING,
               WAITING_TO_RETRY,
               BRINGING_ABOUT,

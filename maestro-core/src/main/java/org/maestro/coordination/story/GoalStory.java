@@ -226,8 +226,11 @@ public final class GoalStory {
 
   /** The member reports the step as done, and its own state says otherwise: why it is not done. */
   public String deniedByItself(Step step, KnowledgeBase.Change change) {
-    return "%s reports that it is done, and its own state says otherwise: %s."
-        .formatted(step.member(), news().facts(change.denials()));
+    return "%s reports %s, and its own state says otherwise: %s."
+        .formatted(
+            step.member(),
+            step.feature().learns().isPresent() ? "what it found" : "that it is done",
+            news().facts(change.denials()));
   }
 
   public void failed(Step step, String problem, KnowledgeBase.Change change) {

@@ -33,9 +33,6 @@ import org.maestro.sl.Truth;
 /** The facts that the result of a feature teaches. */
 public final class Lesson {
 
-  /** By which share two readings of the same number may differ: five deviations of 1 %. */
-  private static final double NOISE = 0.05;
-
   private final World world;
   private final Snapshot present;
   private final FeatureRun run;
@@ -223,7 +220,7 @@ public final class Lesson {
       return Meanwhile.NOTHING;
     }
     double more = Math.abs(shown) - Math.abs(share);
-    return more > Math.abs(share) / 2 && more > NOISE * Math.abs(now.getAsDouble())
+    return more > Math.abs(share) / 2 && more > OwnWord.NOISE * Math.abs(now.getAsDouble())
         ? Meanwhile.MORE
         : Meanwhile.SHARE;
   }

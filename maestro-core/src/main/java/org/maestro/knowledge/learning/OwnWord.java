@@ -33,6 +33,9 @@ import org.maestro.sl.Truth;
  */
 final class OwnWord {
 
+  /** By which share two readings of the same number may differ: five deviations of 1 %. */
+  static final double NOISE = 0.05;
+
   /** By which share sums may differ that are the same. */
   private static final double ROUNDING = 1e-6;
 
@@ -227,14 +230,15 @@ final class OwnWord {
   }
 
   /**
-   * Whether the prediction gives way to the word; a result that tells of itself is no prediction.
+   * Whether the prediction gives way to the word; a result that tells of itself is no prediction,
+   * and stands unless the member contradicts itself.
    */
   private boolean knowsBetter(Fact word, Fact predicted) {
     if (predicted instanceof Fact.Unknown) {
       return true;
     }
     if (run.feature().learns().isPresent()) {
-      return false;
+      return includesStep() && contradicts(word, predicted);
     }
     if (predicted instanceof Fact.Equation equation) {
       return includesStep() || word instanceof Fact.Equation own && isNeither(own, equation);
@@ -255,8 +259,11 @@ final class OwnWord {
     return Math.abs(shown) >= Math.abs(share) / 2;
   }
 
-  /** Of numbers nobody says how near is near enough. */
+  /** Of numbers that a step changes nobody says how near is near enough. */
   private boolean contradicts(Fact fact, Fact predicted) {
+    if (run.feature().learns().isPresent() && areFarApart(fact, predicted)) {
+      return true;
+    }
     if (!isSymbol(fact) || !isSymbol(predicted)) {
       return false;
     }
@@ -268,6 +275,16 @@ final class OwnWord {
     return holds && predictedToHold
         ? !value.equals(other)
         : holds != predictedToHold && value.equals(other);
+  }
+
+  /** Whether they are no readings of the same number. */
+  private static boolean areFarApart(Fact one, Fact other) {
+    return one instanceof Fact.Equation first
+        && other instanceof Fact.Equation second
+        && first.value() instanceof Term.Number a
+        && second.value() instanceof Term.Number b
+        && Math.abs(a.value() - b.value())
+            > NOISE * Math.max(Math.abs(a.value()), Math.abs(b.value()));
   }
 
   private static boolean isSymbol(Fact fact) {

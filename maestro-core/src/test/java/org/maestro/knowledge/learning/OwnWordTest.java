@@ -153,6 +153,30 @@ class OwnWordTest {
   }
 
   @Test
+  void whoReadsOneThingAndSaysAnotherOfTheSameIsNotBelieved() {
+    Change change = reads(50, 4, word(3, "(= (level lamp-b1) 20)"), true);
+
+    assertThat(change.denials()).containsExactly("(= (level lamp-b1) 20)");
+    is(20, Source.Kind.STATED);
+  }
+
+  @Test
+  void readingsThatDifferByAsMuchAsReadingsDoAreTheSame() {
+    Change change = reads(20.5, 4, word(3, "(= (level lamp-b1) 20)"), true);
+
+    assertThat(change.denials()).isEmpty();
+    is(20.5, Source.Kind.OBSERVED);
+  }
+
+  @Test
+  void whatItSaidBeforeItHadReadDeniesNothing() {
+    Change change = reads(50, 4, word(3, "(= (level lamp-b1) 20)"), false);
+
+    assertThat(change.denials()).isEmpty();
+    is(50, Source.Kind.OBSERVED);
+  }
+
+  @Test
   void whatItHasDoneOtherwiseStandsAbovePrediction() {
     learns(2, 4, word(3, "(= (level lamp-b1) 17)"), true);
 
@@ -260,6 +284,21 @@ class OwnWordTest {
         feature,
         Optional.of(before),
         new StepAccount(moment(begun), moment(ended), Optional.of(last), includesStep));
+  }
+
+  private Change reads(double level, long ended, MemberWord last, boolean includesStep) {
+    return home.knowledge.learn(
+        new FeatureRun(
+            LAMP,
+            Household.feature("(sense (level ?self))", "(assign (level ?self) ?lux)"),
+            Map.of(),
+            true,
+            Map.of("lux", new Term.Number(level)),
+            List.of(),
+            Optional.of(before),
+            true,
+            Optional.of(
+                new StepAccount(moment(2), moment(ended), Optional.of(last), includesStep))));
   }
 
   private Change learn(FeatureType feature, Optional<Snapshot> known, StepAccount account) {

@@ -209,6 +209,17 @@ public final class BusLink implements RatsLink {
   }
 
   @Override
+  public void describe(String member, Duration within, Runnable over) {
+    call(
+        member,
+        ReservedFeature.DESCRIBE.word(),
+        Map.of(),
+        within,
+        Optional.empty(),
+        result -> over.run());
+  }
+
+  @Override
   public void tell(Verdict verdict) {
     verdicts.tell(verdict);
   }

@@ -95,6 +95,13 @@ public interface RatsLink extends AutoCloseable {
   void describe(String member);
 
   /**
+   * The same.
+   *
+   * @param over is run once: the member has answered, or has not within the time
+   */
+  void describe(String member, Duration within, Runnable over);
+
+  /**
    * Tells a member that what it says of itself is refused and why, or that it is right now; it need
    * not listen. That all is right from the beginning is not told.
    */

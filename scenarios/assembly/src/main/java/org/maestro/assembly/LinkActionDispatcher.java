@@ -47,6 +47,14 @@ final class LinkActionDispatcher implements ActionDispatcher {
   }
 
   @Override
+  public void ask(String member, Runnable heard) {
+    deputies
+        .of(member)
+        .ifPresentOrElse(
+            deputy -> deputy.orders().tellAgain(heard), () -> deputies.later(member, heard));
+  }
+
+  @Override
   public void callOff(String member, Call call) {
     call.life().ifPresent(boot -> link.cancel(member, boot, call.id()));
   }
