@@ -58,7 +58,8 @@ class SeenLatelyTest {
 
     assertThat(outcome.reached()).as(String.join("\n", house.story)).isFalse();
     assertThat(outcome.reasons().get(0))
-        .isEqualTo("It is not so, though rose says so: cam-a tells: Cup is not in zone-a.");
+        .isEqualTo(
+            "It cannot be said to be so: rose says so; but cam-a tells: Cup is not in zone-a.");
     assertThat(house.calls)
         .containsSubsequence("place rose", "observeObject cam-a", "observeObject cam-b");
   }

@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import org.maestro.coordination.allocation.PlanningRound;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.SearchReport;
+import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.facts.Confirmation;
 import org.maestro.coordination.story.GoalLife;
 import org.maestro.coordination.story.GoalPhase;
@@ -266,8 +267,8 @@ final class GoalEnding {
       monitor.confirm(Optional.empty());
       course.makePlan(
           Optional.of(
-              "%s had said that the goal is reached, and asked once more, it is not"
-                  .formatted(String.join(", ", asked.speakers()))));
+              "asked once more, %s: the goal is not reached"
+                  .formatted(Sentences.say(asked.speakers()))));
       return;
     }
     Map<String, Term> binding = reached.get().goalBinding();

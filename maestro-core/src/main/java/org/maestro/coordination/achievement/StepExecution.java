@@ -16,6 +16,8 @@ import org.maestro.coordination.api.CallArguments;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Resource;
+import org.maestro.coordination.api.Roster;
+import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.coordination.contention.ResourceClaims;
 import org.maestro.coordination.contention.StepsUnderway;
@@ -41,6 +43,7 @@ final class StepExecution {
 
   private final String goalId;
   private final Ports ports;
+  private final Roster roster;
   private final ActiveGoals activeGoals;
   private final ResourceClaims resourceClaims;
   private final ExactPrices exactPrices;
@@ -58,6 +61,7 @@ final class StepExecution {
   StepExecution(PursuitParts parts, Consumer<StepEnd> ended) {
     this.goalId = parts.id();
     this.ports = parts.ports();
+    this.roster = parts.roster();
     this.activeGoals = parts.activeGoals();
     this.resourceClaims = parts.resourceClaims();
     this.exactPrices = parts.exactPrices();
@@ -178,7 +182,7 @@ final class StepExecution {
             .map(Step::key)
             .collect(Collectors.toSet());
     underway.callOffAllBut(keys, story::cancelled);
-    ports.dispatcher().giveUpOwed(goalId, keys).forEach(this::end);
+    ports.dispatcher().giveUpOwed(goalId, key -> !keys.contains(key)).forEach(this::end);
   }
 
   /** Its member may be at it still; what it says now of what it did counts all the same. */
@@ -243,7 +247,15 @@ final class StepExecution {
         keepOrEnd(step, performance);
       }
     }
+    if (isNeverEstablished(step, report)) {
+      ports.dispatcher().giveUpOwed(goalId, step.key()::equals).forEach(this::end);
+    }
     ended.accept(new StepEnd(step, judged, calledOff, factsBefore, before, change));
+  }
+
+  /** Its member is there, and may be at it; nothing is claimed by what is to be called off. */
+  private boolean isNeverEstablished(Step step, ActionDispatcher.Report report) {
+    return report.unanswered() && step.feature().continuous() && roster.isPresent(step.member());
   }
 
   /**
@@ -255,14 +267,13 @@ final class StepExecution {
       ActionDispatcher.Report report,
       KnowledgeBase.Change change,
       ActionDispatcher.Handle performance) {
-    if (report.unanswered() && step.feature().continuous()) {
-      performance.cancel();
-      return failed(
-          report.problem().orElse("it has not answered")
-              + "; what is continuous has to tell by progress ESTABLISHED that its effect is there");
-    }
     if (!report.succeeded()) {
-      return report;
+      return isNeverEstablished(step, report)
+          ? failed(
+              Sentences.withoutFullStop(report.problem().orElse("It has not answered"))
+                  + "; what is continuous has to tell by progress ESTABLISHED that its effect is"
+                  + " there.")
+          : report;
     }
     if (!change.denials().isEmpty()) {
       return failed(story.deniedByItself(step, change));

@@ -4,8 +4,8 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.knowledge.api.StepAccount;
 import org.maestro.planning.api.Step;
@@ -52,9 +52,9 @@ public interface ActionDispatcher {
    * Orders of the goal of which nobody knows what became, as orders to end that; they are not owed
    * any more.
    *
-   * @param wanted steps that are still to be asked for
+   * @param unwanted steps that are not to be asked for any more
    */
-  default List<Request> giveUpOwed(String goalId, Set<StepKey> wanted) {
+  default List<Request> giveUpOwed(String goalId, Predicate<StepKey> unwanted) {
     return List.of();
   }
 

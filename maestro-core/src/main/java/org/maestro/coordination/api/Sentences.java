@@ -1,5 +1,6 @@
 package org.maestro.coordination.api;
 
+import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -133,6 +134,11 @@ public final class Sentences {
     return stripped.endsWith(".") && !stripped.endsWith("..")
         ? stripped.substring(0, stripped.length() - 1)
         : stripped;
+  }
+
+  /** That they say something, without what. */
+  public static String say(Collection<String> members) {
+    return String.join(" and ", members) + (members.size() == 1 ? " says" : " say");
   }
 
   /** A member's own words, unless they speak of it by name already, inside a sentence. */

@@ -3,8 +3,8 @@ package org.maestro.coordination.maintenance;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.facts.Sensing;
 import org.maestro.knowledge.api.KnowledgeBase;
@@ -86,8 +86,8 @@ final class ObservingDispatcher implements ActionDispatcher {
   }
 
   @Override
-  public List<Request> giveUpOwed(String goalId, Set<StepKey> wanted) {
-    return dispatcher.giveUpOwed(goalId, wanted);
+  public List<Request> giveUpOwed(String goalId, Predicate<StepKey> unwanted) {
+    return dispatcher.giveUpOwed(goalId, unwanted);
   }
 
   @Override

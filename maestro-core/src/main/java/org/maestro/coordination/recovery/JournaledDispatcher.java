@@ -6,8 +6,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
@@ -94,15 +94,15 @@ public final class JournaledDispatcher implements ActionDispatcher {
   }
 
   @Override
-  public List<Request> giveUpOwed(String goalId, Set<StepKey> wanted) {
-    List<Request> unwanted =
+  public List<Request> giveUpOwed(String goalId, Predicate<StepKey> unwanted) {
+    List<Request> givenUp =
         owed.entrySet().stream()
             .filter(entry -> entry.getKey().goalId().equals(goalId))
-            .filter(entry -> !wanted.contains(entry.getKey().step()))
+            .filter(entry -> unwanted.test(entry.getKey().step()))
             .map(Map.Entry::getValue)
             .toList();
-    owed.values().removeAll(unwanted);
-    return unwanted.stream().filter(this::isKnown).map(Request::ending).toList();
+    owed.values().removeAll(givenUp);
+    return givenUp.stream().filter(this::isKnown).map(Request::ending).toList();
   }
 
   /** Whether its member still lives the life in which it was told. */
@@ -131,7 +131,7 @@ public final class JournaledDispatcher implements ActionDispatcher {
 
   /** The goal is over: what comes to rest now is the last that is ordered for it. */
   public void over(String goalId) {
-    giveUpOwed(goalId, Set.of())
+    giveUpOwed(goalId, step -> true)
         .forEach(order -> dispatcher.callOff(order.step().member(), order.call().orElseThrow()));
     callsOfEnded.put(goalId, Optional.ofNullable(callsByGoal.remove(goalId)).orElse(0));
   }
@@ -174,7 +174,7 @@ public final class JournaledDispatcher implements ActionDispatcher {
         reported.accept(report);
         return;
       }
-      if (report.unanswered() && !calledOff && !order.step().feature().continuous()) {
+      if (report.unanswered() && !calledOff) {
         owed.put(new Owed(order.goalId(), order.step().key()), order);
       }
       journal.write(

@@ -50,21 +50,16 @@ record WitnessSentences(Vocabulary vocabulary, Instant now) {
           .formatted(Duration.between(needed.oldest().get(), now).toSeconds());
     }
     return "It is done, as far as %s; nobody can confirm it."
-        .formatted(
-            needed.reporters().isEmpty()
-                ? "is known"
-                : String.join(" and ", needed.reporters())
-                    + (needed.reporters().size() == 1 ? " says" : " say"));
+        .formatted(needed.reporters().isEmpty() ? "is known" : Sentences.say(needed.reporters()));
   }
 
   /** Who has looked, and does not agree with who did it. */
   String against(Confirmation needed) {
-    return "It is not so, though %s: %s."
+    return "It cannot be said to be so: %s; but %s."
         .formatted(
             needed.reporters().isEmpty()
                 ? "it was done"
-                : String.join(" and ", needed.reporters())
-                    + (needed.reporters().size() == 1 ? " says so" : " say so"),
+                : Sentences.say(needed.reporters()) + " so",
             told(needed.denials().isEmpty() ? needed.missed() : needed.denials(), " tells: "));
   }
 
