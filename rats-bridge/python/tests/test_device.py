@@ -97,6 +97,41 @@ class DeviceTest(unittest.TestCase):
         self.assertEqual(("SUCCEEDED", {"heat": 220}), (result["outcome"], result["values"]))
         self.assertEqual(["pizza"], self.done)
 
+    def test_what_is_continuous_goes_on_until_the_feature_that_ends_it(self):
+        self.device.tell("(hot oven-1)")
+
+        @self.device.feature("fan", inputs={"dish": "Oven"}, effect="(hot ?self)", continuous=True,
+                             ended_by="halt")
+        def fan(call, dish):
+            call.established(speed=3)
+            try:
+                while True:
+                    call.sleep(5)
+            finally:
+                self.done.append("fan ended")
+
+        @self.device.feature("halt", inputs={"dish": "Oven"}, effect="(not (hot ?self))")
+        def halt(call, dish):
+            self.done.append("halt")
+
+        offered = {offer.get("id"): offer for offer in self.device.description()["offers"]}
+        self.assertEqual((True, "own:halt"), (offered["own:fan"]["continuous"],
+                                              offered["own:fan"]["endedBy"]))
+        self.call("a", feature="fan")
+        with self.broker.news:
+            self.broker.news.wait_for(lambda: any("/progress/" in topic for topic, _, _ in self.broker.said), 5)
+        told = [said for topic, said, _ in self.broker.said if "/progress/" in topic]
+        self.assertEqual(("ESTABLISHED", 1, {"speed": 3}),
+                         (told[0]["kind"], told[0]["fraction"], told[0]["values"]))
+        limit = self.device._reception.running["cca", "a"].timer
+        self.assertTrue(limit.finished.is_set(), "its time goes on though it is established")
+        self.call("b", feature="halt", p={"dish": "other"})
+        self.assertEqual("SUCCEEDED", self.broker.result("b")["outcome"])
+        self.assertEqual([], self.broker.results("a"), "another's end")
+        self.call("c", feature="halt")
+        self.assertEqual(("SUCCEEDED", None), self.error("a"))
+        self.assertEqual(["fan ended", "halt", "halt"], sorted(self.done))
+
     def test_the_same_call_again_is_answered_and_not_done_again(self):
         self.call("a")
         first = self.broker.result("a")

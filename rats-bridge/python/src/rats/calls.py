@@ -43,6 +43,14 @@ class Canceled(Failed):
     retriable = True
 
 
+class Ended(Failed):
+    """Another feature of the device has ended a continuous one, as it was described: that is no
+    failure."""
+
+    outcome = "SUCCEEDED"
+    code = ""
+
+
 class TimedOut(Failed):
     """The time that the caller gave is over."""
 

@@ -80,6 +80,7 @@ class Device:
                 done_when: str | None = None, effect_after: float | None = None,
                 grace: float | None = None, meanwhile: str | None = None,
                 chance: float | None = None, tries: int | None = None,
+                continuous: bool = False, ended_by: str | None = None,
                 type: str | None = None  # noqa: A002
                 ) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
         """Makes a function a feature. It is called with the call and the inputs by name: names of
@@ -92,7 +93,9 @@ class Device:
         of which the device tells when the effect is there, where that is later than the answer;
         ``time_limit`` is in seconds, and so is ``grace``, for a safe end and the answer beyond it.
         ``meanwhile`` has to hold until the answer; ``chance`` is how often it works, ``tries`` how
-        often in all it may be tried.
+        often in all it may be tried. A ``continuous`` feature goes on until it is called off or the
+        feature ``ended_by`` is called for the same things; it says ``call.established()`` when its
+        effect is there.
         """
         wanted = dict(inputs or {})
 
@@ -103,7 +106,8 @@ class Device:
                 "sentence": sentence, "precondition": precondition, "effect": effect,
                 "learns": learns, "timeLimit": time_limit, "doneWhen": done_when,
                 "effectAfter": effect_after, "grace": grace, "meanwhile": meanwhile,
-                "chance": chance, "tries": tries,
+                "chance": chance, "tries": tries, "continuous": continuous,
+                "endedBy": iri(ended_by) if ended_by else None,
                 "seconds": None if seconds is None else str(seconds),
                 "input": parameters(wanted), "output": parameters(outputs or {}),
                 "binds": parameters(binds or {})}.items() if value})
@@ -112,7 +116,9 @@ class Device:
             if occupies or not type:
                 text["occupies"] = list(occupies)
             local = (type or name).split(":")[-1].split("#")[-1]
-            self._reception.features[local] = Feature(local, run, wanted, frozenset(occupies), text)
+            self._reception.features[local] = Feature(
+                local, run, wanted, frozenset(occupies), text,
+                ended_by=ended_by.split(":")[-1] if ended_by else None)
             return run
 
         return added

@@ -29,6 +29,7 @@ class Feature:
     occupies: frozenset[str]
     text: dict[str, Any]
     price: Callable[..., Any] | None = None
+    ended_by: str | None = None
 
 
 def parameters(named: Mapping[str, Any]) -> list[dict[str, Any]]:

@@ -11,7 +11,7 @@ from typing import Any, Callable, Mapping
 
 import paho.mqtt.client as mqtt
 
-from .calls import Canceled, Failed, Refused, TimedOut, malformed
+from .calls import Canceled, Ended, Failed, Refused, TimedOut, malformed
 from .features import Feature, cost_of, plain
 
 LOG = logging.getLogger("rats")
@@ -33,6 +33,7 @@ class Call:
         self.task: str | None = message.get("task")
         self.deadline = deadline
         self._tell = tell
+        self._limit: Callable[[], None] = lambda: None
         self._ended = threading.Event()
         self._end: type[Failed] = Canceled
         self._why = "The call was canceled before it was done"
@@ -47,17 +48,24 @@ class Call:
         self._tell(self.sender, {
             "id": self.id, "kind": "RUNNING", "fraction": fraction, "values": values})
 
+    def established(self, **values: Any) -> None:
+        """Says that the effect of a continuous feature is there, with what it tells first; its time
+        is not over any more before it is ended."""
+        self._limit()
+        self._tell(self.sender, {
+            "id": self.id, "kind": "ESTABLISHED", "fraction": 1, "values": values})
+
     @property
     def is_to_end(self) -> bool:
         return self._ended.is_set()
 
     def check(self) -> None:
-        """Raises Canceled or TimedOut when the call is to end."""
+        """Raises Canceled, Ended or TimedOut when the call is to end."""
         if self._ended.is_set():
             raise self._end(self._why)
 
     def sleep(self, seconds: float) -> None:
-        """Waits, and raises Canceled or TimedOut as soon as the call is to end."""
+        """Waits, and raises Canceled, Ended or TimedOut as soon as the call is to end."""
         self._ended.wait(seconds)
         self.check()
 
@@ -206,6 +214,7 @@ class Reception:
             waiting = _Waiting(call, offered)
             waiting.timer = threading.Timer(left, self._over, (call, TimedOut))
             waiting.timer.daemon = True
+            call._limit = waiting.timer.cancel
             waiting.timer.start()
             self.waiting.append(waiting)
             self._begin_what_can()
@@ -217,8 +226,18 @@ class Reception:
             if not waiting.feature.occupies & taken:
                 self.waiting.remove(waiting)
                 self.running[waiting.call.key] = waiting
+                self._end_what_it_ends(waiting)
                 threading.Thread(target=self._perform, args=(waiting,), daemon=True).start()
             taken |= waiting.feature.occupies
+
+    def _end_what_it_ends(self, ending: _Waiting) -> None:
+        """Calls of continuous features that name it as their end, for the same things."""
+        for running in self.running.values():
+            same = all(
+                running.call.parameters.get(name) == ending.call.parameters.get(name)
+                for name in ending.feature.inputs)
+            if running.feature.ended_by == ending.feature.name and same:
+                running.call._finish(Ended)
 
     def _perform(self, waiting: _Waiting) -> None:
         call, outcome, values = waiting.call, None, {}
@@ -226,6 +245,8 @@ class Reception:
             values = dict(waiting.feature.run(
                 call, **plain(call.parameters, waiting.feature.inputs)) or {})
             json.dumps(values, allow_nan=False)  # what cannot be told has failed
+        except Ended:
+            pass
         except Failed as failure:
             outcome = failure
         except Exception as fault:  # noqa: BLE001 - whatever a feature raises is its failure
