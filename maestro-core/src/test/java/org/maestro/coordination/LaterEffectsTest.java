@@ -86,7 +86,7 @@ class LaterEffectsTest {
         .anyMatch(
             told ->
                 told.contains(
-                    "oven-1 has answered, but it was not told within 35 s that (warm ?self)"));
+                    "oven-1 has answered, but it was not told within 35 s that (warm oven-1)"));
   }
 
   /** It may be as cold as before: nobody has seen it, and who answered is gone. */

@@ -162,6 +162,25 @@ class RefusalsTest {
         .noneMatch(told -> told.contains("No.;") || told.contains("No..") || told.contains("No.)"));
   }
 
+  @Test
+  void aReasonInWordsThatNobodyHasIsPassedOverAndToldSo() {
+    refuse(
+        "observeObject",
+        ActionDispatcher.Refusal.AS_THINGS_ARE,
+        List.of(new FeatureRun.Learnt("(duck away)", new Term.Truth(true))));
+    house.ambientLux.put("zone-b", 80.0);
+
+    house.achieve("(in Cup zone-b)");
+
+    assertThat(house.story)
+        .anyMatch(
+            told ->
+                told.contains(
+                    "That failed: cam-b says: No (its reason (duck away) is passed over: it uses"
+                        + " the unknown predicate duck"))
+        .noneMatch(told -> told.contains("so away is"));
+  }
+
   private void refuse(
       String feature, ActionDispatcher.Refusal refusal, List<FeatureRun.Learnt> refs) {
     house.reporting =

@@ -55,6 +55,11 @@ public record Synonyms(Map<String, String> commonWords) {
         .findFirst();
   }
 
+  /** The common word for one of the speaker's own that is another. */
+  public Optional<String> common(String own) {
+    return Optional.ofNullable(commonWords.get(own));
+  }
+
   /** A common word with how the speaker calls it, where that differs. */
   public String asSaid(String word) {
     return commonWords.entrySet().stream()

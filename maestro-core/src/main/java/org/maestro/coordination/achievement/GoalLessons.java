@@ -263,16 +263,15 @@ final class GoalLessons {
   void done(Step step, String factsBefore, Snapshot begun, Map<String, Term> outputs) {
     if (!Sensing.isIn(step.feature().effect())) {
       deeds.said(step, begun);
-      if (deeds.isVain(step.key(), factsBefore) || isForOnce(step)) {
+      if (isForOnce(step)) {
+        deeds.spent(step.key(), factsBefore);
+      } else if (deeds.isVain(step.key(), factsBefore)) {
         failures.note(
             step.key(),
             factsBefore,
             "it was said to be done, and is needed again",
             List.of(),
             Optional.empty());
-      }
-      if (isForOnce(step)) {
-        deeds.spent(step.key(), factsBefore);
       }
     }
     searches.done(

@@ -18,6 +18,7 @@ import org.maestro.rats.time.Clock;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Substitution;
 import org.maestro.sl.Truth;
 
 /**
@@ -98,7 +99,8 @@ final class LaterEffects {
                         .formatted(
                             one.step().member(),
                             Sentences.number(waited.toMillis() / 1000.0),
-                            SlPrinter.print(condition))))
+                            SlPrinter.print(
+                                new Substitution(one.step().values()).apply(condition)))))
         .orElse(one.report());
   }
 

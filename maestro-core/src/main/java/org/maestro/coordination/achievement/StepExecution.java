@@ -115,7 +115,8 @@ final class StepExecution {
     ActionDispatcher.Handle[] performance = new ActionDispatcher.Handle[1];
     Consumer<ActionDispatcher.Report> done =
         report -> {
-          ActionDispatcher.Report told = standing.over(step, report);
+          ActionDispatcher.Report told =
+              PossibleReasons.of(step, standing.over(step, report), ports.knowledge().home());
           reported(step, used, before, told, teaches.apply(told), performance[0]);
         };
     boolean[] isUnwanted = {order.ends()};

@@ -172,6 +172,10 @@ public interface ActionDispatcher {
       this(succeeded, outputs, problem, refs, true);
     }
 
+    public Report with(Optional<String> why, List<FeatureRun.Learnt> reasons) {
+      return new Report(succeeded, outputs, why, reasons, begun, refusal, unanswered, account);
+    }
+
     public Report with(Optional<StepAccount> told) {
       return new Report(succeeded, outputs, problem, refs, begun, refusal, unanswered, told);
     }

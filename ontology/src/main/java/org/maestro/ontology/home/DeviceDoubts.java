@@ -36,12 +36,12 @@ final class DeviceDoubts {
   }
 
   private List<Fault> found() {
-    if (device.features().isEmpty()) {
+    if (device.features().isEmpty() && device.reports().isEmpty()) {
       warn(
           device.id(),
           "",
-          "offers nothing, so that nobody plans with it",
-          "say what it can do, under offers");
+          "offers nothing, so that plans can only use what it tells of itself",
+          "say what it can do, under offers, or what it tells, under reports");
     }
     for (FeatureType feature : device.features()) {
       checkSentence(feature);

@@ -105,6 +105,19 @@ public final class StatementCheck {
         (problem, cure) -> faults.add("%s %s; %s.".formatted(subject, problem, cure)));
   }
 
+  /** The word that all use for one that a device has of its own; else the words that there are. */
+  private String known(String kind, String word) {
+    return home.devices().values().stream()
+        .flatMap(
+            device ->
+                device.extension().synonyms().common(word).stream()
+                    .map(
+                        all ->
+                            "write %s, as all call what %s calls so".formatted(all, device.id())))
+        .findFirst()
+        .orElseGet(() -> known(kind));
+  }
+
   /** The words that there are, and how one is written. */
   private String known(String kind) {
     if (kind.equals("Class")) {

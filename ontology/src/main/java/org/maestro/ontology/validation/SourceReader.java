@@ -171,7 +171,10 @@ public final class SourceReader {
   /** Makes faults of the parser's complaints. */
   private final class Complaints implements ErrorHandler {
 
-    private static final List<String> HARMLESS = List.of("not in preferred form");
+    /** Durations are checked where they are understood, with an example. */
+    private static final List<String> HARMLESS =
+        List.of("not in preferred form", "not valid for datatype XSD duration");
+
     private static final Pattern UNDEFINED = Pattern.compile("Undefined prefix: (\\S*)");
 
     @Override

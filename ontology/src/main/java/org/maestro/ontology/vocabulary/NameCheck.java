@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BiPredicate;
-import java.util.function.Function;
+import java.util.function.BinaryOperator;
 import java.util.function.Predicate;
 import org.maestro.ontology.validation.Nearest;
 import org.maestro.sl.Effect;
@@ -31,7 +31,7 @@ public final class NameCheck {
   private final BiPredicate<String, String> instances;
   private final Deque<String> variables;
   private final Map<String, List<String>> types;
-  private final Function<String, String> advice;
+  private final BinaryOperator<String> advice;
   private final BiConsumer<String, String> problems;
 
   /**
@@ -39,8 +39,8 @@ public final class NameCheck {
    * @param instances whether an individual, named first, is of a class
    * @param variables those that may be used freely, with the classes and datatypes of which one
    *     fits; none where that is not known
-   * @param advice what to do about an unknown word that is like no other; its kind is Predicate,
-   *     Fluent or Class
+   * @param advice what to do about an unknown word (second argument) that is like no other; its
+   *     kind is Predicate, Fluent or Class
    * @param problems takes a problem and its cure
    */
   public NameCheck(
@@ -48,7 +48,7 @@ public final class NameCheck {
       Predicate<String> individuals,
       BiPredicate<String, String> instances,
       Map<String, List<String>> variables,
-      Function<String, String> advice,
+      BinaryOperator<String> advice,
       BiConsumer<String, String> problems) {
     this.vocabulary = vocabulary;
     this.individuals = individuals;
@@ -161,7 +161,7 @@ public final class NameCheck {
     } else {
       problems.accept(
           "uses the unknown predicate " + name,
-          Nearest.cure(name, vocabulary.predicates().keySet(), advice.apply("Predicate")));
+          Nearest.cure(name, vocabulary.predicates().keySet(), advice.apply("Predicate", name)));
     }
   }
 
@@ -170,7 +170,7 @@ public final class NameCheck {
     if (declared == null) {
       problems.accept(
           "uses the unknown fluent " + name,
-          Nearest.cure(name, vocabulary.predicates().keySet(), advice.apply("Fluent")));
+          Nearest.cure(name, vocabulary.predicates().keySet(), advice.apply("Fluent", name)));
     } else if (!declared.fluent()) {
       problems.accept(
           "uses " + name + " as a number, which is true or false",
@@ -293,6 +293,6 @@ public final class NameCheck {
   private void unknownClass(String name) {
     problems.accept(
         "uses the unknown class " + name,
-        Nearest.cure(name, vocabulary.classes().keySet(), advice.apply("Class")));
+        Nearest.cure(name, vocabulary.classes().keySet(), advice.apply("Class", name)));
   }
 }

@@ -352,7 +352,7 @@ public final class VocabularyCheck {
               individuals,
               (individual, className) -> true,
               variables,
-              kind ->
+              (kind, word) ->
                   kind.equals("Class")
                       ? "declare it as an owl:Class"
                       : "declare it as a maestro:" + kind,

@@ -7,6 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
 
 /** Descriptions bring the words that they need, and things; what means the same is one word. */
@@ -92,6 +93,36 @@ class WordsOfMakersTest {
         .contains("Person");
     assertThat(kettle.extension().words().classes()).doesNotContainKey("Guest");
     assertThat(kettle.extension().synonyms().translated("(Guest Bob)")).isEqualTo("(Person Bob)");
+  }
+
+  @Test
+  void aDurationThatIsNoneIsToldByItsProperty() {
+    String faulty =
+        KETTLE.replace(
+            "\"arguments\": [\"?d - Drink\"",
+            "\"validFor\": \"5\", \"arguments\": [\"?d - Drink\"");
+
+    assertThatThrownBy(() -> read(bob, faulty, "kettle-1"))
+        .hasMessageContaining("served validFor \"5\"")
+        .hasMessageContaining("is not a duration; write days to seconds, such as PT10M")
+        .hasMessageNotContaining("Lexical form");
+  }
+
+  @Test
+  void whoAsksInAMakersOwnWordIsToldTheOneThatAllUse() {
+    Home bridged = new HomeLoader().load(ShippedHomes.text("bob.ttl") + BRIDGE, "bob.ttl");
+    Home joined =
+        bridged.with(read(bridged, KETTLE, "kettle-1")).with(read(bridged, OTHER, "table-1"));
+    StatementCheck check = new StatementCheck(joined, "The goal");
+
+    assertThat(check.fault(SlParser.formula("(served tea Bob)")))
+        .contains(
+            "The goal uses the unknown predicate served; write broughtTo, as all call what kettle-1"
+                + " calls so.");
+    assertThat(check.fault(SlParser.formula("(exists (?g - Guest) (broughtTo tea ?g))")))
+        .contains(
+            "The goal uses the unknown class Guest; write Person, as all call what kettle-1 calls"
+                + " so.");
   }
 
   @Test
