@@ -72,7 +72,7 @@ class QuotesMisconductTest {
             Actor.Part.onQuestion(
                 (actor, question) ->
                     actor.answer(question, ACLMessage.INFORM, "(cost (:price -4 1))")),
-            "usher (guide: asks -4 1 for guide, which is no price)",
+            "usher (guide: asks -4 and 1 s for guide, which is no price)",
             Duration.ZERO),
         Arguments.of(
             "absurd",
@@ -86,7 +86,7 @@ class QuotesMisconductTest {
             Actor.Part.onQuestion(
                 (actor, question) ->
                     actor.answer(question, ACLMessage.INFORM, "(cost (:price much 1))")),
-            "usher (guide: asks much 1 for guide, which is no price)",
+            "usher (guide: asks much and 1 s for guide, which is no price)",
             Duration.ZERO));
   }
 

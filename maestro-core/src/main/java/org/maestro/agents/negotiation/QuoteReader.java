@@ -108,12 +108,18 @@ final class QuoteReader {
     }
     String fault =
         "asks "
-            + Replies.shortened(String.join(" ", numbers.stream().map(Words::plain).toList()))
+            + Replies.shortened(inWords(numbers.stream().map(Words::plain).toList()))
             + " for "
             + feature
             + ", which is no price";
     faults.add(member + " " + fault);
     return new Quote.Declined(fault);
+  }
+
+  private static String inWords(List<String> numbers) {
+    return numbers.size() == 2
+        ? numbers.get(0) + " and " + numbers.get(1) + " s"
+        : String.join(" ", numbers);
   }
 
   private List<Quote> declined(String reason) {

@@ -28,6 +28,9 @@ import org.maestro.sl.Truth;
 
 /** Says in plain words what stands in the way of a goal, and what would help. */
 public final class ObstacleSentences {
+  /** So many are told; more of them nobody reads. */
+  private static final int MOST_WAYS = 5;
+
   private final Home home;
   private final Facts facts;
   private final Set<String> gone;
@@ -219,7 +222,12 @@ public final class ObstacleSentences {
       for (Cure cure : obstacle.cures()) {
         ways.add(cure.conditions().stream().map(this::cure).collect(Collectors.joining(" and ")));
       }
-      text.append(" It would do if ").append(String.join(", or if ", ways)).append('.');
+      text.append(" It would do if ")
+          .append(ways.stream().limit(MOST_WAYS).collect(Collectors.joining(", or if ")));
+      if (ways.size() > MOST_WAYS) {
+        text.append(", or in %d other ways".formatted(ways.size() - MOST_WAYS));
+      }
+      text.append('.');
     }
     return text.toString();
   }

@@ -142,8 +142,11 @@ public record Home(
         .map(
             word ->
                 new Contradiction(
-                    "declares the word %s, which %s declares otherwise"
-                        .formatted(own.synonyms().asSaid(word), other.id()),
+                    "declares the word %s, which %s declares otherwise (%s)"
+                        .formatted(
+                            own.synonyms().asSaid(word),
+                            other.id(),
+                            own.words().difference(there.words(), word)),
                     "give one of both another name, or tell in the home that both are the same"
                         + " (owl:equivalentProperty, owl:equivalentClass)"));
   }

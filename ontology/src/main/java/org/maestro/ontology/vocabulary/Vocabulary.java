@@ -75,6 +75,11 @@ public record Vocabulary(
         .findFirst();
   }
 
+  /** In what the other vocabulary declares the word otherwise, as part of a sentence. */
+  public String difference(Vocabulary other, String name) {
+    return WordDifference.between(this, other, name);
+  }
+
   private List<Object> form(String name) {
     return Stream.of(
             Optional.ofNullable(classes.get(name)).stream().map(ClassDeclaration::iri),

@@ -286,7 +286,10 @@ class WordsOfMakersTest {
             reason ->
                 assertThat(reason.sentence("table-1"))
                     .contains(
-                        "table-1 declares the word served, which kettle-1 declares otherwise"));
+                        "table-1 declares the word served, which kettle-1 declares otherwise (IRI:"
+                            + " https://example.com/tables#served here,"
+                            + " https://example.org/kitchen#served there; arguments: (served ?1 -"
+                            + " Beverage ?2 - Person) here, (served ?1 - Drink ?2 - Person) there)"));
 
     Device rose = read(bob, KETTLE.replace("\"id\": \"k:tea\"", "\"id\": \"k:rose\""), "kettle-1");
     assertThat(bob.contradiction(rose))
