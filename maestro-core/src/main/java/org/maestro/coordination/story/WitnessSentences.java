@@ -49,8 +49,10 @@ record WitnessSentences(Vocabulary vocabulary, Instant now) {
       return "It was so when it was observed %d s ago; nobody can observe it again."
           .formatted(Duration.between(needed.oldest().get(), now).toSeconds());
     }
-    return "It is done, as far as %s; nobody can confirm it."
-        .formatted(needed.reporters().isEmpty() ? "is known" : Sentences.say(needed.reporters()));
+    return needed.reporters().isEmpty()
+        ? "It is so, as far as is known; nobody can confirm it."
+        : "It is done, as far as %s; nobody can confirm it."
+            .formatted(Sentences.say(needed.reporters()));
   }
 
   /** Who has looked, and does not agree with who did it. */
