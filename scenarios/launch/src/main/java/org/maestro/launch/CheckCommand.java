@@ -41,6 +41,7 @@ final class CheckCommand implements Callable<Integer> {
 
   @Parameters(
       paramLabel = "FILE",
+      completionCandidates = Shipped.Homes.class,
       description =
           "A home file, or a shipped home: bob, arena; or a description in JSON-LD, FILE.json or"
               + " FILE.jsonld, as a device sends it.")
@@ -49,12 +50,14 @@ final class CheckCommand implements Callable<Integer> {
   @Option(
       names = "--home",
       paramLabel = "HOME.ttl",
+      completionCandidates = Shipped.Homes.class,
       description = "The home that the described device is to join; without: one without words.")
   private Optional<String> home = Optional.empty();
 
   @Option(
       names = "--scene",
       paramLabel = "SCENE.ttl",
+      completionCandidates = Shipped.Scenes.class,
       description = "Check this scene of the home as well: a file, or a shipped one.")
   private Optional<String> scene = Optional.empty();
 

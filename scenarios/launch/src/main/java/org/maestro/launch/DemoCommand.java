@@ -47,6 +47,7 @@ final class DemoCommand implements Callable<Integer> {
   @Parameters(
       arity = "0..1",
       paramLabel = "NAME",
+      completionCandidates = Shipped.Scenes.class,
       defaultValue = "bob-dark",
       description = "bob-dark, bob-lit, bob-cup-in-a, bob-hidden, bob-weak-lamps or arena-dark.")
   private String scene;

@@ -43,6 +43,7 @@ import picocli.CommandLine.Spec;
       SecureCommand.class,
       BenchCommand.class,
       ExperimentCommand.class,
+      CompletionCommand.class,
       HelpCommand.class
     },
     exitCodeListHeading = "%nExit codes:%n",

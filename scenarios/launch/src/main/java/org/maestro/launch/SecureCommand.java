@@ -40,6 +40,7 @@ final class SecureCommand implements Callable<Integer> {
       index = "1",
       arity = "0..1",
       paramLabel = "HOME.ttl",
+      completionCandidates = Shipped.Homes.class,
       description =
           "A home, or a shipped one: its devices become members, its containers controllers.")
   private Optional<String> home;

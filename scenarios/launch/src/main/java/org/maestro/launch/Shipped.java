@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import org.maestro.ontology.home.CheckedHome;
@@ -22,6 +23,22 @@ final class Shipped {
       List.of("bob-dark", "bob-lit", "bob-cup-in-a", "bob-hidden", "bob-weak-lamps", "arena-dark");
 
   private Shipped() {}
+
+  /** The names of the homes, for shells that complete them. */
+  static final class Homes implements Iterable<String> {
+    @Override
+    public Iterator<String> iterator() {
+      return HOMES.iterator();
+    }
+  }
+
+  /** The names of the scenes, for shells that complete them. */
+  static final class Scenes implements Iterable<String> {
+    @Override
+    public Iterator<String> iterator() {
+      return SCENES.iterator();
+    }
+  }
 
   /** Whether this can be meant as a home, and as no other file. */
   static boolean isHome(String nameOrPath) {

@@ -9,12 +9,16 @@ import picocli.CommandLine.Parameters;
 /** The home and its simulated world, as several commands take them. */
 final class SimulationOptions {
 
-  @Parameters(paramLabel = "HOME.ttl", description = "A home file, or a shipped home: bob, arena.")
+  @Parameters(
+      paramLabel = "HOME.ttl",
+      completionCandidates = Shipped.Homes.class,
+      description = "A home file, or a shipped home: bob, arena.")
   private String home;
 
   @Option(
       names = "--scene",
       paramLabel = "S.ttl",
+      completionCandidates = Shipped.Scenes.class,
       description = "Ground truth of the simulated world: a file, or a shipped scene.")
   private Optional<String> scene;
 

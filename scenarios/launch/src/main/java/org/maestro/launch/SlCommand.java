@@ -45,6 +45,7 @@ final class SlCommand implements Callable<Integer> {
   @Option(
       names = "--home",
       paramLabel = "HOME.ttl",
+      completionCandidates = Shipped.Homes.class,
       defaultValue = "bob",
       description =
           "Whose words are meant: a home file, or a shipped home; default ${DEFAULT-VALUE}.")

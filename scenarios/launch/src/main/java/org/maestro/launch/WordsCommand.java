@@ -32,6 +32,7 @@ final class WordsCommand implements Callable<Integer> {
   @Parameters(
       arity = "0..1",
       paramLabel = "HOME.ttl",
+      completionCandidates = Shipped.Homes.class,
       description = "A home file, or a shipped home: bob, arena; without: the running platform.")
   private Optional<String> home = Optional.empty();
 
