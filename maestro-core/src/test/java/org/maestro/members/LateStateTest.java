@@ -11,7 +11,9 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.api.ActionDispatcher;
+import org.maestro.knowledge.Household;
 import org.maestro.knowledge.api.StepAccount;
+import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.protocol.MemberState;
 import org.maestro.rats.protocol.Outcome;
@@ -22,6 +24,8 @@ import org.maestro.sl.Term;
 /** A state that was sent before a result and comes after it is waited for, and not for long. */
 class LateStateTest {
   private static final Duration MOMENT = Duration.ofMillis(100);
+  private static final FeatureType READ =
+      Household.feature("(sense (level ?self))", "(assign (level ?self) ?lux)");
 
   private final SteppedClock clock = new SteppedClock();
   private final MemberView view = new MemberView("listener", () -> {});
@@ -88,11 +92,35 @@ class LateStateTest {
     assertThat(reports).as("what failed teaches no effect").hasSize(3);
   }
 
+  @Test
+  void whoTellsOfWhatIsLearntIsHeardFirst() {
+    view.said(telling("(= (level vat) 3)"));
+    begin(READ);
+    answer(Outcome.SUCCEEDED);
+    assertThat(reports).isEmpty();
+
+    clock.run(MOMENT);
+    assertThat(reports).hasSize(1);
+  }
+
+  @Test
+  void butWhoTellsOfSomethingElseIsNotWaitedFor() {
+    view.said(telling("(= (warmth vat) 3)"));
+    begin(READ);
+    answer(Outcome.SUCCEEDED);
+
+    assertThat(reports).hasSize(1);
+  }
+
   private void begin() {
+    begin(CountedOnceContract.FILL);
+  }
+
+  private void begin(FeatureType feature) {
     calls.clear();
     orders.begin(
         new MemberOrders.Order(
-            CountedOnceContract.FILL,
+            feature,
             Map.of(),
             Duration.ofMinutes(1),
             Optional.empty(),
@@ -123,6 +151,18 @@ class LateStateTest {
 
   private Optional<Boolean> includesStep() {
     return reports.get(0).account().map(StepAccount::includesStep);
+  }
+
+  private static MemberState telling(String fact) {
+    return new MemberState(
+        "vat",
+        "1",
+        "standby",
+        List.of(fact),
+        List.of(),
+        List.of(),
+        List.of(),
+        List.of(new MemberState.Ended("former", Outcome.SUCCEEDED)));
   }
 
   private static MemberState state(String... over) {
