@@ -161,6 +161,23 @@ abstract class LinkContract extends FormerLivesContract {
   }
 
   @Test
+  void whoIsAskedToDescribeItselfHasToldItsStateOrIsNotWaitedForLong() {
+    join("anna", "home");
+    RatsLink link = connect("cca", "home");
+    await(() -> usable(link, "anna"));
+    long before = member(link, "anna").statesHeard();
+    List<Long> heardThen = new CopyOnWriteArrayList<>();
+    link.describe(
+        "anna", seconds(5), () -> heardThen.add(member(link, "anna").statesHeard() - before));
+    await(() -> member(link, "anna").statesHeard() > before && !heardThen.isEmpty());
+    assertThat(heardThen).hasSize(1);
+
+    List<String> over = new CopyOnWriteArrayList<>();
+    link.describe("nobody", seconds(1), () -> over.add("nobody"));
+    await(() -> over.equals(List.of("nobody")));
+  }
+
+  @Test
   void makesEveryMemberSafe() {
     join("anna", "home");
     join("berta", "home");
