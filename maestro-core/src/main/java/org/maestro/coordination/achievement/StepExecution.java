@@ -208,9 +208,10 @@ final class StepExecution {
         .forEach(one -> one.performance().cancel());
   }
 
+  /** What was seen stays so when nobody looks any more. */
   private boolean isForTheGoalItself(Step step) {
     Effect effect = step.feature().effect();
-    return !Sensing.isAll(effect) && monitor.isAbout(effect);
+    return !Sensing.isIn(effect) && monitor.isAbout(effect);
   }
 
   /** What its maker allows it, else thrice the expected time; and what the bus may take. */
@@ -308,7 +309,7 @@ final class StepExecution {
    */
   private void keepOrEnd(Step step, ActionDispatcher.Handle performance) {
     Effect effect = step.feature().effect();
-    if (Sensing.isOfAtoms(effect) || !Sensing.isAll(effect)) {
+    if (Sensing.isOfAtoms(effect) || !Sensing.isIn(effect)) {
       established.add(new Established(step, performance));
     } else {
       performance.cancel();

@@ -77,7 +77,7 @@ final class ObservingDispatcher implements ActionDispatcher {
   }
 
   private static boolean isSoWhileItGoesOn(FeatureType feature) {
-    return feature.continuous() && !Sensing.isAll(feature.effect());
+    return feature.continuous() && !Sensing.isIn(feature.effect());
   }
 
   @Override
