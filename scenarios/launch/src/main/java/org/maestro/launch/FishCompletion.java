@@ -2,8 +2,9 @@ package org.maestro.launch;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
-import java.util.TreeSet;
+import java.util.TreeMap;
 import java.util.stream.StreamSupport;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.ArgSpec;
@@ -30,12 +31,10 @@ final class FishCompletion {
    * @param path the words that lead to the command
    */
   private void command(CommandSpec command, List<String> path) {
-    Set<String> inner = new TreeSet<>(command.subcommands().keySet());
-    String here = condition(path, inner);
-    for (String name : inner) {
-      CommandSpec sub = command.subcommands().get(name).getCommandSpec();
-      complete(here, "-f -a " + quoted(name), description(sub));
-    }
+    Map<String, CommandLine> inner = new TreeMap<>(command.subcommands());
+    String here = condition(path, inner.keySet());
+    inner.forEach(
+        (name, sub) -> complete(here, "-f -a " + quoted(name), description(sub.getCommandSpec())));
     for (OptionSpec option : command.options()) {
       option(here, option);
     }
@@ -44,11 +43,12 @@ final class FishCompletion {
         complete(here, "-a " + quoted(candidates(parameter)), first(parameter.description()));
       }
     }
-    for (String name : inner) {
-      List<String> longer = new ArrayList<>(path);
-      longer.add(name);
-      command(command.subcommands().get(name).getCommandSpec(), longer);
-    }
+    inner.forEach(
+        (name, sub) -> {
+          List<String> longer = new ArrayList<>(path);
+          longer.add(name);
+          command(sub.getCommandSpec(), longer);
+        });
   }
 
   private static String condition(List<String> path, Set<String> inner) {
