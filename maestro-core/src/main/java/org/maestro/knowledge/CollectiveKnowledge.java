@@ -285,7 +285,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
                   world.variables().stream()
                       .filter(variable -> isOf(member, name, variable))
                       .forEach(positions::forget);
-                  statements.forget(member);
+                  statements.forget(world, member, positions);
                   lastWords.forget(member);
                   return List.of();
                 }));

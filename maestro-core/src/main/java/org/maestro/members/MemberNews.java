@@ -64,6 +64,11 @@ public final class MemberNews {
 
   public void changed(RatsLink.Member now) {
     if (now.phase() == MemberStatus.Phase.READY) {
+      if (view.isReady() && !boot.equals(now.boot())) {
+        // It was gone for less than anybody has noticed; what it was at is over all the same.
+        view.ready(false);
+        listener.lost(member + " has begun anew");
+      }
       boolean isBack = !view.isReady();
       now.description()
           .filter(text -> isBack && !isRefused || !isCurrent(text) || !boot.equals(now.boot()))

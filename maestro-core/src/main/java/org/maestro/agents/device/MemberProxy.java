@@ -63,6 +63,7 @@ public final class MemberProxy implements MemberNews.Listener {
   private Optional<String> configured;
   private Rights rights = Rights.UNKNOWN;
   private boolean announced;
+  private boolean wasLost;
   private boolean hasSpoken;
   private Runnable unwatch = () -> {};
 
@@ -192,9 +193,9 @@ public final class MemberProxy implements MemberNews.Listener {
     notUsed(DescriptionVerdict.inSentences(why));
   }
 
-  /** It was used as it had described itself before, and is not any more. */
+  /** It was used as it had described itself before, and is not any more, though it is there. */
   private void notUsed(String why) {
-    if (announced) {
+    if (announced || wasLost) {
       lost("its description is refused: " + why);
     }
   }
@@ -207,6 +208,7 @@ public final class MemberProxy implements MemberNews.Listener {
   @Override
   public void lost(String reason) {
     announced = false;
+    wasLost = true;
     goals.ifPresent(own -> own.memberLost(member, reason));
     announcements.announce(presence("lost", reason));
     announcements.offeringChanged();
@@ -241,6 +243,7 @@ public final class MemberProxy implements MemberNews.Listener {
             rights = Rights.read(Words.of(Words.parse(reply.getContent()).get(0)));
             here.link().tell(DescriptionVerdict.accepted(member, news.boot()));
             announced = true;
+            wasLost = false;
             announcements.announce(presence("ready", "described"));
             pursue();
           } else if (Conversations.isOverdue(reply)) {

@@ -226,6 +226,7 @@ final class GoalEnding {
     String tellers = String.join(", ", needed.tellers());
     life.become(GoalPhase.LISTENING, "for what " + tellers + " may tell");
     story.listens(tellers, LastTry.PAUSE);
+    Speakers.ask(needed.speakers(), parts.ports().dispatcher(), () -> {});
     lastTry.afterPause(
         () -> {
           if (!life.isOver()) {

@@ -30,7 +30,7 @@ final class PossibleReasons {
               why ->
                   problems.add(
                       "its reason %s is passed over: %s"
-                          .formatted(reason.fact(), Sentences.withoutFullStop(why))),
+                          .formatted(reason.fact(), withoutCure(why))),
               () -> possible.add(reason));
     }
     if (problems.isEmpty()) {
@@ -42,6 +42,11 @@ final class PossibleReasons {
                 Sentences.withoutFullStop(report.problem().orElse("no reason given")),
                 String.join("; ", problems));
     return report.with(Optional.of(problem), possible);
+  }
+
+  /** The cure is for who writes the device, and long: its description is checked with it. */
+  private static String withoutCure(String fault) {
+    return Sentences.withoutFullStop(fault.split("; ", 2)[0]);
   }
 
   private static Optional<String> fault(

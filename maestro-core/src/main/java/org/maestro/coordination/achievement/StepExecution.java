@@ -21,6 +21,7 @@ import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.coordination.contention.ResourceClaims;
 import org.maestro.coordination.contention.StepsUnderway;
+import org.maestro.coordination.facts.Confirmation;
 import org.maestro.coordination.facts.NextPlace;
 import org.maestro.coordination.facts.Sensing;
 import org.maestro.coordination.lessons.Experience;
@@ -321,7 +322,7 @@ final class StepExecution {
     Map<String, Term> bindings = step.values();
     return new FeatureRun(
         step.member(),
-        step.feature(),
+        Confirmation.described(step.feature()),
         bindings,
         report.succeeded(),
         report.outputs(),

@@ -221,6 +221,36 @@ public final class Confirmation {
             priced.member(), type.withEffect(extended), priced.price(), priced.exact());
   }
 
+  /** The feature as its device knows it, without what {@link #extend} has added. */
+  public static FeatureType described(FeatureType type) {
+    return type.withEffect(described(type.effect()));
+  }
+
+  private static Effect described(Effect effect) {
+    if (effect instanceof Effect.All all) {
+      return new Effect.All(
+          all.effects().stream()
+              .filter(part -> !isOfWitnesses(part))
+              .map(Confirmation::described)
+              .toList());
+    } else if (effect instanceof Effect.When when) {
+      return new Effect.When(when.condition(), described(when.effect()));
+    } else if (effect instanceof Effect.Forall forall) {
+      return new Effect.Forall(forall.variables(), described(forall.effect()));
+    }
+    return effect;
+  }
+
+  private static boolean isOfWitnesses(Effect part) {
+    return part instanceof Effect.Add add && isOfWitnesses(add.atom())
+        || part instanceof Effect.Delete delete && isOfWitnesses(delete.atom());
+  }
+
+  private static boolean isOfWitnesses(Formula.Atom atom) {
+    String name = atom.predicate();
+    return name.equals(SEEN) || name.equals(TOUCHED) || name.startsWith(MEASURED);
+  }
+
   /** What is sensed has been seen or measured; what is changed has to be measured again. */
   private static Effect extend(Effect effect, Vocabulary vocabulary) {
     if (effect instanceof Effect.All all) {

@@ -136,7 +136,7 @@ public final class ObstacleSentences {
   private String otherwise(Obstacle obstacle) {
     return switch (obstacle.possible()) {
       case "false" -> "it is not so";
-      case "true", "known" -> "it is so";
+      case "true", "known" -> "it is";
       default -> sentences.fact(formula(obstacle.possible()));
     };
   }

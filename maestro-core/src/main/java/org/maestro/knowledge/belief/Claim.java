@@ -45,7 +45,10 @@ public record Claim(Held held, boolean has) {
     }
     boolean speaksOfIt = has || other.value().equals(value());
     boolean mayOverrule =
-        isOf(other.held.source().agent()) || held.isExpected() || weight() >= other.weight();
+        isOf(other.held.source().agent())
+            || held.isExpected()
+            || held.source().kind() == Source.Kind.STATED && other.held.isExpected()
+            || weight() >= other.weight();
     return speaksOfIt && mayOverrule;
   }
 

@@ -113,13 +113,25 @@ public final class Statements {
         && byDevice.getOrDefault(source.agent(), Set.of()).contains(variable);
   }
 
-  /** The device is gone; what it has said of others is withdrawn when it comes without it. */
-  public void forget(String device) {
-    Optional.ofNullable(byDevice.remove(device))
-        .ifPresent(
-            said ->
-                inFormerLives.computeIfAbsent(device, name -> new LinkedHashSet<>()).addAll(said));
+  /**
+   * The device is gone. What it has said of others and may be unknown is not known on its word any
+   * more; all else is withdrawn when it comes without it, since to withdraw it is to deny it.
+   */
+  public void forget(World world, String device, PositionKeeping positions) {
+    Source source = new Source(Source.Kind.STATED, device);
+    Set<StateVariable> said =
+        Optional.ofNullable(byDevice.remove(device)).orElseGet(LinkedHashSet::new);
+    said.stream()
+        .filter(variable -> mayBeUnknown(world, variable))
+        .forEach(variable -> positions.withdraw(variable, source));
+    said.removeIf(variable -> mayBeUnknown(world, variable));
+    inFormerLives.computeIfAbsent(device, name -> new LinkedHashSet<>()).addAll(said);
     expectedOf.remove(device);
+  }
+
+  private static boolean mayBeUnknown(World world, StateVariable variable) {
+    return world.declarations().isObservable(variable.predicate())
+        || world.declarations().isFluent(variable.predicate());
   }
 
   private static boolean isOnItsWord(World world, StateVariable variable, Source source) {

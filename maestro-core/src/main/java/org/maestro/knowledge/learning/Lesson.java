@@ -206,7 +206,7 @@ public final class Lesson {
     Optional<Belief> measured =
         present
             .belief(equation.fluent())
-            .filter(belief -> belief.source().kind() == Source.Kind.OBSERVED)
+            .filter(belief -> isOfAnother(belief.source()))
             .filter(belief -> !before.belief(equation.fluent()).equals(Optional.of(belief)));
     OptionalDouble then = before.number(equation.fluent());
     OptionalDouble now = present.number(equation.fluent());
@@ -223,6 +223,12 @@ public final class Lesson {
     return more > Math.abs(share) / 2 && more > OwnWord.NOISE * Math.abs(now.getAsDouble())
         ? Meanwhile.MORE
         : Meanwhile.SHARE;
+  }
+
+  /** Whether somebody has observed it, or a sensor tells it of its own accord. */
+  private boolean isOfAnother(Source source) {
+    return source.kind() == Source.Kind.OBSERVED
+        || source.kind() == Source.Kind.STATED && !source.agent().equals(run.member());
   }
 
   /** Whether a step that failed leaves it open; plain closed-world facts stay as they are. */

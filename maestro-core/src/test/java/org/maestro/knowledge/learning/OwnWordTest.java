@@ -152,6 +152,40 @@ class OwnWordTest {
     assertThat(home.truth("(in rose zone-b)")).isEqualTo(Truth.TRUE);
   }
 
+  /**
+   * A sensor that has said how it is, and is gone, says nothing of how it is now; who goes on
+   * saying so does.
+   */
+  @Test
+  void whatALostSensorToldOfOthersIsNotKnownAnyMore() {
+    home.knowledge.state("cam-a", word(2, "(= (level lamp-b1) 5)", "(in Cup zone-b)"));
+    is(5, Source.Kind.STATED);
+
+    home.knowledge.lost("cam-a");
+
+    assertThat(home.number("(level lamp-b1)")).isEmpty();
+    assertThat(home.truth("(in Cup zone-b)")).isEqualTo(Truth.UNKNOWN);
+  }
+
+  /** What it added was in what the sensor of another told before its result came. */
+  @Test
+  void whatAnotherTellsOfItsOwnAccordIsNotCountedTwice() {
+    home.knowledge.state("lamp-b2", word(3, "(= (level lamp-b1) 20)"));
+    learns(2, 4, word(1, "(not (open lamp-b1))"), false);
+
+    assertThat(home.number("(level lamp-b1)")).hasValue(20);
+  }
+
+  @Test
+  void whatAnotherTellsLaterStandsAboveWhatWasOnlyExpected() {
+    learns(2, 4, word(1, "(not (open lamp-b1))"), false);
+    is(20, Source.Kind.EXPECTED);
+
+    home.knowledge.state("lamp-b2", word(5, "(= (level lamp-b1) 3)"));
+
+    is(3, Source.Kind.STATED);
+  }
+
   @Test
   void whoReadsOneThingAndSaysAnotherOfTheSameIsNotBelieved() {
     Change change = reads(50, 4, word(3, "(= (level lamp-b1) 20)"), true);

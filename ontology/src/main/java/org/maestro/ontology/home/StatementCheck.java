@@ -108,13 +108,9 @@ public final class StatementCheck {
   /** The word that all use for one that a device has of its own; else the words that there are. */
   private String known(String kind, String word) {
     return home.devices().values().stream()
-        .flatMap(
-            device ->
-                device.extension().synonyms().common(word).stream()
-                    .map(
-                        all ->
-                            "write %s, as all call what %s calls so".formatted(all, device.id())))
+        .flatMap(device -> device.extension().synonyms().common(word).stream())
         .findFirst()
+        .map(common -> "write %s, as it is called here".formatted(common))
         .orElseGet(() -> known(kind));
   }
 

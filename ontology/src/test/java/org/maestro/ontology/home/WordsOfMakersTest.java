@@ -117,12 +117,9 @@ class WordsOfMakersTest {
 
     assertThat(check.fault(SlParser.formula("(served tea Bob)")))
         .contains(
-            "The goal uses the unknown predicate served; write broughtTo, as all call what kettle-1"
-                + " calls so.");
+            "The goal uses the unknown predicate served; write broughtTo, as it is called here.");
     assertThat(check.fault(SlParser.formula("(exists (?g - Guest) (broughtTo tea ?g))")))
-        .contains(
-            "The goal uses the unknown class Guest; write Person, as all call what kettle-1 calls"
-                + " so.");
+        .contains("The goal uses the unknown class Guest; write Person, as it is called here.");
   }
 
   @Test
