@@ -158,11 +158,23 @@ public final class ObstacleSentences {
     }
     return switch (obstacle.extent()) {
       case KNOWN -> "it is " + number;
-      case LIMIT -> "it can be " + limit;
-      case LIMIT_NOW -> asThingsAre(obstacle, "it can be ") + limit;
+      case LIMIT, LIMIT_NOW ->
+          isNow(comparison, possible)
+              ? "it is "
+                  + number
+                  + ", and "
+                  + asThingsAre(obstacle, "nobody can make it ")
+                  + (isMore(comparison) ? "more" : "less")
+              : asThingsAre(obstacle, "it can be ") + limit;
       case FOUND ->
           "no way was found to bring it " + (isMore(comparison) ? "above " : "below ") + number;
     };
+  }
+
+  /** Nothing that anybody does changes it; by itself it may change. */
+  private boolean isNow(Formula.Comparison comparison, double possible) {
+    return comparison.left() instanceof Expression.Fluent fluent
+        && facts.number(fluent).equals(OptionalDouble.of(possible));
   }
 
   private static boolean isMet(Formula.Comparison comparison, double possible) {
