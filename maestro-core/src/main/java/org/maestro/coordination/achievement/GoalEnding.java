@@ -235,27 +235,17 @@ final class GoalEnding {
         });
   }
 
-  /** Whoever did it is believed where nobody can look, and not against who has looked. */
+  /** All who have told of it are asked once more: what they said may be older than the deed. */
   private void endUnseen(Confirmation needed, Map<String, Term> binding) {
-    if (isDenied(needed)) {
-      giveUp(List.of(story.denied(needed), NOT_PROVEN));
-    } else if (needed.speakers().isEmpty()) {
-      endUnseen(binding, needed);
-    } else {
-      life.become(GoalPhase.ASKING, "for what " + String.join(", ", needed.speakers()) + " say");
-      Speakers.ask(
-          needed.speakers(),
-          parts.ports().dispatcher(),
-          () -> parts.activeGoals().run(() -> heard(needed)));
+    if (needed.speakers().isEmpty()) {
+      conclude(needed, binding);
+      return;
     }
-  }
-
-  private static boolean isDenied(Confirmation needed) {
-    return !needed.denials().isEmpty() || !needed.missed().isEmpty();
-  }
-
-  private void endUnseen(Map<String, Term> binding, Confirmation needed) {
-    end(GoalState.ACHIEVED, false, binding, List.of(story.unconfirmed(needed)));
+    life.become(GoalPhase.ASKING, "for what " + String.join(", ", needed.speakers()) + " say");
+    Speakers.ask(
+        needed.speakers(),
+        parts.ports().dispatcher(),
+        () -> parts.activeGoals().run(() -> heard(needed)));
   }
 
   /** What those say who were asked is known. */
@@ -273,11 +263,17 @@ final class GoalEnding {
       return;
     }
     Map<String, Term> binding = reached.get().goalBinding();
-    Optional<Confirmation> needed = monitor.toBeSeen(binding);
-    if (needed.isPresent() && !isDenied(needed.get())) {
-      endUnseen(binding, needed.get());
+    monitor
+        .toBeSeen(binding)
+        .ifPresentOrElse(needed -> conclude(needed, binding), () -> settle(binding));
+  }
+
+  /** Whoever did it is believed where nobody can look, and not against who has looked. */
+  private void conclude(Confirmation needed, Map<String, Term> binding) {
+    if (needed.denials().isEmpty() && needed.missed().isEmpty()) {
+      end(GoalState.ACHIEVED, false, binding, List.of(story.unconfirmed(needed)));
     } else {
-      needed.ifPresentOrElse(now -> listenOrEndUnseen(now, binding), () -> settle(binding));
+      giveUp(List.of(story.denied(needed), NOT_PROVEN));
     }
   }
 
