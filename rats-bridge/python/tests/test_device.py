@@ -91,6 +91,11 @@ class DeviceTest(unittest.TestCase):
              "equivalentClass": "https://example.org/tanks#Tank"},
             rats.kind("Vat", same_as="https://example.org/tanks#Tank"))
 
+    def test_what_its_values_tell_whenever_it_is_so_is_described(self):
+        oven = Device("oven-2", namespace="https://example.org/ovens#",
+                      reports={"hot": "(hot ?self)"})
+        self.assertEqual([{"name": "hot", "fact": "(hot ?self)"}], oven.description()["reports"])
+
     def test_a_call_is_done_and_answered(self):
         self.call("a")
         result = self.broker.result("a")

@@ -46,9 +46,12 @@ class Device:
                  type: str | Iterable[str] = "maestro:Device",  # noqa: A002
                  words: Iterable[Mapping[str, Any]] = (), classes: Mapping[str, str] | None = None,
                  things: Iterable[Thing] = (), properties: Mapping[str, Any] | None = None,
+                 reports: Mapping[str, str] | None = None,
                  description: Mapping[str, Any] | None = None) -> None:
-        """``classes`` are the device's own, each with the one that it is under. ``description``
-        takes the place of all that is described by the rest."""
+        """``classes`` are the device's own, each with the one that it is under. ``reports`` are
+        facts by name, ``{"warm": "(warm ?self)"}``, that its values tell whenever they are so.
+        ``description`` takes the place of all that is described by the rest: it is the whole
+        document."""
         self.id = identifier
         self.boot = uuid.uuid4().hex
         self.verdict: dict[str, Any] | None = None
@@ -58,6 +61,9 @@ class Device:
         self._words = [*(kind(name, under) for name, under in (classes or {}).items()), *words]
         self._things = list(things)
         self._properties = dict(properties or {})
+        if reports:
+            self._properties["reports"] = [
+                {"name": name, "fact": fact} for name, fact in reports.items()]
         self._whole = description
         self._values: list[str] = []
         self._asked: dict[str, tuple[threading.Event, list[dict[str, Any]], str]] = {}
