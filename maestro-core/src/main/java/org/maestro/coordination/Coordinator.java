@@ -317,6 +317,7 @@ public final class Coordinator {
    */
   public void memberLost(String member, String reason) {
     if (!roster.isThere(member)) {
+      memberAway(member, reason);
       return;
     }
     roster.absent(member, reason, ports.clock().now());

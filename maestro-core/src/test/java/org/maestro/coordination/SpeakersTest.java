@@ -66,7 +66,7 @@ class SpeakersTest {
 
     assertThat(outcome.reached()).as(String.join("\n", house.story)).isFalse();
     assertThat(house.story)
-        .anyMatch(told -> told.contains("asked once more, vent-1 says: the goal is not reached"))
+        .anyMatch(told -> told.contains("vent-1 was asked once more, and the goal is not reached"))
         .noneMatch(told -> told.contains("as far as vent-1 says"));
   }
 

@@ -258,8 +258,8 @@ final class GoalEnding {
       monitor.confirm(Optional.empty());
       course.makePlan(
           Optional.of(
-              "asked once more, %s: the goal is not reached"
-                  .formatted(Sentences.say(asked.speakers()))));
+              "%s asked once more, and the goal is not reached"
+                  .formatted(Sentences.were(asked.speakers()))));
       return;
     }
     Map<String, Term> binding = reached.get().goalBinding();

@@ -27,6 +27,9 @@ public final class Sentences {
 
   private static final Pattern COORDINATES = Pattern.compile("[-+.\\d\\s]*\\d[-+.\\d\\s]*");
 
+  /** What is larger is told by its power of ten. */
+  private static final double MOST_IN_FULL = 1e15;
+
   private static final double TENTH = 0.1;
 
   private final Vocabulary vocabulary;
@@ -141,6 +144,11 @@ public final class Sentences {
     return String.join(" and ", members) + (members.size() == 1 ? " says" : " say");
   }
 
+  /** What was done with them follows. */
+  public static String were(Collection<String> members) {
+    return String.join(" and ", members) + (members.size() == 1 ? " was" : " were");
+  }
+
   /** A member's own words, unless they speak of it by name already, inside a sentence. */
   public static String said(String member, String words) {
     return (words.startsWith(member + " ") ? "" : member + " says: ") + withoutFullStop(words);
@@ -169,6 +177,9 @@ public final class Sentences {
 
   /** At most two decimals, three where there would be one digit else: for people. */
   public static String number(double value) {
+    if (Math.abs(value) >= MOST_IN_FULL) {
+      return String.valueOf(value);
+    }
     String text = String.format(Locale.ROOT, Math.abs(value) < TENTH ? "%.3f" : "%.2f", value);
     return text.contains(".") ? text.replaceAll("0+$", "").replaceAll("\\.$", "") : text;
   }
