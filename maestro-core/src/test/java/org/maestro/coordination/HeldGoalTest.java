@@ -122,6 +122,44 @@ class HeldGoalTest {
     assertThat(house.lux("zone-b")).isGreaterThanOrEqualTo(72);
   }
 
+  /** Since when they are lost is another number each time, and no news. */
+  @Test
+  void whyItCannotBeHeldIsToldOnceHoweverOftenItIsTried() {
+    submit(LIGHT);
+    awaitHeld();
+    news.clear();
+    house.coordinator.memberLost("lamp-b1", "dead");
+    house.coordinator.memberLost("lamp-b2", "dead");
+    house.setLevel("lamp-b1", 0);
+    house.setLevel("lamp-b2", 0);
+    await(() -> status().state() == GoalState.WAITING && status().detail().contains("lost since"));
+    String first = status().detail();
+    int told = house.story.size();
+
+    await(() -> status().detail().contains("lost since") && !status().detail().equals(first));
+    run(Duration.ofMinutes(3));
+
+    assertThat(news)
+        .extracting(HeldNews::kind)
+        .containsExactly(HeldNews.Kind.LOST, HeldNews.Kind.LOST);
+    assertThat(house.story.subList(told, house.story.size())).isEmpty();
+  }
+
+  /** It is waited for a price, in each attempt anew. */
+  @Test
+  void norIsToldAgainWhatEachAttemptWaitsFor() {
+    house.priceless.add("rose");
+    submit("(keep (in rose zone-a))");
+    await(() -> !news.isEmpty());
+    int told = house.story.size();
+
+    run(Duration.ofMinutes(3));
+
+    assertThat(house.story.subList(0, told)).anyMatch(text -> text.contains("tried once more"));
+    assertThat(house.story.subList(told, house.story.size())).isEmpty();
+    assertThat(news).hasSize(1);
+  }
+
   @Test
   void aSensorThatIsLostIsMissedAndTheLightGoesOnByWhatIsKnown() {
     submit(LIGHT);

@@ -91,6 +91,23 @@ class RefusalsTest {
     assertThat(refusedLooks("cam-b")).isEqualTo(2);
   }
 
+  /** It is on the bus again, and what it sends there cannot be read. */
+  @Test
+  void whoIsBackAndDescribedWronglyIsNotCalledLost() {
+    house.coordinator.memberLost("rose", "rose is lost");
+    assertThat(whyNot("(in rose zone-a)")).contains("lost since");
+
+    house.coordinator.memberLost("rose", "its description is refused: (inn rose)");
+
+    assertThat(whyNot("(in rose zone-a)"))
+        .contains("rose is needed and not there (its description is refused: (inn rose))")
+        .doesNotContain("lost since");
+  }
+
+  private String whyNot(String goal) {
+    return String.join("\n", house.achieve(goal).reasons());
+  }
+
   /** It says no more than that, and the light changes by less than sensors err. */
   @Test
   void aRefusalWithoutFactsIsNotRepeatedUntilOneOfThemHasChanged() {

@@ -88,7 +88,7 @@ final class GoalEnding {
       course.makePlan(Optional.empty());
     } else if (parts.underway().isEmpty() && parts.plan().remaining().isEmpty()) {
       if (needed.get().isOnlyDisputed() || !needed.get().denials().isEmpty()) {
-        listenOrEndUnseen(needed.get(), binding);
+        listenOrAsk(needed.get(), binding);
         return;
       }
       monitor.confirm(needed);
@@ -210,7 +210,7 @@ final class GoalEnding {
       Map<String, Term> binding = reached.get().goalBinding();
       monitor
           .toBeSeen(binding)
-          .ifPresentOrElse(needed -> listenOrEndUnseen(needed, binding), () -> settle(binding));
+          .ifPresentOrElse(needed -> listenOrAsk(needed, binding), () -> settle(binding));
     } else {
       monitor.confirm(Optional.empty());
       course.makePlan(Optional.of("it cannot be seen any more that the goal is reached"));
@@ -218,9 +218,9 @@ final class GoalEnding {
   }
 
   /** Who tells of it of its own accord has some time to do so. */
-  private void listenOrEndUnseen(Confirmation needed, Map<String, Term> binding) {
+  private void listenOrAsk(Confirmation needed, Map<String, Term> binding) {
     if (life.wasIn(GoalPhase.LISTENING) || needed.tellers().isEmpty()) {
-      endUnseen(needed, binding);
+      askBeforeTheEnd(needed, binding);
       return;
     }
     String tellers = String.join(", ", needed.tellers());
@@ -236,7 +236,7 @@ final class GoalEnding {
   }
 
   /** All who have told of it are asked once more: what they said may be older than the deed. */
-  private void endUnseen(Confirmation needed, Map<String, Term> binding) {
+  private void askBeforeTheEnd(Confirmation needed, Map<String, Term> binding) {
     if (needed.speakers().isEmpty()) {
       conclude(needed, binding);
       return;

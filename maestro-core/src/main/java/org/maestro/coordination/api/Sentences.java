@@ -130,8 +130,7 @@ public final class Sentences {
         .orElse("");
   }
 
-  /** A sentence to stand within another one. */
-  /** To be put into another sentence; three dots are no full stop. */
+  /** A sentence to stand within another one; three dots are no full stop. */
   public static String withoutFullStop(String sentence) {
     String stripped = sentence.strip();
     return stripped.endsWith(".") && !stripped.endsWith("..")

@@ -100,7 +100,7 @@ public final class FailureMemory {
                         + failed.problem()
                     : failed.count() == 1
                         ? "it failed: " + failed.problem()
-                        : "it failed %d times with the same facts: %s"
+                        : "it was asked for %d times with the same facts, in vain: %s"
                             .formatted(failed.count(), failed.problem()));
           }
         });

@@ -49,7 +49,7 @@ final class HeldStory {
       case GOAL, KNOWN, END -> {
         // Told for the goal as a whole.
       }
-      case BIDS, REPLAN ->
+      case BIDS, REPLAN, WAIT ->
           heldBack.ifPresentOrElse(entries -> entries.add(entry), () -> ports.story().tell(entry));
       default -> {
         heldBack.ifPresent(entries -> entries.forEach(ports.story()::tell));

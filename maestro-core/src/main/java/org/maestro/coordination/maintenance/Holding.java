@@ -3,6 +3,7 @@ package org.maestro.coordination.maintenance;
 import java.time.Duration;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.regex.Pattern;
 import org.maestro.coordination.api.HeldNews;
 import org.maestro.coordination.story.GoalLife;
 import org.maestro.coordination.story.GoalPhase;
@@ -14,6 +15,9 @@ import org.maestro.sl.Formula;
  * coordinator's thread only.
  */
 final class Holding {
+  /** Not those in names, such as {@code lamp-b1}. */
+  private static final Pattern NUMBERS = Pattern.compile("(?<![\\w-])-?\\d+(\\.\\d+)?");
+
   private final Formula condition;
   private final GoalLife life;
   private final HeldStory story;
@@ -94,16 +98,20 @@ final class Holding {
     }
   }
 
-  /** It could not be brought about. */
+  /** It could not be brought about; the same reasons in other numbers are not told again. */
   void failed(List<String> reasons) {
     patience.failed(clock.now());
-    String text = String.join(" ", reasons);
-    if (!text.equals(lastReasons)) {
-      lastReasons = text;
+    String before = lastReasons;
+    lastReasons = String.join(" ", reasons);
+    if (!withoutNumbers(lastReasons).equals(withoutNumbers(before))) {
       story.cannotBeHeld(reasons);
       tell(HeldNews.Kind.LOST, false, reasons);
     }
     awaits();
+  }
+
+  private static String withoutNumbers(String text) {
+    return NUMBERS.matcher(text).replaceAll("");
   }
 
   void awaits() {

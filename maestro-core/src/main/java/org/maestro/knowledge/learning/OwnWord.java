@@ -151,12 +151,7 @@ final class OwnWord {
   }
 
   private static boolean isSame(Fact word, Fact predicted) {
-    return word instanceof Fact.Equation own
-        && predicted instanceof Fact.Equation equation
-        && own.value() instanceof Term.Number said
-        && equation.value() instanceof Term.Number expected
-        && Math.abs(said.value() - expected.value())
-            <= ROUNDING * Math.max(1, Math.abs(expected.value()));
+    return distance(word, predicted).filter(distance -> distance <= ROUNDING).isPresent();
   }
 
   /** Whether the member has said just that since the step began. */
@@ -279,12 +274,22 @@ final class OwnWord {
 
   /** Whether they are no readings of the same number. */
   private static boolean areFarApart(Fact one, Fact other) {
+    return distance(one, other).filter(distance -> distance > NOISE).isPresent();
+  }
+
+  /** How far two numbers are from each other, as a share of the larger; empty: they are none. */
+  private static Optional<Double> distance(Fact one, Fact other) {
     return one instanceof Fact.Equation first
-        && other instanceof Fact.Equation second
-        && first.value() instanceof Term.Number a
-        && second.value() instanceof Term.Number b
-        && Math.abs(a.value() - b.value())
-            > NOISE * Math.max(Math.abs(a.value()), Math.abs(b.value()));
+            && other instanceof Fact.Equation second
+            && first.value() instanceof Term.Number a
+            && second.value() instanceof Term.Number b
+        ? Optional.of(distance(a.value(), b.value()))
+        : Optional.empty();
+  }
+
+  private static double distance(double one, double other) {
+    double difference = Math.abs(one - other);
+    return difference <= ROUNDING ? 0 : difference / Math.max(Math.abs(one), Math.abs(other));
   }
 
   private static boolean isSymbol(Fact fact) {

@@ -55,7 +55,7 @@ class LastTryTest {
 
     assertThat(outcome.state()).isEqualTo(GoalState.FAILED);
     assertThat(String.join(" ", outcome.reasons()))
-        .contains("it failed 3 times with the same facts: rose does not answer");
+        .contains("it was asked for 3 times with the same facts, in vain: rose does not answer");
     assertThat(house.calls).filteredOn("move rose"::equals).hasSize(3);
   }
 

@@ -8,9 +8,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.api.PricedFeature;
+import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
@@ -228,14 +230,38 @@ class ConfirmationTest {
                 + " (and (sense (illuminance ?p)) (measured%illuminance ?p)))))");
   }
 
+  /** What is learnt from a step must not speak of what only planning knows. */
+  @Test
+  void withoutThatAFeatureIsAsItsDeviceDescribedIt() {
+    assertIsStripped(workshop, "gauge-1", "gauge");
+    assertIsStripped(workshop, "pump-1", "fill");
+    assertIsStripped(workshop, "eye-1", "inspect");
+    assertIsStripped(workshop, "motor-1", "openHatch");
+    assertIsStripped(bobs, "rose", "place");
+    assertIsStripped(bobs, "lux-a", "measureIllumination");
+  }
+
+  private static void assertIsStripped(KnownHome home, String member, String feature) {
+    FeatureType described = home.feature(member, feature);
+    FeatureType extended = extended(home, described);
+    assertThat(SlPrinter.print(extended.effect())).contains("%");
+    assertThat(facts(Confirmation.described(extended).effect()))
+        .isEqualTo(facts(described.effect()));
+  }
+
+  /** The conjunctions that extending has put around an effect say nothing. */
+  private static String facts(Effect effect) {
+    return SlPrinter.print(effect).replaceAll("\\(and |[()]", "");
+  }
+
   private static String extended(KnownHome home, String member, String feature) {
+    return SlPrinter.print(extended(home, home.feature(member, feature)).effect());
+  }
+
+  private static FeatureType extended(KnownHome home, FeatureType described) {
     PricedFeature priced =
-        new PricedFeature(
-            member,
-            home.feature(member, feature),
-            new Price.Stated(SlParser.expression("1")),
-            Map.of());
-    return SlPrinter.print(Confirmation.extend(priced, home.vocabulary).type().effect());
+        new PricedFeature("any", described, new Price.Stated(SlParser.expression("1")), Map.of());
+    return Confirmation.extend(priced, home.vocabulary).type();
   }
 
   @Test

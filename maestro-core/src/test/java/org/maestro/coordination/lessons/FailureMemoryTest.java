@@ -26,7 +26,9 @@ class FailureMemoryTest {
 
     failsWith("dark");
     assertThat(memory.barred(step -> "dark"))
-        .containsExactly(Map.entry(look, "it failed 2 times with the same facts: It cannot see"));
+        .containsExactly(
+            Map.entry(
+                look, "it was asked for 2 times with the same facts, in vain: It cannot see"));
   }
 
   @Test

@@ -5,14 +5,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.PretendHouse;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
+import org.maestro.planning.api.PlanningResult.Cure;
 import org.maestro.planning.api.PlanningResult.Explanation;
 import org.maestro.planning.api.PlanningResult.Obstacle;
 import org.maestro.planning.api.PlanningResult.Obstacle.Extent;
@@ -83,6 +86,40 @@ class ObstacleSentencesTest {
         .first()
         .asString()
         .contains("It would do if rose were there and did it after all");
+  }
+
+  @Test
+  void atMostFiveWaysAreToldAndHowManyMoreThereAre() throws IOException {
+    Obstacle dark = number("(>= (illuminance zone-b) 72)");
+    List<Cure> seven =
+        IntStream.rangeClosed(1, 7)
+            .mapToObj(number -> number("(>= (illuminance zone-a) %d)".formatted(number)))
+            .map(other -> new Cure(List.of(other)))
+            .toList();
+
+    String told = sentences().obstacle(dark.withCures(seven));
+    assertThat(told)
+        .contains("illuminance of zone-a were at least 4 lux, or in 3 other ways.")
+        .doesNotContain("at least 5 lux");
+    assertThat(sentences().obstacle(dark.withCures(seven.subList(0, 4))))
+        .contains("or if the illuminance of zone-a were at least 4 lux.");
+    assertThat(sentences().obstacle(dark.withCures(Collections.nCopies(7, seven.get(0)))))
+        .as("what reads the same is told once")
+        .endsWith("or if the illuminance of zone-a were at least 1 lux.")
+        .containsOnlyOnce("zone-a");
+  }
+
+  private static Obstacle number(String condition) {
+    return new Obstacle(
+        Kind.NUMBER,
+        condition,
+        "",
+        "0",
+        Extent.KNOWN,
+        OptionalDouble.empty(),
+        Optional.empty(),
+        Optional.empty(),
+        List.of());
   }
 
   private static Obstacle obstacle(Kind kind, String what, String why, StepKey subject) {
