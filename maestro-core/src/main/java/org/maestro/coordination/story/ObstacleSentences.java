@@ -6,9 +6,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.facts.ReckonedFromPlaces;
+import org.maestro.knowledge.api.Belief;
+import org.maestro.knowledge.api.Snapshot;
+import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.api.PlanningResult.Cure;
 import org.maestro.planning.api.PlanningResult.Explanation;
@@ -33,6 +37,7 @@ public final class ObstacleSentences {
 
   private final Home home;
   private final Facts facts;
+  private final Function<Expression.Fluent, Optional<Belief>> origins;
   private final Set<String> gone;
   private final Sentences sentences;
 
@@ -40,15 +45,27 @@ public final class ObstacleSentences {
    * @param facts what is known, for the numbers of comparisons
    */
   public ObstacleSentences(Home home, Facts facts) {
-    this(home, facts, Set.of());
+    this(home, facts, fluent -> Optional.empty(), Set.of());
+  }
+
+  /**
+   * @param known for the numbers of comparisons, and for who measured them
+   */
+  public ObstacleSentences(Home home, Snapshot known) {
+    this(home, known, known::belief, Set.of());
   }
 
   /**
    * @param gone who is not there, and could do nothing
    */
-  private ObstacleSentences(Home home, Facts facts, Set<String> gone) {
+  private ObstacleSentences(
+      Home home,
+      Facts facts,
+      Function<Expression.Fluent, Optional<Belief>> origins,
+      Set<String> gone) {
     this.home = home;
     this.facts = facts;
+    this.origins = origins;
     this.gone = gone;
     this.sentences = new Sentences(home.vocabulary());
   }
@@ -60,7 +77,7 @@ public final class ObstacleSentences {
             .filter(obstacle -> obstacle.kind() == Kind.MEMBER && !isThere(obstacle))
             .map(Obstacle::condition)
             .collect(Collectors.toSet());
-    ObstacleSentences together = new ObstacleSentences(home, facts, absent);
+    ObstacleSentences together = new ObstacleSentences(home, facts, origins, absent);
     return explanation.obstacles().stream().map(together::obstacle).toList();
   }
 
@@ -157,11 +174,12 @@ public final class ObstacleSentences {
       return "it can be " + number + ", but not together with all else that is needed";
     }
     return switch (obstacle.extent()) {
-      case KNOWN -> "it is " + number;
+      case KNOWN -> "it is " + number + measured(comparison, possible);
       case LIMIT, LIMIT_NOW ->
           isNow(comparison, possible)
               ? "it is "
                   + number
+                  + measured(comparison, possible)
                   + ", and "
                   + asThingsAre(obstacle, "nobody can make it ")
                   + (isMore(comparison) ? "more" : "less")
@@ -175,6 +193,18 @@ public final class ObstacleSentences {
   private boolean isNow(Formula.Comparison comparison, double possible) {
     return comparison.left() instanceof Expression.Fluent fluent
         && facts.number(fluent).equals(OptionalDouble.of(possible));
+  }
+
+  /** A measurement is one device's word; another may say otherwise. */
+  private String measured(Formula.Comparison comparison, double possible) {
+    return isNow(comparison, possible) && comparison.left() instanceof Expression.Fluent fluent
+        ? origins
+            .apply(fluent)
+            .map(Belief::source)
+            .filter(source -> source.kind() == Source.Kind.OBSERVED)
+            .map(source -> " as " + source.agent() + " measured")
+            .orElse("")
+        : "";
   }
 
   private static boolean isMet(Formula.Comparison comparison, double possible) {

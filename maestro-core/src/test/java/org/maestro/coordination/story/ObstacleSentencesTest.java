@@ -13,6 +13,8 @@ import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.PretendHouse;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.planning.api.PlanningResult.Cure;
@@ -48,6 +50,24 @@ class ObstacleSentencesTest {
     assertThat(said("(>= (illuminance zone-b) 72)", "60", Extent.KNOWN))
         .contains("and it is 60 lux.")
         .doesNotContain("can be");
+  }
+
+  /** It is that device's word; another might say otherwise. */
+  @Test
+  void whoMeasuredWhatIsNotEnoughIsNamed() throws IOException {
+    KnowledgeBase knowledge = new PretendHouse(home()).knowledge;
+    knowledge.state(
+        new Source(Source.Kind.OBSERVED, "lux-b"), List.of("(= (illuminance zone-b) 60)"));
+
+    assertThat(
+            new ObstacleSentences(home(), knowledge.snapshot())
+                .obstacle(number("(>= (illuminance zone-b) 72)", "60", Extent.LIMIT)))
+        .contains("and it is 60 lux as lux-b measured, and nobody can make it more.");
+    assertThat(
+            new ObstacleSentences(home(), knowledge.snapshot())
+                .obstacle(number("(>= (illuminance zone-b) 72)", "66", Extent.LIMIT)))
+        .as("nobody measured 66")
+        .contains("and it can be 66 lux at most.");
   }
 
   /** Each would be possible without the other. */
@@ -110,12 +130,16 @@ class ObstacleSentencesTest {
   }
 
   private static Obstacle number(String condition) {
+    return number(condition, "0", Extent.KNOWN);
+  }
+
+  private static Obstacle number(String condition, String possible, Extent extent) {
     return new Obstacle(
         Kind.NUMBER,
         condition,
         "",
-        "0",
-        Extent.KNOWN,
+        possible,
+        extent,
         OptionalDouble.empty(),
         Optional.empty(),
         Optional.empty(),
@@ -156,11 +180,14 @@ class ObstacleSentencesTest {
   }
 
   private static ObstacleSentences sentences() throws IOException {
+    Home home = home();
+    return new ObstacleSentences(home, new PretendHouse(home).knowledge.snapshot());
+  }
+
+  private static Home home() throws IOException {
     try (InputStream turtle = ObstacleSentencesTest.class.getResourceAsStream("/bob.ttl")) {
-      Home home =
-          new HomeLoader()
-              .load(new String(turtle.readAllBytes(), StandardCharsets.UTF_8), "bob.ttl");
-      return new ObstacleSentences(home, new PretendHouse(home).knowledge.snapshot());
+      return new HomeLoader()
+          .load(new String(turtle.readAllBytes(), StandardCharsets.UTF_8), "bob.ttl");
     }
   }
 }
