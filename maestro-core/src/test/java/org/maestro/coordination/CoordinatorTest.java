@@ -165,7 +165,7 @@ class CoordinatorTest {
     assertThat(String.join(" ", outcome.reasons()))
         .contains("illuminance of zone-b")
         .contains("at least 72 lux")
-        .contains("it is 17 lux, and as things are now nobody can make it more")
+        .contains("it is 17 lux as lux-b measured, and as things are now nobody can make it more")
         .contains("55 lux higher")
         .contains("lamp-b2 were there (lost since");
   }
