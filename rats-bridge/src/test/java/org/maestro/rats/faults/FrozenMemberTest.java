@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.net.URI;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -12,6 +13,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import org.awaitility.Awaitility;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -79,6 +81,7 @@ class FrozenMemberTest {
             .as("by which it knows the caller's clock")
             .isEqualTo(Outcome.SUCCEEDED);
         signal("STOP", process);
+        await(() -> isStill(process), COMES_WITHIN);
         Duration frozen = clock.now();
         Duration t = Duration.ofSeconds(1);
         CompletableFuture<Result> late = outcome(link, "drive", t);
@@ -135,6 +138,28 @@ class FrozenMemberTest {
                 .start()
                 .waitFor())
         .isZero();
+  }
+
+  /**
+   * Whether each of its threads stands: the signal is sent to the process, and the first thread
+   * that runs after it stops the others, until when they may go on for a moment.
+   */
+  private static boolean isStill(Process process) {
+    Path threads = Path.of("/proc", Long.toString(process.pid()), "task");
+    if (!Files.isDirectory(threads)) {
+      return true;
+    }
+    try (Stream<Path> each = Files.list(threads)) {
+      for (Path thread : each.toList()) {
+        String stat = Files.readString(thread.resolve("stat"));
+        if (!stat.substring(stat.lastIndexOf(')')).startsWith(") T")) {
+          return false;
+        }
+      }
+      return true;
+    } catch (IOException e) {
+      return false;
+    }
   }
 
   /** The process of the member; it ends when it is killed. */
