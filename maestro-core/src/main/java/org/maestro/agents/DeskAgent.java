@@ -25,7 +25,10 @@ import org.maestro.sl.Formula;
  */
 public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
   private static final long serialVersionUID = 1L;
-  private static final Duration NO_END = Duration.ofDays(365);
+
+  /** The patience of who waits for the end of a goal. */
+  public static final Duration NO_END = Duration.ofDays(365);
+
   private static final int QUESTIONS_KEPT = 256;
 
   private final transient KnowledgeCache knowledge = new KnowledgeCache(this, QUESTIONS_KEPT);

@@ -153,10 +153,7 @@ public final class SupervisorAgent extends MaestroAgent {
 
   private void offer(ACLMessage message, Words words) {
     String host = words.string("host").orElse("");
-    List<String> provides =
-        words.find("provides").map(Words::terms).orElse(List.of()).stream()
-            .map(Words::plain)
-            .toList();
+    List<String> provides = words.strings("provides");
     if (!message.getSender().getLocalName().equals(AgentNames.ofHost(host))) {
       refuse(message, ACLMessage.REFUSE, "A host is offered by its own agent only.");
       return;

@@ -216,9 +216,7 @@ public final class JoinedContainer implements AutoCloseable {
         JadeRuntime.start(home, its.agent(), new GenericAgent(here, its));
       }
     }
-    return Words.of(answer.get(0)).find("agents").map(Words::terms).orElse(List.of()).stream()
-        .map(Words::plain)
-        .toList();
+    return Words.of(answer.get(0)).strings("agents");
   }
 
   private List<Content> answer(ContainerStart start, String action) {

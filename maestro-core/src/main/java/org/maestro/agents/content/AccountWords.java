@@ -73,7 +73,7 @@ public final class AccountWords {
   }
 
   private static List<String> texts(Words words, String name) {
-    return words.find(name).map(Words::terms).orElse(List.of()).stream().map(Words::plain).toList();
+    return words.strings(name);
   }
 
   public static Optional<Moment> moment(Words words, String name) {

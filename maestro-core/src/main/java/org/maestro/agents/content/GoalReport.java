@@ -97,9 +97,7 @@ public record GoalReport(
         GoalState.valueOf(state.get().toUpperCase(Locale.ROOT)),
         words.string("confirmed").filter("true"::equals).isPresent(),
         words.termsOf("binding"),
-        words.find("reasons").map(Words::terms).orElse(List.of()).stream()
-            .map(Words::plain)
-            .toList(),
+        words.strings("reasons"),
         (int) words.number("calls", 0),
         (int) words.number("replans", 0),
         Duration.ofMillis((long) (words.number("seconds", 0) * 1000)),

@@ -40,8 +40,6 @@ public record HeldReport(String goalId, boolean isSo, boolean confirmed, List<St
         words.string("goal").orElse(""),
         isSo,
         words.string("confirmed").filter("true"::equals).isPresent(),
-        words.find("reasons").map(Words::terms).orElse(List.of()).stream()
-            .map(Words::plain)
-            .toList());
+        words.strings("reasons"));
   }
 }

@@ -89,11 +89,7 @@ public final class VerdictWords {
         .filter(element -> element.string("device").isPresent())
         .map(
             element ->
-                new Joining(
-                    element.string("device").orElse(""),
-                    element.find("features").map(Words::terms).orElse(List.of()).stream()
-                        .map(Words::plain)
-                        .toList()))
+                new Joining(element.string("device").orElse(""), element.strings("features")))
         .toList();
   }
 }

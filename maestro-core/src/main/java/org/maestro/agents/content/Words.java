@@ -87,6 +87,11 @@ public final class Words {
         title, terms.entrySet().stream().map(e -> named(e.getKey(), term(e.getValue()))).toList());
   }
 
+  /** The terms under that name, as plain words; none where there is no such argument. */
+  public List<String> strings(String name) {
+    return find(name).map(Words::terms).orElse(List.of()).stream().map(Words::plain).toList();
+  }
+
   public Optional<Words> find(String name) {
     return named(name).map(Words::of);
   }

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
+import org.maestro.console.questions.Reply;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.sl.Content;
 import picocli.CommandLine.Command;

@@ -1,14 +1,10 @@
 package org.maestro.launch;
 
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import jade.lang.acl.ACLMessage;
+import com.fasterxml.jackson.databind.JsonNode;
 import java.io.PrintWriter;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.maestro.agents.content.AgentNames;
-import org.maestro.agents.content.Words;
-import org.maestro.platform.JoinedContainer;
+import org.maestro.console.questions.Questions;
 import org.maestro.text.VisibleText;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -26,7 +22,6 @@ final class AgentsCommand implements Callable<Integer> {
   private static final List<String> CONTAINERS =
       List.of(
           "container", "process", "topics", "provides", "since", "address", "machine", "agents");
-  private static final List<String> STARTS = List.of("directory", "command");
   private static final String WHY = "why";
   private static final int MINUTE = 60;
   private static final int HOUR = 3600;
@@ -44,131 +39,70 @@ final class AgentsCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    try (JoinedContainer container = platform.join()) {
-      List<Words> lines = tables(container);
-      String own = container.name();
-      List<Words> wanted =
-          lines.stream()
-              .filter(line -> line.string("place").isPresent() == containers)
-              .filter(line -> !at(line).equals(own))
-              .toList();
+    try (AskedPlatform asked = platform.ask()) {
+      JsonNode document = asked.answer(containers ? Questions::containers : Questions::agents);
       PrintWriter out = spec.commandLine().getOut();
       if (json) {
-        out.println(document(wanted));
-      } else {
-        new Table(
-                containers ? CONTAINERS : AGENTS,
-                wanted.stream().map(line -> containers ? place(line) : agent(line)).toList())
+        out.println(document);
+      } else if (containers) {
+        new Table(CONTAINERS, JsonRows.of(document.path("containers"), AgentsCommand::container))
             .print(out);
-        wanted.stream()
-            .filter(line -> line.string(WHY).isPresent())
-            .map(line -> all(line, "members") + " is refused: " + line.string(WHY).orElse(""))
-            .forEach(sentence -> out.println(VisibleText.line(sentence)));
+      } else {
+        new Table(AGENTS, JsonRows.of(document.path("agents"), AgentsCommand::agent)).print(out);
+        document.path("agents").forEach(agent -> printWhy(agent, out));
       }
       return ExitCode.DONE;
     }
   }
 
-  private static List<Words> tables(JoinedContainer container) {
-    return Reply.lines(
-        container.ask(ACLMessage.QUERY_REF, AgentNames.SUPERVISOR, Words.content("query-ref")));
+  private static void printWhy(JsonNode agent, PrintWriter out) {
+    if (agent.path(WHY).isTextual()) {
+      out.println(
+          VisibleText.line(
+              JsonRows.words(agent, "members") + " is refused: " + agent.path(WHY).asText()));
+    }
   }
 
   /** Members that are there and cannot be used as they describe themselves. */
-  static List<String> refused(JoinedContainer container) {
-    return tables(container).stream()
-        .filter(line -> line.string(WHY).isPresent())
-        .flatMap(line -> words(line, "members").stream())
+  static List<String> refused(JsonNode agents) {
+    return JsonRows.of(agents.path("agents"), agent -> agent).stream()
+        .filter(agent -> agent.path(WHY).isTextual())
+        .flatMap(agent -> JsonRows.of(agent.path("members"), JsonNode::asText).stream())
         .toList();
   }
 
-  private String document(List<Words> lines) {
-    JsonMembers document = JsonMembers.empty();
-    ArrayNode array = document.node().putArray(containers ? "containers" : "agents");
-    for (Words line : lines) {
-      JsonMembers row = JsonMembers.in(array);
-      if (containers) {
-        container(row, line);
-      } else {
-        row.text("agent", line.string("agent"))
-            .text("container", line.string("container"))
-            .words("members", words(line, "members"))
-            .text("phase", line.string("phase"))
-            .text("state", line.string("state"))
-            .text("life", line.string("life"))
-            .words("services", words(line, "services"))
-            .text(WHY, line.string(WHY));
-      }
-      row.text("since", line.string("since")).number("age_s", line, "age");
-    }
-    return document.toString();
-  }
-
-  private static void container(JsonMembers row, Words line) {
-    Optional<Words> start = start(line);
-    row.text("container", line.string("place"))
-        .text("process", line.string("process"))
-        .words("topics", words(line, "topics"))
-        .words("provides", words(line, "provides"))
-        .text("address", line.string("address"))
-        .text("machine", start.flatMap(its -> its.string("machine")));
-    start
-        .flatMap(its -> its.string("pid"))
-        .ifPresentOrElse(
-            pid -> row.node().put("pid", Long.parseLong(pid)), () -> row.node().putNull("pid"));
-    STARTS.forEach(part -> row.text(part, start.flatMap(its -> its.string(part))));
-    row.words("agents", words(line, "holds"));
-  }
-
-  private static String at(Words line) {
-    return line.string("place").or(() -> line.string("container")).orElse("");
-  }
-
-  private static List<String> agent(Words line) {
+  private static List<String> agent(JsonNode agent) {
     return List.of(
-        line.string("agent").orElse("-"),
-        line.string("container").orElse("-"),
-        all(line, "members"),
-        line.string("phase").orElse("-"),
-        line.string("state").orElse("-"),
-        line.string("life").orElse("-"),
-        since(line),
-        all(line, "services"));
+        JsonRows.text(agent, "agent"),
+        JsonRows.text(agent, "container"),
+        JsonRows.words(agent, "members"),
+        JsonRows.text(agent, "phase"),
+        JsonRows.text(agent, "state"),
+        JsonRows.text(agent, "life"),
+        since(agent),
+        JsonRows.words(agent, "services"));
   }
 
-  private static List<String> place(Words line) {
+  private static List<String> container(JsonNode container) {
     return List.of(
-        line.string("place").orElse("-"),
-        line.string("process").orElse("-"),
-        all(line, "topics"),
-        all(line, "provides"),
-        since(line),
-        line.string("address").orElse("-"),
-        machine(start(line)),
-        all(line, "holds"));
+        JsonRows.text(container, "container"),
+        JsonRows.text(container, "process"),
+        JsonRows.words(container, "topics"),
+        JsonRows.words(container, "provides"),
+        since(container),
+        JsonRows.text(container, "address"),
+        machine(container),
+        JsonRows.words(container, "agents"));
   }
 
-  private static Optional<Words> start(Words line) {
-    return line.find("started").filter(its -> its.string("pid").isPresent());
+  private static String machine(JsonNode container) {
+    return container.path("pid").isNumber()
+        ? JsonRows.text(container, "machine") + " pid " + container.path("pid").asText()
+        : "-";
   }
 
-  private static String machine(Optional<Words> start) {
-    return start
-        .map(its -> its.string("machine").orElse("-") + " pid " + its.string("pid").orElse("-"))
-        .orElse("-");
-  }
-
-  private static String all(Words line, String name) {
-    List<String> words = words(line, name);
-    return words.isEmpty() ? "-" : String.join(" ", words);
-  }
-
-  private static List<String> words(Words line, String name) {
-    return line.find(name).map(Words::terms).orElse(List.of()).stream().map(Words::plain).toList();
-  }
-
-  private static String since(Words line) {
-    long seconds = Math.round(line.number("age", 0));
+  private static String since(JsonNode row) {
+    long seconds = Math.round(row.path("age_s").asDouble());
     if (seconds < MINUTE) {
       return seconds + " s";
     }

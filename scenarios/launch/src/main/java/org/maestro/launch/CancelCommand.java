@@ -1,10 +1,6 @@
 package org.maestro.launch;
 
-import jade.lang.acl.ACLMessage;
 import java.util.concurrent.Callable;
-import org.maestro.agents.content.AgentNames;
-import org.maestro.agents.content.Words;
-import org.maestro.platform.JoinedContainer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -22,12 +18,8 @@ final class CancelCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    try (JoinedContainer container = platform.join()) {
-      Reply.lines(
-          container.ask(
-              ACLMessage.REQUEST,
-              AgentNames.COORDINATOR,
-              Words.content("cancel", Words.named("goal", Words.name(goal)))));
+    try (AskedPlatform asked = platform.ask()) {
+      asked.answer(questions -> questions.cancel(goal));
       spec.commandLine().getOut().println(goal + " is cancelled.");
       return ExitCode.DONE;
     }

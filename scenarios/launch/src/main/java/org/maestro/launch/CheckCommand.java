@@ -12,6 +12,8 @@ import java.util.concurrent.Callable;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.VerdictWords;
 import org.maestro.agents.content.Words;
+import org.maestro.console.documents.JsonMembers;
+import org.maestro.console.questions.Reply;
 import org.maestro.ontology.home.CheckedHome;
 import org.maestro.ontology.home.DescriptionCheck;
 import org.maestro.ontology.home.DescriptionReader;

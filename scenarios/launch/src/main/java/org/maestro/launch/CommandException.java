@@ -1,6 +1,7 @@
 package org.maestro.launch;
 
 import java.util.Objects;
+import org.maestro.console.questions.RefusalException;
 
 /** A command cannot do what it was asked; the message is one sentence for its user. */
 final class CommandException extends RuntimeException {
@@ -35,9 +36,12 @@ final class CommandException extends RuntimeException {
     return new CommandException(ExitCode.OUTSIDE, sentence, cause);
   }
 
-  /** The same, with one sentence more. */
-  CommandException and(String sentence) {
-    return new CommandException(exitCode, getMessage() + " " + sentence, this);
+  /** What a platform did not answer. */
+  static CommandException of(RefusalException refusal) {
+    return new CommandException(
+        refusal.kind() == RefusalException.Kind.BAD_INPUT ? ExitCode.BAD_INPUT : ExitCode.OUTSIDE,
+        Objects.requireNonNullElse(refusal.getMessage(), refusal.toString()),
+        refusal);
   }
 
   int exitCode() {

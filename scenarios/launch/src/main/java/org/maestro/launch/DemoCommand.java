@@ -14,6 +14,7 @@ import org.maestro.agents.content.GoalReport;
 import org.maestro.agents.content.Words;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
+import org.maestro.console.documents.JsonMembers;
 import org.maestro.ontology.home.Home;
 import org.maestro.picture.TopView;
 import org.maestro.sim.scene.Scene;

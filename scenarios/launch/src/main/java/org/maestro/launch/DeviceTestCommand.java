@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import org.maestro.assembly.SiteBus;
+import org.maestro.console.documents.JsonMembers;
 import org.maestro.rats.conformance.DeviceExamination;
 import org.maestro.rats.conformance.DeviceRule;
 import org.maestro.rats.conformance.FeatureCall;

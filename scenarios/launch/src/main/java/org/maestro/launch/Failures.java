@@ -3,6 +3,7 @@ package org.maestro.launch;
 import java.io.PrintWriter;
 import java.util.Objects;
 import java.util.Optional;
+import org.maestro.console.questions.RefusalException;
 import org.maestro.deployment.DeploymentException;
 import org.maestro.device.tasks.DeviceSetupException;
 import org.maestro.experiment.setting.SettingException;
@@ -93,7 +94,9 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
       return own.exitCode();
     }
     boolean badInput =
-        failure instanceof HomeFaultException
+        failure instanceof RefusalException refusal
+                && refusal.kind() == RefusalException.Kind.BAD_INPUT
+            || failure instanceof HomeFaultException
             || failure instanceof SimulationException
             || failure instanceof DeviceSetupException
             || failure instanceof SettingException

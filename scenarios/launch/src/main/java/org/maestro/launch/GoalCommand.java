@@ -20,6 +20,9 @@ import org.maestro.agents.content.GoalReport;
 import org.maestro.agents.content.HeldReport;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.OtherPlatform;
+import org.maestro.console.questions.AclQuestions;
+import org.maestro.console.questions.RefusalException;
+import org.maestro.console.questions.Reply;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.platform.jade.PlatformStartException;
@@ -34,7 +37,6 @@ import picocli.CommandLine.Spec;
 /** States a goal to a running platform, by an agent of this process, and follows it. */
 @Command(name = "goal", description = "Ask a running platform for a goal and follow it live.")
 final class GoalCommand implements Callable<Integer> {
-  private static final Duration NO_END = Duration.ofDays(365);
   private static final int LOOK_AGAIN_SECONDS = 2;
 
   /** A platform that stands by has taken over by then, if there is one. */
@@ -164,7 +166,7 @@ final class GoalCommand implements Callable<Integer> {
       request(
           container,
           ACLMessage.REQUEST,
-          NO_END,
+          DeskAgent.NO_END,
           reply -> {
             if (reply.getPerformative() == ACLMessage.AGREE) {
               agreed = true;
@@ -280,12 +282,14 @@ final class GoalCommand implements Callable<Integer> {
   }
 
   /** Words may be unknown because the device that brings them cannot be used. */
-  private CommandException refusal(ACLMessage reply, JoinedContainer container) {
+  private RefusalException refusal(ACLMessage reply, JoinedContainer container) {
     List<Words> words = Reply.words(reply);
-    CommandException refusal = Reply.refusal(words);
+    RefusalException refusal = Reply.refusal(words);
     boolean isInvalid = words.stream().anyMatch(line -> line.string("invalid").isPresent());
     List<String> unusable =
-        isInvalid && other.isEmpty() ? AgentsCommand.refused(container) : List.of();
+        isInvalid && other.isEmpty()
+            ? AgentsCommand.refused(new AclQuestions(container.desk()).agents().join())
+            : List.of();
     return unusable.isEmpty()
         ? refusal
         : refusal.and(

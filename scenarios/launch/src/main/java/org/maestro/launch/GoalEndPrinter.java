@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import org.maestro.agents.content.GoalReport;
 import org.maestro.agents.content.HeldReport;
 import org.maestro.agents.content.Words;
+import org.maestro.console.documents.JsonMembers;
 
 /**
  * Printer of how a goal ended, in sentences or as one JSON document, with the exit code that says

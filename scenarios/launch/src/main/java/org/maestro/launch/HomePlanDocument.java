@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.maestro.console.documents.JsonMembers;
 import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.PlannedSearch;
 import org.maestro.planning.api.PlanningResult;

@@ -1,20 +1,19 @@
 package org.maestro.launch;
 
-import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.JsonNode;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
-import java.util.OptionalDouble;
+import java.util.StringJoiner;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import java.util.stream.Collectors;
 import org.maestro.agents.content.Words;
+import org.maestro.console.documents.AnswersDocument;
 import org.maestro.platform.JoinedContainer;
-import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import picocli.CommandLine.Command;
@@ -50,24 +49,31 @@ final class KnowCommand implements Callable<Integer> {
   @Override
   public Integer call() throws InterruptedException {
     Formula asked = SlParser.formula(question);
-    JoinedContainer container = platform.join();
-    CompletableFuture<List<Content>> first = new CompletableFuture<>();
-    container
-        .desk()
-        .follow(
-            asked,
-            answers -> {
-              if (!first.complete(answers) && follows) {
-                print(answers);
-              }
-            },
-            failure -> first.completeExceptionally(CommandException.badInput(failure)));
-    try {
-      print(first.get(ANSWERED_WITHIN_SECONDS, TimeUnit.SECONDS));
-      if (follows) {
-        UntilStopped.run(spec.commandLine().getOut(), "Changes follow.", container::close);
+    if (follows) {
+      follow(asked);
+    } else {
+      try (AskedPlatform known = platform.ask()) {
+        print(known.answer(questions -> questions.know(question)));
       }
-      return ExitCode.DONE;
+    }
+    return ExitCode.DONE;
+  }
+
+  private void follow(Formula asked) throws InterruptedException {
+    JoinedContainer container = platform.join();
+    CompletableFuture<Void> first = new CompletableFuture<>();
+    try {
+      container
+          .desk()
+          .follow(
+              asked,
+              answers -> {
+                print(AnswersDocument.of(answers.stream().map(Words::of).toList()));
+                first.complete(null);
+              },
+              failure -> first.completeExceptionally(CommandException.badInput(failure)));
+      first.get(ANSWERED_WITHIN_SECONDS, TimeUnit.SECONDS);
+      UntilStopped.run(spec.commandLine().getOut(), "Changes follow.", container::close);
     } catch (ExecutionException e) {
       throw CommandException.badInput(Objects.requireNonNull(e.getCause()));
     } catch (TimeoutException e) {
@@ -77,61 +83,29 @@ final class KnowCommand implements Callable<Integer> {
     }
   }
 
-  private synchronized void print(List<Content> answers) {
-    List<Words> lines = answers.stream().map(Words::of).toList();
+  private synchronized void print(JsonNode document) {
     PrintWriter out = spec.commandLine().getOut();
     if (json) {
-      out.println(document(lines));
+      out.println(document);
     } else {
-      new Table(COLUMNS, lines.stream().map(KnowCommand::row).toList()).print(out);
+      new Table(COLUMNS, JsonRows.of(document.path("answers"), KnowCommand::row)).print(out);
     }
     out.flush();
   }
 
-  private static String document(List<Words> answers) {
-    JsonMembers document = JsonMembers.empty();
-    ArrayNode array = document.node().putArray("answers");
-    for (Words answer : answers) {
-      String truth = answer.string("truth").orElse("unknown");
-      JsonMembers row =
-          JsonMembers.in(array)
-              .text("truth", truth)
-              .terms("binding", answer.termsOf("binding"))
-              .number("age_s", answer, "age");
-      if (truth.equals("unknown")) {
-        row.number("confidence", OptionalDouble.empty());
-      } else {
-        row.number("confidence", answer, "confidence");
-      }
-      row.text("source", answer.find("because").flatMap(because -> because.string("source")));
-      ArrayNode because = row.node().putArray("because");
-      answer.all().stream()
-          .filter(part -> part.name().equals("because"))
-          .map(Words::of)
-          .forEach(belief -> add(because, belief));
-    }
-    return document.toString();
-  }
-
-  private static void add(ArrayNode beliefs, Words belief) {
-    JsonMembers.in(beliefs)
-        .text("fact", belief.string("fact"))
-        .text("source", belief.string("source"))
-        .text("kind", belief.string("kind"))
-        .text("since", belief.string("since"))
-        .number("age_s", belief, "age")
-        .number("confidence", belief, "confidence");
-  }
-
-  private static List<String> row(Words answer) {
+  private static List<String> row(JsonNode answer) {
+    StringJoiner binding = new StringJoiner(", ");
+    answer
+        .path("binding")
+        .properties()
+        .forEach(
+            bound -> binding.add("?" + bound.getKey() + " = " + JsonRows.plain(bound.getValue())));
     return List.of(
-        answer.string("truth").orElse("-"),
-        answer.termsOf("binding").entrySet().stream()
-            .map(bound -> "?" + bound.getKey() + " = " + Words.plain(bound.getValue()))
-            .collect(Collectors.joining(", ")),
-        answer.term("age").isPresent()
-            ? String.format(Locale.ROOT, "%.1f s", answer.number("age", 0))
+        JsonRows.text(answer, "truth"),
+        binding.toString(),
+        answer.path("age_s").isNumber()
+            ? String.format(Locale.ROOT, "%.1f s", answer.path("age_s").asDouble())
             : "-",
-        answer.find("because").flatMap(because -> because.string("source")).orElse("-"));
+        JsonRows.text(answer, "source"));
   }
 }

@@ -5,6 +5,7 @@ import java.math.BigDecimal;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.maestro.console.documents.JsonMembers;
 import org.maestro.planning.ground.GroundTask;
 import org.maestro.planning.search.Solution;
 

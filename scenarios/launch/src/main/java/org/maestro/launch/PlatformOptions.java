@@ -83,6 +83,13 @@ final class PlatformOptions {
     return running.get(0);
   }
 
+  /** Asks it, in the quickest way there is. */
+  AskedPlatform ask() {
+    return new AskedPlatform(
+        main.isPresent() || security.isPresent() ? Optional.empty() : found().console(),
+        this::join);
+  }
+
   /** Joins it for one question. */
   JoinedContainer join() {
     return join(1);

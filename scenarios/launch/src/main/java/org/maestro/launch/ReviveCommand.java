@@ -1,5 +1,6 @@
 package org.maestro.launch;
 
+import org.maestro.console.questions.Questions;
 import picocli.CommandLine.Command;
 
 /** Starts the central coordination agent again after it was ended, as in the JADE GUI. */
@@ -8,6 +9,6 @@ import picocli.CommandLine.Command;
     description = "Start the central coordination agent again after it was ended.")
 final class ReviveCommand extends SupervisorRequest {
   ReviveCommand() {
-    super("The central coordination agent is there again.");
+    super(Questions::revive, "The central coordination agent is there again.");
   }
 }

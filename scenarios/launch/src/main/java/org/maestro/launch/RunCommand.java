@@ -13,6 +13,8 @@ import java.util.concurrent.Callable;
 import java.util.regex.Pattern;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
+import org.maestro.console.Console;
+import org.maestro.console.questions.RefusalException;
 import org.maestro.deployment.Provision;
 import org.maestro.knowledge.api.Store;
 import org.maestro.ontology.home.Home;
@@ -51,6 +53,8 @@ final class RunCommand implements Callable<Integer> {
   @Mixin private SecurityOptions security;
 
   @Mixin private Allocation allocation;
+
+  @Mixin private ConsoleOptions console;
 
   @Option(names = "--no-sim", description = "No simulated devices: they come over the broker.")
   private boolean withoutSimulation;
@@ -153,6 +157,7 @@ final class RunCommand implements Callable<Integer> {
     SiteSettings settings = settings(loaded, directory);
     Optional<LeaderLock> duty = data.map(this::takeDuty);
     LocalSite site = LocalSite.paced(settings, speed);
+    Optional<Console> served = serve(site);
     directory.add(
         new RuntimeDirectory.Running(
             name,
@@ -160,9 +165,12 @@ final class RunCommand implements Callable<Integer> {
             site.platform().premises().host(),
             site.platform().port(),
             site.broker().map(URI::toString),
-            settings.security().map(files -> files.directory().toString())));
+            settings.security().map(files -> files.directory().toString()),
+            served.map(Console::uri)));
     UntilStopped.run(
-        spec.commandLine().getOut(), announcement(loaded, site), () -> end(directory, site, duty));
+        spec.commandLine().getOut(),
+        announcement(loaded, site, served),
+        () -> end(directory, site, served, duty));
     return ExitCode.DONE;
   }
 
@@ -189,6 +197,15 @@ final class RunCommand implements Callable<Integer> {
     security.files().ifPresent(wanted::security);
     store.map(Store::parse).ifPresent(wanted::store);
     return wanted.premises(premises()).build();
+  }
+
+  private Optional<Console> serve(LocalSite site) {
+    try {
+      return console.start(site.platform(), name, security.isAsked());
+    } catch (RefusalException e) {
+      site.close();
+      throw e;
+    }
   }
 
   private LeaderLock takeDuty(Path kept) {
@@ -247,6 +264,7 @@ final class RunCommand implements Callable<Integer> {
           "\"" + name + "\" is no name for a platform; use small letters, digits and hyphens.");
     }
     requirePort("--port", port);
+    console.check(security.isAsked());
     brokerPort.ifPresent(own -> requirePort("--broker-port", own));
     if (broker.isPresent() && brokerPort.isPresent()) {
       throw CommandException.badInput(
@@ -272,7 +290,7 @@ final class RunCommand implements Callable<Integer> {
     }
   }
 
-  private String announcement(Home loaded, LocalSite site) {
+  private String announcement(Home loaded, LocalSite site, Optional<Console> served) {
     PrintWriter out = spec.commandLine().getOut();
     StoryPrinter printer = new StoryPrinter(out, site.clock().now());
     site.platform().onStory(printer::print);
@@ -300,11 +318,16 @@ final class RunCommand implements Callable<Integer> {
                         .formatted(name, box.url().replaceAll("/acc$", "")))
             .map(line -> System.lineSeparator() + line)
             .orElse("");
-    return String.join(System.lineSeparator(), runs, kept, next) + heard;
+    return String.join(System.lineSeparator(), runs, console.inWords(served), kept, next) + heard;
   }
 
-  private void end(RuntimeDirectory directory, LocalSite site, Optional<LeaderLock> duty) {
+  private void end(
+      RuntimeDirectory directory,
+      LocalSite site,
+      Optional<Console> served,
+      Optional<LeaderLock> duty) {
     directory.remove(name);
+    served.ifPresent(Console::close);
     site.close();
     duty.ifPresent(LeaderLock::close);
   }

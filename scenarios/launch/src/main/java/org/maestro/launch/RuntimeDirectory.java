@@ -3,6 +3,7 @@ package org.maestro.launch;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.net.URI;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -28,6 +29,7 @@ final class RuntimeDirectory {
    * A platform that runs, as told to other commands.
    *
    * @param security where the files of its site are, if that is secured
+   * @param console where its console answers, if it has one
    */
   record Running(
       String name,
@@ -35,7 +37,8 @@ final class RuntimeDirectory {
       String host,
       int port,
       Optional<String> broker,
-      Optional<String> security) {
+      Optional<String> security,
+      Optional<URI> console) {
     boolean isAlive() {
       return ProcessHandle.of(pid).map(ProcessHandle::isAlive).orElse(false);
     }
@@ -109,6 +112,7 @@ final class RuntimeDirectory {
     node.put("port", platform.port());
     platform.broker().ifPresent(uri -> node.put("broker", uri));
     platform.security().ifPresent(files -> node.put("security", files));
+    platform.console().ifPresent(uri -> node.put("console", uri.toString()));
     write(ready().resolve(platform.name() + RUNNING), node.toString());
   }
 
@@ -136,7 +140,8 @@ final class RuntimeDirectory {
                 node.path("host").asText(),
                 node.path("port").asInt(),
                 Optional.ofNullable(node.path("broker").textValue()),
-                Optional.ofNullable(node.path("security").textValue()));
+                Optional.ofNullable(node.path("security").textValue()),
+                Optional.ofNullable(node.path("console").textValue()).map(URI::create));
         if (running.isAlive()) {
           found.add(running);
         }

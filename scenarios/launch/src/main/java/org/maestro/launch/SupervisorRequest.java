@@ -1,36 +1,33 @@
 package org.maestro.launch;
 
-import jade.lang.acl.ACLMessage;
 import java.util.concurrent.Callable;
-import org.maestro.agents.content.AgentNames;
-import org.maestro.agents.content.Words;
-import org.maestro.platform.JoinedContainer;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Function;
+import org.maestro.console.questions.Questions;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
-/** A request to the supervisor of a running platform, for the action of the command's name. */
+/** An order to a running platform that names nothing. */
 abstract class SupervisorRequest implements Callable<Integer> {
   @Spec private CommandSpec spec;
   @Mixin private PlatformOptions platform;
 
+  private final Function<Questions, CompletableFuture<Void>> order;
   private final String done;
 
   /**
    * @param done what is said then, a sentence
    */
-  SupervisorRequest(String done) {
+  SupervisorRequest(Function<Questions, CompletableFuture<Void>> order, String done) {
+    this.order = order;
     this.done = done;
   }
 
   @Override
   public Integer call() {
-    try (JoinedContainer container = platform.join()) {
-      Reply.lines(
-          container.ask(
-              ACLMessage.REQUEST,
-              AgentNames.SUPERVISOR,
-              Words.content("perform", Words.named("action", Words.name(spec.name())))));
+    try (AskedPlatform asked = platform.ask()) {
+      asked.answer(order);
       spec.commandLine().getOut().println(done);
       return ExitCode.DONE;
     }

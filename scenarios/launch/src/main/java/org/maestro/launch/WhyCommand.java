@@ -1,19 +1,14 @@
 package org.maestro.launch;
 
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import jade.lang.acl.ACLMessage;
+import com.fasterxml.jackson.databind.JsonNode;
 import java.io.PrintWriter;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.Callable;
-import org.maestro.agents.content.AgentNames;
-import org.maestro.agents.content.Words;
+import org.maestro.console.documents.StoryDocument;
 import org.maestro.coordination.api.StoryEntry;
-import org.maestro.platform.JoinedContainer;
 import org.maestro.platform.journal.StoryFile;
-import org.maestro.sl.Content;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -59,32 +54,26 @@ final class WhyCommand implements Callable<Integer> {
           "No platform runs, and what its plans were chosen from ended with it: only stories are"
               + " kept; leave --step away for the story.");
     }
-    List<StoryEntry> story = platform.isThere() ? asked() : left();
+    JsonNode document = platform.isThere() ? asked() : StoryDocument.of(goal, left());
     PrintWriter out = spec.commandLine().getOut();
     if (json) {
-      out.println(document(story));
+      out.println(document);
     } else {
+      List<StoryEntry> story = StoryDocument.read(document);
       StoryPrinter printer = new StoryPrinter(out, story.get(0).at());
       story.forEach(printer::print);
     }
     return ExitCode.DONE;
   }
 
-  private List<StoryEntry> asked() {
-    try (JoinedContainer container = platform.join()) {
-      return Reply.lines(container.ask(ACLMessage.REQUEST, AgentNames.COORDINATOR, question()))
-          .stream()
-          .map(Reply::story)
-          .toList();
+  private JsonNode asked() {
+    try (AskedPlatform asked = platform.ask()) {
+      return asked.answer(questions -> questions.story(goal, number(plan), number(step)));
     }
   }
 
-  private Content question() {
-    List<Content.Argument> arguments = new ArrayList<>();
-    arguments.add(Words.named("goal", Words.name(goal)));
-    plan.ifPresent(number -> arguments.add(Words.named("plan", Words.number(number))));
-    step.ifPresent(number -> arguments.add(Words.named("step", Words.number(number))));
-    return Words.content("explain", arguments.toArray(Content.Argument[]::new));
+  private static OptionalInt number(Optional<Integer> given) {
+    return given.map(OptionalInt::of).orElseGet(OptionalInt::empty);
   }
 
   private List<StoryEntry> left() {
@@ -105,17 +94,5 @@ final class WhyCommand implements Callable<Integer> {
               : "There is no story of %s; there are %s.".formatted(goal, String.join(", ", known)));
     }
     return story;
-  }
-
-  private String document(List<StoryEntry> story) {
-    JsonMembers document = JsonMembers.empty().text("goal", goal);
-    ArrayNode entries = document.node().putArray("story");
-    for (StoryEntry entry : story) {
-      JsonMembers.in(entries)
-          .number("at_s", entry.at().toMillis() / 1000.0)
-          .text("kind", entry.kind().name().toLowerCase(Locale.ROOT))
-          .text("text", entry.text());
-    }
-    return document.toString();
   }
 }

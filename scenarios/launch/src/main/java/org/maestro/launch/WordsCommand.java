@@ -1,15 +1,13 @@
 package org.maestro.launch;
 
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import jade.lang.acl.ACLMessage;
+import com.fasterxml.jackson.databind.JsonNode;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.maestro.agents.content.AgentNames;
-import org.maestro.agents.content.Words;
+import org.maestro.console.documents.WordsDocument;
+import org.maestro.console.questions.Questions;
 import org.maestro.ontology.home.WordList;
-import org.maestro.platform.JoinedContainer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -41,64 +39,32 @@ final class WordsCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    List<WordList.Entry> words =
-        home.map(Shipped::home).map(WordList::of).orElseGet(this::ofThePlatform);
+    JsonNode document =
+        home.map(Shipped::home)
+            .map(WordList::of)
+            .map(WordsDocument::of)
+            .orElseGet(this::ofThePlatform);
     PrintWriter out = spec.commandLine().getOut();
     if (json) {
-      out.println(document(words));
+      out.println(document);
     } else {
       new Table(
               COLUMNS,
-              words.stream()
-                  .map(word -> List.of(word.kind(), word.form(), word.meaning()))
-                  .toList())
+              JsonRows.of(
+                  document.path("words"),
+                  word ->
+                      List.of(
+                          word.path("kind").asText(""),
+                          word.path("form").asText(""),
+                          word.path("meaning").asText(""))))
           .print(out);
     }
     return ExitCode.DONE;
   }
 
-  private static String document(List<WordList.Entry> words) {
-    JsonMembers document = JsonMembers.empty();
-    ArrayNode array = document.node().putArray("words");
-    for (WordList.Entry word : words) {
-      JsonMembers row =
-          JsonMembers.in(array)
-              .text("kind", word.kind())
-              .text("word", word.name())
-              .text("form", word.form());
-      ArrayNode arguments = row.node().putArray("arguments");
-      word.arguments()
-          .forEach(
-              argument ->
-                  JsonMembers.in(arguments)
-                      .text("variable", argument.name())
-                      .text("class", argument.className()));
-      row.text("meaning", word.meaning())
-          .text("unit", word.unit())
-          .words("devices", word.devices());
-    }
-    return document.toString();
-  }
-
-  private List<WordList.Entry> ofThePlatform() {
-    try (JoinedContainer container = platform.join()) {
-      ACLMessage reply =
-          container.ask(
-              ACLMessage.QUERY_REF,
-              AgentNames.KNOWLEDGE,
-              Words.content("query-ref", Words.named("words", List.of())));
-      return Reply.lines(reply).stream()
-          .map(
-              line ->
-                  new WordList.Entry(
-                      line.string("kind").orElse(""),
-                      line.string("form").orElse(""),
-                      line.string("meaning").orElse(""),
-                      line.string("unit").orElse(""),
-                      line.find("devices").map(Words::terms).orElse(List.of()).stream()
-                          .map(Words::plain)
-                          .toList()))
-          .toList();
+  private JsonNode ofThePlatform() {
+    try (AskedPlatform asked = platform.ask()) {
+      return asked.answer(Questions::words);
     }
   }
 }

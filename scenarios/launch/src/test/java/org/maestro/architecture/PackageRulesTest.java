@@ -33,6 +33,7 @@ class PackageRulesTest {
   };
   private static final String[] TOP = {
     "org.maestro.assembly..",
+    "org.maestro.console..",
     "org.maestro.random..",
     "org.maestro.chaos..",
     "org.maestro.launch..",
@@ -115,11 +116,31 @@ class PackageRulesTest {
           .resideOutsideOfPackages(
               "org.maestro.platform..",
               "org.maestro.agents..",
+              "org.maestro.console.questions..",
               "org.maestro.launch..",
               "org.maestro.bench..")
           .should()
           .dependOnClassesThat()
           .resideInAnyPackage("jade..");
+
+  /** Whoever asks by HTTP starts at once: nothing of the platform is loaded. */
+  @ArchTest
+  static final ArchRule THE_CONSOLES_CLIENT_KNOWS_NO_PLATFORM =
+      noClasses()
+          .that()
+          .resideInAPackage("org.maestro.console.client")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage(CORE);
+
+  @ArchTest
+  static final ArchRule THE_SERVER_STAYS_IN_THE_CONSOLE =
+      noClasses()
+          .that()
+          .resideOutsideOfPackage("org.maestro.console")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("io.javalin..", "org.eclipse.jetty..");
 
   @ArchTest
   static final ArchRule PAHO_STAYS_IN_THE_TRANSPORT =

@@ -177,9 +177,7 @@ class MainDeathTest {
                 line ->
                     line.string("container").equals(Optional.of(container))
                         && line.string("phase").equals(Optional.of("ready"))
-                        && line.find("services").map(Words::terms).orElse(List.of()).stream()
-                            .map(Words::plain)
-                            .anyMatch("stamp"::equals));
+                        && line.strings("services").stream().anyMatch("stamp"::equals));
   }
 
   /** On a machine without other work. */

@@ -17,6 +17,9 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.maestro.agents.content.Words;
+import org.maestro.console.documents.JsonMembers;
+import org.maestro.console.questions.RefusalException;
+import org.maestro.console.questions.Reply;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.display.VisibleWriter;
 import org.maestro.text.VisibleText;
@@ -81,7 +84,7 @@ class RepliesShownTest {
 
   @Property(tries = 300)
   void aRefusalIsOneLine(@ForAll("words") String text) {
-    CommandException refused = Reply.refusal(carried(text, "1"));
+    RefusalException refused = Reply.refusal(carried(text, "1"));
 
     String shown = printed(out -> out.println("maestro: " + Failures.sentence(refused)));
 

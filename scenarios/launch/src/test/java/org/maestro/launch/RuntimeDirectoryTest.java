@@ -2,6 +2,7 @@ package org.maestro.launch;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -31,6 +32,7 @@ class RuntimeDirectoryTest {
             "127.0.0.1",
             1099,
             Optional.of("tcp://127.0.0.1:1883"),
+            Optional.empty(),
             Optional.empty()));
 
     assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(path)))
@@ -86,11 +88,18 @@ class RuntimeDirectoryTest {
             "127.0.0.1",
             1099,
             Optional.empty(),
-            Optional.empty());
+            Optional.empty(),
+            Optional.of(URI.create("http://127.0.0.1:7070")));
     directory.add(living);
     directory.add(
         new RuntimeDirectory.Running(
-            "gone", Long.MAX_VALUE, "127.0.0.1", 1100, Optional.empty(), Optional.empty()));
+            "gone",
+            Long.MAX_VALUE,
+            "127.0.0.1",
+            1100,
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty()));
 
     assertThat(directory.running()).containsExactly(living);
     directory.remove("here");

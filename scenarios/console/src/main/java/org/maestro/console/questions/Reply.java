@@ -1,4 +1,4 @@
-package org.maestro.launch;
+package org.maestro.console.questions;
 
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
@@ -8,19 +8,19 @@ import org.maestro.agents.content.Words;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.sl.Content;
 
-/** Reads what agents answer to the command line. */
-final class Reply {
+/** Reads what agents answer. */
+public final class Reply {
   private Reply() {}
 
   /**
    * The elements of a good answer.
    *
-   * @throws CommandException with the agent's own sentence when it said no
+   * @throws RefusalException with the agent's own sentence when it said no
    */
-  static List<Words> lines(ACLMessage reply) {
+  public static List<Words> lines(ACLMessage reply) {
     List<Words> words = words(reply);
     if (reply.getPerformative() == ACLMessage.FAILURE) {
-      throw CommandException.outside(reason(words));
+      throw RefusalException.outside(reason(words));
     }
     if (reply.getPerformative() != ACLMessage.INFORM) {
       throw refusal(words);
@@ -29,15 +29,15 @@ final class Reply {
   }
 
   /** What is refused for now only, since something outside fails, is no bad input. */
-  static CommandException refusal(List<Words> words) {
+  public static RefusalException refusal(List<Words> words) {
     boolean temporary =
         words.stream().anyMatch(of -> of.string("temporary").filter("true"::equals).isPresent());
     return temporary
-        ? CommandException.outside(reason(words))
-        : CommandException.badInput(reason(words));
+        ? RefusalException.outside(reason(words))
+        : RefusalException.badInput(reason(words));
   }
 
-  static List<Words> words(ACLMessage reply) {
+  public static List<Words> words(ACLMessage reply) {
     String text = reply.getContent();
     if (text == null || text.isBlank()) {
       return List.of();
@@ -46,14 +46,14 @@ final class Reply {
     return contents.stream().map(Words::of).toList();
   }
 
-  static String reason(List<Words> words) {
+  public static String reason(List<Words> words) {
     return words.stream()
         .flatMap(w -> w.string("reason").or(() -> w.string("problem")).stream())
         .findFirst()
         .orElse("The platform refused without a reason.");
   }
 
-  static StoryEntry story(Words line) {
+  public static StoryEntry story(Words line) {
     return new StoryEntry(
         line.string("goal").orElse(""),
         Duration.ofMillis(Math.round(line.number("at", 0) * 1000)),

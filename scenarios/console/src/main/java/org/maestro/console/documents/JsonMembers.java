@@ -1,4 +1,4 @@
-package org.maestro.launch;
+package org.maestro.console.documents;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -19,35 +19,35 @@ import org.maestro.sl.Term;
  * The members of a JSON object, written alike by all commands: each is always there, null where
  * there is nothing to say; lists are arrays, and what MAESTRO-SL calls a number is one.
  */
-record JsonMembers(ObjectNode node) {
+public record JsonMembers(ObjectNode node) {
 
-  static JsonMembers empty() {
+  public static JsonMembers empty() {
     return new JsonMembers(new ObjectMapper().createObjectNode());
   }
 
   /** An object added to an array. */
-  static JsonMembers in(ArrayNode array) {
+  public static JsonMembers in(ArrayNode array) {
     return new JsonMembers(array.addObject());
   }
 
   /** A text; tables and messages have a dash, or nothing, in the place of none. */
-  JsonMembers text(String name, Optional<String> text) {
+  public JsonMembers text(String name, Optional<String> text) {
     text.filter(word -> !word.isEmpty() && !word.equals("-"))
         .ifPresentOrElse(word -> node.put(name, word), () -> node.putNull(name));
     return this;
   }
 
-  JsonMembers text(String name, String text) {
+  public JsonMembers text(String name, String text) {
     return text(name, Optional.of(text));
   }
 
-  JsonMembers words(String name, Iterable<String> words) {
+  public JsonMembers words(String name, Iterable<String> words) {
     words.forEach(node.putArray(name)::add);
     return this;
   }
 
   /** A number that may be none, or none that JSON has. */
-  JsonMembers number(String name, OptionalDouble number) {
+  public JsonMembers number(String name, OptionalDouble number) {
     if (number.isPresent() && Double.isFinite(number.getAsDouble())) {
       node.put(name, number.getAsDouble());
     } else {
@@ -56,17 +56,17 @@ record JsonMembers(ObjectNode node) {
     return this;
   }
 
-  JsonMembers number(String name, OptionalInt number) {
+  public JsonMembers number(String name, OptionalInt number) {
     number.ifPresentOrElse(whole -> node.put(name, whole), () -> node.putNull(name));
     return this;
   }
 
-  JsonMembers number(String name, double number) {
+  public JsonMembers number(String name, double number) {
     return number(name, OptionalDouble.of(number));
   }
 
   /** The number that a message has under one name, under another. */
-  JsonMembers number(String name, Words words, String inWords) {
+  public JsonMembers number(String name, Words words, String inWords) {
     return number(
         name,
         words.term(inWords).isPresent()
@@ -74,26 +74,26 @@ record JsonMembers(ObjectNode node) {
             : OptionalDouble.empty());
   }
 
-  JsonMembers truth(String name, boolean truth) {
+  public JsonMembers truth(String name, boolean truth) {
     node.put(name, truth);
     return this;
   }
 
   /** What variables or parameters stand for, by their names. */
-  JsonMembers terms(String name, Map<String, Term> terms) {
+  public JsonMembers terms(String name, Map<String, Term> terms) {
     ObjectNode bound = node.putObject(name);
     terms.forEach((variable, term) -> bound.set(variable, value(term)));
     return this;
   }
 
-  JsonMembers terms(String name, List<Term> terms) {
+  public JsonMembers terms(String name, List<Term> terms) {
     ArrayNode array = node.putArray(name);
     terms.forEach(term -> array.add(value(term)));
     return this;
   }
 
   /** A term as JSON: numbers and truths as such, a pose as its numbers, all else as a text. */
-  static JsonNode value(Term term) {
+  public static JsonNode value(Term term) {
     JsonNodeFactory nodes = JsonNodeFactory.instance;
     if (term instanceof Term.Number number) {
       return nodes.numberNode(number.value());

@@ -1,0 +1,180 @@
+package org.maestro.console;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import io.javalin.Javalin;
+import io.javalin.config.JavalinConfig;
+import io.javalin.http.Context;
+import io.javalin.http.HandlerType;
+import io.javalin.http.HttpResponseException;
+import io.javalin.http.staticfiles.Location;
+import io.javalin.util.JavalinException;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.URI;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import org.eclipse.jetty.util.thread.QueuedThreadPool;
+import org.maestro.console.api.Api;
+import org.maestro.console.api.OpenApiDocument;
+import org.maestro.console.api.Operation;
+import org.maestro.console.questions.AclQuestions;
+import org.maestro.console.questions.RefusalException;
+import org.maestro.platform.MaestroPlatform;
+
+/**
+ * The console of a platform of this process, on loopback (Three-layered architecture, 3; M25, M68):
+ * a page for people, and the API that the page and all programs use. Any thread may close it.
+ */
+public final class Console implements AutoCloseable {
+  private static final String HOST = "127.0.0.1";
+  private static final long MOST_BYTES = 1_000_000;
+  private static final int MOST_THREADS = 24;
+  private static final int FEWEST_THREADS = 4;
+
+  private final EventHub events;
+  private final EventStreams streams;
+  private final Javalin server;
+
+  private Console(EventHub events, EventStreams streams, Javalin server) {
+    this.events = events;
+    this.streams = streams;
+    this.server = server;
+  }
+
+  /**
+   * Starts it.
+   *
+   * @param name of the platform
+   * @param port on loopback; 0: a free one
+   * @param version of the software
+   * @throws RefusalException when the port is taken
+   */
+  public static Console start(MaestroPlatform platform, String name, int port, String version) {
+    AclQuestions questions = new AclQuestions(platform.desk());
+    EventHub events = new EventHub(questions, platform.knowledge());
+    EventStreams streams = new EventStreams(events);
+    List<Operation> operations = new Api(name, questions, platform.knowledge()).operations();
+    ObjectNode document = OpenApiDocument.of(operations, version);
+    Javalin server =
+        Javalin.create(config -> configure(config, operations, document.toString(), streams));
+    requireFree(port);
+    try {
+      server.start(HOST, port);
+    } catch (JavalinException e) {
+      throw RefusalException.outside("The console cannot be started: " + e.getMessage() + ".");
+    }
+    platform.onStory(events::told);
+    events.start();
+    return new Console(events, streams, server);
+  }
+
+  private static void requireFree(int port) {
+    try (ServerSocket tried = new ServerSocket()) {
+      tried.setReuseAddress(true);
+      tried.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
+    } catch (IOException e) {
+      throw RefusalException.outside(
+          "Port %d is in use, so the console cannot listen there; choose another one: --console PORT, or --console off."
+              .formatted(port));
+    }
+  }
+
+  private static void configure(
+      JavalinConfig config, List<Operation> operations, String document, EventStreams streams) {
+    config.startup.showJavalinBanner = false;
+    config.startup.showOldJavalinVersionWarning = false;
+    config.startup.startupWatcherEnabled = false;
+    config.http.maxRequestSize = MOST_BYTES;
+    config.jetty.threadPool = threads();
+    config.jetty.modifyHttpConfiguration(http -> http.setSendServerVersion(false));
+    config.staticFiles.add("/org/maestro/console/page", Location.CLASSPATH);
+    config.routes.before(Console::admit);
+    for (Operation operation : operations) {
+      config.routes.addHttpHandler(
+          HandlerType.findOrCreate(operation.method().name()),
+          Api.ROOT + operation.path(),
+          context -> context.future(() -> answer(context, operation)));
+    }
+    config.routes.get(
+        Api.ROOT + "/openapi.json",
+        context -> context.contentType("application/json").result(document));
+    config.routes.sse(Api.ROOT + "/events", streams::serve);
+    config.routes.exception(
+        RefusalException.class, (refusal, context) -> Problems.answer(context, refusal));
+    config.routes.exception(
+        HttpResponseException.class,
+        (failure, context) ->
+            Problems.answer(context, failure.getStatus(), sentence(failure, context)));
+    config.routes.exception(
+        Exception.class, (failure, context) -> Problems.answer(context, failure));
+    config.routes.error(
+        Problems.NOT_FOUND,
+        context -> Problems.answer(context, Problems.NOT_FOUND, nothing(context)));
+  }
+
+  private static QueuedThreadPool threads() {
+    QueuedThreadPool threads = new QueuedThreadPool(MOST_THREADS, FEWEST_THREADS);
+    threads.setName("console");
+    threads.setDaemon(true);
+    return threads;
+  }
+
+  private static void admit(Context context) {
+    Gatekeeper.mark(context);
+    Optional<String> objection = Gatekeeper.objection(context);
+    if (objection.isPresent()) {
+      Problems.answer(context, Problems.FORBIDDEN, objection.get());
+      context.skipRemainingHandlers();
+    }
+  }
+
+  private static CompletableFuture<?> answer(Context context, Operation operation) {
+    CompletableFuture<?> answer;
+    try {
+      answer = operation.answer(ReadRequest.of(context, operation));
+    } catch (RefusalException e) {
+      answer = CompletableFuture.failedFuture(e);
+    }
+    return answer.handle(
+        (document, failure) -> {
+          if (failure != null) {
+            Problems.answer(context, failure);
+          } else if (operation.answer().isEmpty()) {
+            context.status(operation.status());
+          } else {
+            context
+                .status(operation.status())
+                .contentType("application/json")
+                .result(Objects.requireNonNull(document).toString());
+          }
+          return null;
+        });
+  }
+
+  private static String sentence(HttpResponseException failure, Context context) {
+    return failure.getStatus() == Problems.NOT_FOUND
+        ? nothing(context)
+        : "It is not answered: " + failure.getMessage() + ".";
+  }
+
+  private static String nothing(Context context) {
+    return "There is nothing at %s; %s/openapi.json tells what there is."
+        .formatted(context.path(), Api.ROOT);
+  }
+
+  /** Where the page is. */
+  public URI uri() {
+    return URI.create("http://" + HOST + ":" + server.port());
+  }
+
+  @Override
+  public void close() {
+    streams.close();
+    server.stop();
+    events.close();
+  }
+}

@@ -1,0 +1,240 @@
+package org.maestro.console;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.maestro.console.documents.FactsDocument;
+import org.maestro.console.documents.HomeDocument;
+import org.maestro.console.documents.StoryDocument;
+import org.maestro.console.questions.Questions;
+import org.maestro.coordination.api.StoryEntry;
+import org.maestro.knowledge.api.Belief;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Snapshot;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * What happens, told to all who listen: first all that is so, then what changes, gathered for a
+ * tenth of a second, so that a thousand changes are one event. As long as nobody listens nothing is
+ * looked at. Its own thread does the work; any thread may tell it of something.
+ */
+final class EventHub implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(EventHub.class);
+  private static final long GATHERED_MILLIS = 100;
+
+  /** Agents come and go without a word; their table is compared so often. */
+  private static final long AGENTS_MILLIS = 1_000;
+
+  private static final int MOST_LISTENERS = 64;
+
+  private final Questions questions;
+  private final KnowledgeBase knowledge;
+  private final ScheduledExecutorService thread =
+      Executors.newSingleThreadScheduledExecutor(
+          task -> {
+            Thread named = new Thread(task, "console-events");
+            named.setDaemon(true);
+            return named;
+          });
+  private final List<Future<?>> rounds = new ArrayList<>();
+  private final AtomicBoolean factsAreNew = new AtomicBoolean(true);
+  private final AtomicBoolean goalsAreNew = new AtomicBoolean(true);
+
+  // All below is the thread's own.
+  private final Set<EventQueue> listeners = new HashSet<>();
+  private Map<String, Belief> facts = Map.of();
+  private Optional<JsonNode> home = Optional.empty();
+  private Optional<JsonNode> goals = Optional.empty();
+  private Optional<JsonNode> agents = Optional.empty();
+
+  EventHub(Questions questions, KnowledgeBase knowledge) {
+    this.questions = questions;
+    this.knowledge = knowledge;
+  }
+
+  void start() {
+    knowledge.watch(change -> factsAreNew.set(true));
+    rounds.add(everyMillis(GATHERED_MILLIS, this::tell));
+    rounds.add(everyMillis(AGENTS_MILLIS, this::askForAgents));
+  }
+
+  private Future<?> everyMillis(long pause, Runnable work) {
+    return thread.scheduleWithFixedDelay(() -> guarded(work), pause, pause, TimeUnit.MILLISECONDS);
+  }
+
+  /**
+   * Somebody listens from now on, or, when there are too many already, is let go.
+   *
+   * @param then told when all that is so is on its way
+   */
+  void listen(EventQueue listener, Runnable then) {
+    later(
+        () -> {
+          if (listeners.size() < MOST_LISTENERS) {
+            admit(listener);
+          } else {
+            listener.end();
+          }
+          then.run();
+        });
+  }
+
+  private void admit(EventQueue listener) {
+    if (listeners.isEmpty()) {
+      refresh();
+    }
+    listeners.add(listener);
+    home.ifPresent(document -> listener.add("home", document));
+    listener.add("facts", changes(facts, Set.of(), knowledge.snapshot(), true));
+    goals.ifPresent(document -> listener.add("goals", document));
+    agents.ifPresent(document -> listener.add("agents", document));
+  }
+
+  void leave(EventQueue listener) {
+    later(() -> listeners.remove(listener));
+  }
+
+  /** A sentence of a story; any thread may bring it. */
+  void told(StoryEntry entry) {
+    goalsAreNew.set(true);
+    later(() -> publish("story", StoryDocument.of(entry)));
+  }
+
+  /** After the end nobody is told anything. */
+  private void later(Runnable work) {
+    try {
+      thread.execute(work);
+    } catch (RejectedExecutionException e) {
+      LOG.debug("Something happened after the console had ended");
+    }
+  }
+
+  private void refresh() {
+    home = Optional.of(HomeDocument.of(knowledge.home()));
+    facts = byFact(knowledge.snapshot());
+    goalsAreNew.set(true);
+    askForAgents();
+  }
+
+  private static Map<String, Belief> byFact(Snapshot snapshot) {
+    Map<String, Belief> byFact = new LinkedHashMap<>();
+    snapshot.beliefs().forEach(belief -> byFact.put(belief.fact(), belief));
+    return byFact;
+  }
+
+  private void tell() {
+    if (listeners.isEmpty()) {
+      return;
+    }
+    if (factsAreNew.getAndSet(false)) {
+      tellFacts();
+    }
+    if (goalsAreNew.getAndSet(false)) {
+      questions
+          .goals()
+          .thenAcceptAsync(
+              document -> {
+                goals = Optional.of(document);
+                publish("goals", document);
+              },
+              thread)
+          .exceptionally(
+              failure -> {
+                // Without a coordinator there is none to tell; it is asked again soon.
+                goalsAreNew.set(true);
+                return null;
+              });
+    }
+  }
+
+  private void tellFacts() {
+    Snapshot snapshot = knowledge.snapshot();
+    Map<String, Belief> now = byFact(snapshot);
+    Map<String, Belief> changed = new LinkedHashMap<>(now);
+    changed.entrySet().removeIf(entry -> entry.getValue().equals(facts.get(entry.getKey())));
+    Set<String> gone = new HashSet<>(facts.keySet());
+    gone.removeAll(now.keySet());
+    facts = now;
+    if (!changed.isEmpty() || !gone.isEmpty()) {
+      publish("facts", changes(changed, gone, snapshot, false));
+    }
+    JsonNode drawn = HomeDocument.of(knowledge.home());
+    if (!Optional.of(drawn).equals(home)) {
+      home = Optional.of(drawn);
+      publish("home", drawn);
+    }
+  }
+
+  private static JsonNode changes(
+      Map<String, Belief> set, Set<String> gone, Snapshot snapshot, boolean all) {
+    ObjectNode node = JsonNodeFactory.instance.objectNode().put("all", all);
+    ArrayNode facts = node.putArray("facts");
+    set.values().forEach(belief -> facts.add(FactsDocument.of(belief, snapshot)));
+    ArrayNode lost = node.putArray("gone");
+    gone.forEach(lost::add);
+    return node;
+  }
+
+  private void askForAgents() {
+    if (listeners.isEmpty() && agents.isPresent()) {
+      return;
+    }
+    questions
+        .agents()
+        .thenAcceptAsync(
+            document -> {
+              if (agents
+                  .filter(before -> withoutAges(before).equals(withoutAges(document)))
+                  .isEmpty()) {
+                publish("agents", document);
+              }
+              agents = Optional.of(document);
+            },
+            thread)
+        .exceptionally(failure -> null);
+  }
+
+  private static JsonNode withoutAges(JsonNode document) {
+    JsonNode copy = document.deepCopy();
+    copy.path("agents").forEach(row -> ((ObjectNode) row).remove("age_s"));
+    return copy;
+  }
+
+  private void publish(String event, JsonNode document) {
+    for (EventQueue listener : new ArrayList<>(listeners)) {
+      if (!listener.add(event, document)) {
+        listeners.remove(listener);
+      }
+    }
+  }
+
+  /** Who has thrown once is asked again all the same. */
+  private static void guarded(Runnable work) {
+    try {
+      work.run();
+    } catch (RuntimeException e) {
+      LOG.error("What happens could not be told to the console's listeners", e);
+    }
+  }
+
+  @Override
+  public void close() {
+    rounds.forEach(round -> round.cancel(false));
+    thread.shutdownNow();
+  }
+}

@@ -1,0 +1,48 @@
+package org.maestro.console;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import io.javalin.http.Context;
+import java.util.concurrent.CompletionException;
+import org.maestro.console.documents.JsonMembers;
+import org.maestro.console.questions.RefusalException;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Answers that say why there is no other: one sentence, and whose matter it is. */
+final class Problems {
+  static final int BAD_INPUT = 400;
+  static final int FORBIDDEN = 403;
+  static final int NOT_FOUND = 404;
+  static final int TOO_MANY = 429;
+  static final int OUTSIDE = 503;
+
+  private static final Logger LOG = LoggerFactory.getLogger(Problems.class);
+
+  private Problems() {}
+
+  static void answer(Context context, int status, String sentence) {
+    JsonNode document =
+        JsonMembers.empty()
+            .text("problem", sentence)
+            .text("kind", status < 500 ? "bad-input" : "outside")
+            .node();
+    context.status(status).contentType("application/json").result(document.toString());
+  }
+
+  /** What went wrong while it was answered. */
+  static void answer(Context context, Throwable failure) {
+    Throwable cause =
+        failure instanceof CompletionException && failure.getCause() != null
+            ? failure.getCause()
+            : failure;
+    if (cause instanceof RefusalException refusal) {
+      answer(
+          context,
+          refusal.kind() == RefusalException.Kind.BAD_INPUT ? BAD_INPUT : OUTSIDE,
+          String.valueOf(refusal.getMessage()));
+    } else {
+      LOG.error("A request could not be answered: {} {}", context.method(), context.path(), cause);
+      answer(context, OUTSIDE, "The console failed; the platform's log says why.");
+    }
+  }
+}

@@ -1,0 +1,169 @@
+package org.maestro.console.api;
+
+import static org.maestro.console.api.Operation.get;
+import static org.maestro.console.api.Operation.order;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.concurrent.CompletableFuture;
+import org.maestro.console.api.Operation.Method;
+import org.maestro.console.api.Operation.Parameter;
+import org.maestro.console.api.Operation.Request;
+import org.maestro.console.documents.FactsDocument;
+import org.maestro.console.documents.HomeDocument;
+import org.maestro.console.documents.JsonMembers;
+import org.maestro.console.questions.AclQuestions;
+import org.maestro.console.questions.RefusalException;
+import org.maestro.knowledge.api.KnowledgeBase;
+
+/** The operations that a platform offers to programs, and to the page. */
+public final class Api {
+  /** Below this are all operations of this version. */
+  public static final String ROOT = "/api/v1";
+
+  private static final int CREATED = 201;
+  private static final Parameter GOAL = Parameter.path("goal", "A goal's id, such as G1.");
+
+  private final String platform;
+  private final AclQuestions questions;
+  private final KnowledgeBase knowledge;
+
+  /**
+   * @param platform its name
+   */
+  public Api(String platform, AclQuestions questions, KnowledgeBase knowledge) {
+    this.platform = platform;
+    this.questions = questions;
+    this.knowledge = knowledge;
+  }
+
+  public List<Operation> operations() {
+    return List.of(
+        get(
+            "/platform",
+            "platform",
+            "The platform: its name, and the home that it runs.",
+            "platform",
+            request -> answer(platform())),
+        get(
+            "/home",
+            "home",
+            "The home as it can be drawn: rooms, zones, doors, things, devices.",
+            "home",
+            request -> answer(HomeDocument.of(knowledge.home()))),
+        get(
+            "/facts",
+            "facts",
+            "All that is known now, each fact with its source, age and confidence.",
+            "facts",
+            request -> answer(FactsDocument.of(knowledge.snapshot()))),
+        get(
+            "/goals",
+            "goals",
+            "The goals, in the order in which they were stated.",
+            "goals",
+            request -> questions.goals()),
+        order(Method.POST, "/goals", "stateGoal", "States a goal.", this::state)
+            .taking("goal-request")
+            .answering(CREATED, "goal-accepted"),
+        order(
+                Method.DELETE,
+                "/goals/{goal}",
+                "cancelGoal",
+                "Gives a goal up; what runs for it ends by its exit strategy.",
+                request -> questions.cancel(request.parameter("goal")))
+            .with(GOAL),
+        get(
+                "/goals/{goal}/story",
+                "story",
+                "A goal's story; with a step, why its member does that step and not another.",
+                "why",
+                this::story)
+            .with(
+                GOAL,
+                Parameter.number("step", "The number of a step."),
+                Parameter.number("plan", "Of which plan; without: of the latest.")),
+        get(
+            "/agents",
+            "agents",
+            "The agents, and the members that they stand for.",
+            "agents",
+            request -> questions.agents()),
+        get(
+            "/containers",
+            "containers",
+            "The containers, with the agents of each.",
+            "agents-containers",
+            request -> questions.containers()),
+        get(
+            "/words",
+            "words",
+            "The words in which goals and questions can be put.",
+            "words",
+            request -> questions.words()),
+        get(
+                "/knowledge",
+                "know",
+                "What is known of a question, how surely, and how old that is.",
+                "know",
+                request -> questions.know(request.parameter("question")))
+            .with(
+                Parameter.query(
+                    "question", "In MAESTRO-SL, perhaps with variables: (in Cup ?where).")),
+        order(
+            Method.POST,
+            "/safe-state",
+            "stop",
+            "Brings every device into a safe state, now; the platform stays.",
+            request -> questions.stop()),
+        order(
+            Method.POST,
+            "/coordinator/revival",
+            "revive",
+            "Starts the central coordination agent again after it was ended.",
+            request -> questions.revive()));
+  }
+
+  private JsonNode platform() {
+    return JsonMembers.empty()
+        .text("platform", platform)
+        .text("home", knowledge.home().label())
+        .number("devices", OptionalInt.of(knowledge.home().devices().size()))
+        .node();
+  }
+
+  private CompletableFuture<JsonNode> state(Request request) {
+    JsonNode asked = request.body();
+    JsonNode deadline = asked.path("deadline_s");
+    return questions
+        .state(
+            asked.path("goal").asText(),
+            asked.path("priority").asInt(),
+            deadline.isNumber() ? OptionalDouble.of(deadline.asDouble()) : OptionalDouble.empty())
+        .thenApply(id -> JsonMembers.empty().text("id", id).node());
+  }
+
+  private CompletableFuture<JsonNode> story(Request request) {
+    OptionalInt step = number(request, "step");
+    OptionalInt plan = number(request, "plan");
+    if (plan.isPresent() && step.isEmpty()) {
+      return CompletableFuture.failedFuture(
+          RefusalException.badInput("plan says of which plan the step is; add step."));
+    }
+    return questions.story(request.parameter("goal"), plan, step);
+  }
+
+  private static OptionalInt number(Request request, String name) {
+    return request
+        .perhaps(name)
+        .map(Integer::parseInt)
+        .map(OptionalInt::of)
+        .orElseGet(OptionalInt::empty);
+  }
+
+  private static CompletableFuture<JsonNode> answer(JsonNode document) {
+    return CompletableFuture.completedFuture(document);
+  }
+}

@@ -1,0 +1,123 @@
+package org.maestro.console.api;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.List;
+import java.util.Locale;
+import java.util.SortedMap;
+import java.util.TreeMap;
+
+/** The OpenAPI document of the operations that are answered. */
+public final class OpenApiDocument {
+  private static final String PROBLEM = "problem";
+  private static final String JSON = "application/json";
+
+  /** What each operation may answer when it does not do what it is for. */
+  private static final SortedMap<Integer, String> PROBLEMS =
+      new TreeMap<>(
+          java.util.Map.of(
+              400, "It cannot be understood, or speaks of what is not there.",
+              403, "It comes from a page of another site, or for another host.",
+              413, "What was sent is too long.",
+              429, "There are too many requests.",
+              503, "Something outside failed; the same may be answered later."));
+
+  private OpenApiDocument() {}
+
+  /**
+   * @param version of the platform's software
+   */
+  public static ObjectNode of(List<Operation> operations, String version) {
+    ObjectNode document = new ObjectMapper().createObjectNode();
+    document.put("openapi", "3.1.0");
+    document
+        .putObject("info")
+        .put("title", "MAESTRO")
+        .put("version", version)
+        .put("description", "States goals to a running platform, and tells what becomes of them.");
+    document.putArray("servers").addObject().put("url", Api.ROOT);
+    ObjectNode paths = document.putObject("paths");
+    SortedMap<String, ObjectNode> schemas = new TreeMap<>();
+    schemas.put(PROBLEM, Schemas.named(PROBLEM));
+    for (Operation operation : operations) {
+      add(paths, operation);
+      operation.body().ifPresent(name -> schemas.put(name, Schemas.named(name)));
+      operation.answer().ifPresent(name -> schemas.put(name, Schemas.named(name)));
+    }
+    events(paths);
+    document.putObject("components").putObject("schemas").setAll(schemas);
+    return document;
+  }
+
+  private static void add(ObjectNode paths, Operation operation) {
+    ObjectNode node =
+        at(paths, operation.path())
+            .putObject(operation.method().name().toLowerCase(Locale.ROOT))
+            .put("operationId", operation.id())
+            .put("summary", operation.summary());
+    if (!operation.parameters().isEmpty()) {
+      ArrayNode parameters = node.putArray("parameters");
+      operation.parameters().forEach(parameter -> add(parameters.addObject(), parameter));
+    }
+    operation
+        .body()
+        .ifPresent(name -> refer(node.putObject("requestBody").put("required", true), name));
+    ObjectNode responses = node.putObject("responses");
+    ObjectNode good = responses.putObject(String.valueOf(operation.status()));
+    good.put("description", "It is done.");
+    operation.answer().ifPresent(name -> refer(good, name));
+    problems(responses);
+  }
+
+  private static ObjectNode at(ObjectNode paths, String path) {
+    return paths.has(path) ? (ObjectNode) paths.get(path) : paths.putObject(path);
+  }
+
+  private static void add(ObjectNode node, Operation.Parameter parameter) {
+    node.put("name", parameter.name())
+        .put("in", parameter.inPath() ? "path" : "query")
+        .put("required", parameter.required())
+        .put("description", parameter.description());
+    ObjectNode schema = node.putObject("schema").put("type", parameter.type());
+    if (parameter.type().equals("integer")) {
+      schema.put("format", "int32").put("minimum", 0);
+    }
+  }
+
+  private static void problems(ObjectNode responses) {
+    PROBLEMS.forEach(
+        (status, description) ->
+            refer(
+                responses.putObject(String.valueOf(status)).put("description", description),
+                PROBLEM));
+  }
+
+  private static void refer(ObjectNode node, String schema) {
+    node.putObject("content")
+        .putObject(JSON)
+        .putObject("schema")
+        .put("$ref", "#/components/schemas/" + schema);
+  }
+
+  /** It has no end, which an operation of the table has. */
+  private static void events(ObjectNode paths) {
+    ObjectNode get =
+        at(paths, "/events")
+            .putObject("get")
+            .put("operationId", "events")
+            .put(
+                "summary",
+                "What happens, as server-sent events: first all that is so (home, facts, goals,"
+                    + " agents), then what changes, and each sentence of each story.");
+    ObjectNode responses = get.putObject("responses");
+    responses
+        .putObject("200")
+        .put("description", "Events until either side ends it.")
+        .putObject("content")
+        .putObject("text/event-stream")
+        .putObject("schema")
+        .put("type", "string");
+    problems(responses);
+  }
+}

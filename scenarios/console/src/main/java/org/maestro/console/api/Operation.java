@@ -1,0 +1,131 @@
+package org.maestro.console.api;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+
+/**
+ * One operation of the API.
+ *
+ * @param path below {@link Api#ROOT}, with parameters in braces
+ * @param id its name for programs, unique
+ * @param summary what it does, a sentence
+ * @param body the schema of what it takes; empty: nothing
+ * @param status of a good answer
+ * @param answer the schema of that answer; empty: it has no content
+ */
+public record Operation(
+    Method method,
+    String path,
+    String id,
+    String summary,
+    List<Parameter> parameters,
+    Optional<String> body,
+    int status,
+    Optional<String> answer,
+    Action action) {
+  private static final int OK = 200;
+  private static final int NO_CONTENT = 204;
+
+  /** The methods of HTTP that operations use. */
+  public enum Method {
+    GET,
+    POST,
+    DELETE
+  }
+
+  /** What is asked for. */
+  public interface Request {
+    /** The value of a parameter that is always there. */
+    String parameter(String name);
+
+    /** The value of one that may be left away. */
+    Optional<String> perhaps(String name);
+
+    /** What was sent, an object as the schema says; an empty one where there is none. */
+    JsonNode body();
+  }
+
+  /** The work of an operation; it does not block. */
+  @FunctionalInterface
+  public interface Action {
+    /** Completed with a document, or with nothing of use where there is no content. */
+    CompletableFuture<?> answer(Request request);
+  }
+
+  /**
+   * A parameter of the path, or of the query.
+   *
+   * @param type {@code string} or {@code integer}
+   * @param required whether it is always there, as those of the path are
+   */
+  public record Parameter(
+      String name, boolean inPath, String type, boolean required, String description) {
+
+    static Parameter path(String name, String description) {
+      return new Parameter(name, true, "string", true, description);
+    }
+
+    static Parameter query(String name, String description) {
+      return new Parameter(name, false, "string", true, description);
+    }
+
+    static Parameter number(String name, String description) {
+      return new Parameter(name, false, "integer", false, description);
+    }
+  }
+
+  /**
+   * Does it.
+   *
+   * @param request has all parameters that the operation requires
+   * @throws org.maestro.console.questions.RefusalException when what was sent is otherwise than its
+   *     schema says
+   */
+  public CompletableFuture<?> answer(Request request) {
+    body.ifPresent(schema -> BodyCheck.check(schema, request.body()));
+    return action.answer(request);
+  }
+
+  static Operation get(String path, String id, String summary, String answer, Action action) {
+    return new Operation(
+        Method.GET,
+        path,
+        id,
+        summary,
+        List.of(),
+        Optional.empty(),
+        OK,
+        Optional.of(answer),
+        action);
+  }
+
+  /** An order, which has no content to answer. */
+  static Operation order(Method method, String path, String id, String summary, Action action) {
+    return new Operation(
+        method,
+        path,
+        id,
+        summary,
+        List.of(),
+        Optional.empty(),
+        NO_CONTENT,
+        Optional.empty(),
+        action);
+  }
+
+  Operation with(Parameter... more) {
+    return new Operation(method, path, id, summary, List.of(more), body, status, answer, action);
+  }
+
+  Operation taking(String schema) {
+    return new Operation(
+        method, path, id, summary, parameters, Optional.of(schema), status, answer, action);
+  }
+
+  Operation answering(int good, String schema) {
+    return new Operation(
+        method, path, id, summary, parameters, body, good, Optional.of(schema), action);
+  }
+}

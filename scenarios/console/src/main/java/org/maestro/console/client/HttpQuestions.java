@@ -1,0 +1,135 @@
+package org.maestro.console.client;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.HttpURLConnection;
+import java.net.URI;
+import java.net.URLEncoder;
+import java.nio.charset.StandardCharsets;
+import java.util.OptionalInt;
+import java.util.concurrent.CompletableFuture;
+import org.maestro.console.questions.Questions;
+import org.maestro.console.questions.RefusalException;
+
+/**
+ * Asks a platform by its console. Each question blocks the thread that asks, and its answer is
+ * there when it returns; where no console answers it throws an {@link UnreachableConsoleException}.
+ */
+public final class HttpQuestions implements Questions {
+  /** As long as the server itself waits for agents, and a little longer. */
+  private static final int ANSWER_WITHIN_MILLIS = 25_000;
+
+  private static final int CONNECT_MILLIS = 2_000;
+  private static final int FIRST_BAD_STATUS = 400;
+  private static final String ROOT = "/api/v1";
+
+  private final URI console;
+
+  public HttpQuestions(URI console) {
+    this.console = console;
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> goals() {
+    return get("/goals");
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> agents() {
+    return get("/agents");
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> containers() {
+    return get("/containers");
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> words() {
+    return get("/words");
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> know(String question) {
+    return get("/knowledge?question=" + encoded(question));
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> story(String goal, OptionalInt plan, OptionalInt step) {
+    StringBuilder path = new StringBuilder("/goals/" + encoded(goal) + "/story");
+    step.ifPresent(number -> path.append("?step=").append(number));
+    plan.ifPresent(number -> path.append(step.isPresent() ? "&plan=" : "?plan=").append(number));
+    return get(path.toString());
+  }
+
+  @Override
+  public CompletableFuture<Void> cancel(String goal) {
+    return request("DELETE", "/goals/" + encoded(goal)).thenAccept(nothing -> {});
+  }
+
+  @Override
+  public CompletableFuture<Void> stop() {
+    return request("POST", "/safe-state").thenAccept(nothing -> {});
+  }
+
+  @Override
+  public CompletableFuture<Void> revive() {
+    return request("POST", "/coordinator/revival").thenAccept(nothing -> {});
+  }
+
+  private CompletableFuture<JsonNode> get(String path) {
+    return request("GET", path);
+  }
+
+  private CompletableFuture<JsonNode> request(String method, String path) {
+    try {
+      return CompletableFuture.completedFuture(answer(method, console.resolve(ROOT + path)));
+    } catch (RefusalException e) {
+      return CompletableFuture.failedFuture(e);
+    } catch (IOException e) {
+      throw new UnreachableConsoleException(console.toString(), e);
+    }
+  }
+
+  private static JsonNode answer(String method, URI at) throws IOException {
+    HttpURLConnection connection = (HttpURLConnection) at.toURL().openConnection();
+    connection.setRequestMethod(method);
+    connection.setConnectTimeout(CONNECT_MILLIS);
+    connection.setReadTimeout(ANSWER_WITHIN_MILLIS);
+    int status = connection.getResponseCode();
+    if (status >= FIRST_BAD_STATUS) {
+      throw refusal(connection, status);
+    }
+    try (InputStream body = connection.getInputStream()) {
+      byte[] bytes = body.readAllBytes();
+      return bytes.length == 0
+          ? JsonNodeFactory.instance.nullNode()
+          : new ObjectMapper().readTree(bytes);
+    }
+  }
+
+  private static RefusalException refusal(HttpURLConnection connection, int status)
+      throws IOException {
+    try (InputStream body = connection.getErrorStream()) {
+      JsonNode problem =
+          body == null
+              ? JsonNodeFactory.instance.objectNode()
+              : new ObjectMapper().readTree(body.readAllBytes());
+      String sentence =
+          problem.path("problem").asText("The console answers with the status " + status + ".");
+      return problem.path("kind").asText().equals("bad-input")
+          ? RefusalException.badInput(sentence)
+          : RefusalException.outside(sentence);
+    } catch (JsonProcessingException e) {
+      return RefusalException.outside("What answers there is no console.");
+    }
+  }
+
+  private static String encoded(String text) {
+    return URLEncoder.encode(text, StandardCharsets.UTF_8).replace("+", "%20");
+  }
+}

@@ -1,0 +1,48 @@
+package org.maestro.console.documents;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import java.util.List;
+import org.maestro.agents.content.Words;
+
+/** A platform's goals, in the order in which they were stated. */
+public final class GoalsDocument {
+  private GoalsDocument() {}
+
+  /**
+   * @param lines a goal each, as the coordinator tells of them
+   */
+  public static JsonNode of(List<Words> lines) {
+    JsonMembers document = JsonMembers.empty();
+    ArrayNode goals = document.node().putArray("goals");
+    for (Words words : lines) {
+      List<String> goal = goal(words);
+      JsonMembers row =
+          JsonMembers.in(goals)
+              .text("id", goal.stream().findFirst())
+              .text("goal", goal.stream().skip(1).findFirst())
+              .text("requester", words.string("requester"))
+              .text("state", words.string("state"))
+              .text("detail", words.string("detail"));
+      row.node().put("priority", (int) words.number("priority", 0));
+      row.number("deadline_s", words, "deadline").number("age_s", words, "age");
+      ArrayNode waits = row.node().putArray("waits");
+      for (List<String> edge : waits(words)) {
+        JsonMembers.in(waits).text("for", edge.get(0)).text("holder", edge.get(1));
+      }
+    }
+    return document.node();
+  }
+
+  private static List<String> goal(Words words) {
+    return words.strings("goal");
+  }
+
+  /** What it waits for, and which goal has that. */
+  private static List<List<String>> waits(Words words) {
+    return words.find("waits").map(Words::all).orElse(List.of()).stream()
+        .map(edge -> Words.of(edge).terms().stream().map(Words::plain).toList())
+        .filter(edge -> edge.size() == 2)
+        .toList();
+  }
+}

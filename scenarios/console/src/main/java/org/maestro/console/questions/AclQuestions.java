@@ -1,0 +1,184 @@
+package org.maestro.console.questions;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import jade.lang.acl.ACLMessage;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Predicate;
+import org.maestro.agents.DeskAgent;
+import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.Words;
+import org.maestro.console.documents.AgentsDocument;
+import org.maestro.console.documents.AnswersDocument;
+import org.maestro.console.documents.ContainersDocument;
+import org.maestro.console.documents.GoalsDocument;
+import org.maestro.console.documents.StoryDocument;
+import org.maestro.console.documents.WordsDocument;
+import org.maestro.sl.Content;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.SlSyntaxException;
+
+/** Asks the agents of a platform by messages from a desk. */
+public final class AclQuestions implements Questions {
+  private static final Duration ANSWER_WITHIN = Duration.ofSeconds(20);
+
+  private final DeskAgent desk;
+  private final Predicate<String> shownContainers;
+
+  public AclQuestions(DeskAgent desk) {
+    this(desk, container -> true);
+  }
+
+  /**
+   * @param shownContainers of whose agents is told, by name; one that is there to ask only is not
+   */
+  public AclQuestions(DeskAgent desk, Predicate<String> shownContainers) {
+    this.desk = desk;
+    this.shownContainers = shownContainers;
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> goals() {
+    return ask(ACLMessage.QUERY_REF, AgentNames.COORDINATOR, Words.content("query-ref"))
+        .thenApply(GoalsDocument::of);
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> agents() {
+    return tables().thenApply(lines -> AgentsDocument.of(lines, shownContainers));
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> containers() {
+    return tables().thenApply(lines -> ContainersDocument.of(lines, shownContainers));
+  }
+
+  private CompletableFuture<List<Words>> tables() {
+    return ask(ACLMessage.QUERY_REF, AgentNames.SUPERVISOR, Words.content("query-ref"));
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> words() {
+    return ask(
+            ACLMessage.QUERY_REF,
+            AgentNames.KNOWLEDGE,
+            Words.content("query-ref", Words.named("words", List.of())))
+        .thenApply(WordsDocument::ofAnswer);
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> know(String question) {
+    CompletableFuture<JsonNode> answer = new CompletableFuture<>();
+    Formula asked;
+    try {
+      asked = SlParser.formula(question);
+    } catch (SlSyntaxException e) {
+      answer.completeExceptionally(RefusalException.badInput(String.valueOf(e.getMessage())));
+      return answer;
+    }
+    desk.know(
+        asked,
+        contents -> answer.complete(AnswersDocument.of(contents.stream().map(Words::of).toList())),
+        failure -> answer.completeExceptionally(RefusalException.badInput(failure)));
+    return answer;
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> story(String goal, OptionalInt plan, OptionalInt step) {
+    List<Content.Argument> arguments = new ArrayList<>();
+    arguments.add(Words.named("goal", Words.name(goal)));
+    plan.ifPresent(number -> arguments.add(Words.named("plan", Words.number(number))));
+    step.ifPresent(number -> arguments.add(Words.named("step", Words.number(number))));
+    return ask(ACLMessage.REQUEST, AgentNames.COORDINATOR, new Content("explain", arguments))
+        .thenApply(lines -> StoryDocument.of(goal, lines.stream().map(Reply::story).toList()));
+  }
+
+  @Override
+  public CompletableFuture<Void> cancel(String goal) {
+    return ask(
+            ACLMessage.REQUEST,
+            AgentNames.COORDINATOR,
+            Words.content("cancel", Words.named("goal", Words.name(goal))))
+        .thenAccept(lines -> {});
+  }
+
+  @Override
+  public CompletableFuture<Void> stop() {
+    return order("stop");
+  }
+
+  @Override
+  public CompletableFuture<Void> revive() {
+    return order("revive");
+  }
+
+  private CompletableFuture<Void> order(String action) {
+    return ask(
+            ACLMessage.REQUEST,
+            AgentNames.SUPERVISOR,
+            Words.content("perform", Words.named("action", Words.name(action))))
+        .thenAccept(lines -> {});
+  }
+
+  /**
+   * States a goal; how it fares is told by its story.
+   *
+   * @param deadlineSeconds simulated seconds from now by which it has to be reached
+   * @return its id, as soon as it is accepted
+   */
+  public CompletableFuture<String> state(
+      String goal, int priority, OptionalDouble deadlineSeconds) {
+    List<Content.Argument> arguments = new ArrayList<>();
+    arguments.add(Words.named("goal", Words.text(goal)));
+    if (priority != 0) {
+      arguments.add(Words.named("priority", Words.number(priority)));
+    }
+    deadlineSeconds.ifPresent(
+        seconds -> arguments.add(Words.named("deadline", Words.number(seconds))));
+    CompletableFuture<String> accepted = new CompletableFuture<>();
+    desk.request(
+        ACLMessage.REQUEST,
+        AgentNames.COORDINATOR,
+        DeskAgent.NO_END,
+        reply -> {
+          if (reply.getPerformative() == ACLMessage.AGREE) {
+            accepted.complete(Reply.words(reply).get(0).string("goal").orElse(""));
+          } else if (DeskAgent.isEnd(reply)) {
+            accepted.completeExceptionally(refusal(reply));
+          }
+        },
+        new Content("initCNP", arguments));
+    return accepted;
+  }
+
+  private static RefusalException refusal(ACLMessage reply) {
+    List<Words> words = Reply.words(reply);
+    return reply.getPerformative() == ACLMessage.FAILURE
+        ? RefusalException.outside(Reply.reason(words))
+        : Reply.refusal(words);
+  }
+
+  private CompletableFuture<List<Words>> ask(int performative, String agent, Content content) {
+    CompletableFuture<List<Words>> answer = new CompletableFuture<>();
+    desk.request(
+        performative,
+        agent,
+        ANSWER_WITHIN,
+        reply -> {
+          if (DeskAgent.isEnd(reply)) {
+            try {
+              answer.complete(Reply.lines(reply));
+            } catch (RuntimeException e) {
+              answer.completeExceptionally(e);
+            }
+          }
+        },
+        content);
+    return answer;
+  }
+}

@@ -1,0 +1,45 @@
+package org.maestro.console.questions;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.OptionalInt;
+import java.util.concurrent.CompletableFuture;
+
+/**
+ * Questions and orders to one platform. Answers are documents as the schemas of the commands
+ * describe them; a refusal completes them with a {@link RefusalException}. Any thread may ask, and
+ * nothing blocks.
+ */
+public interface Questions {
+
+  CompletableFuture<JsonNode> goals();
+
+  CompletableFuture<JsonNode> agents();
+
+  CompletableFuture<JsonNode> containers();
+
+  CompletableFuture<JsonNode> words();
+
+  /**
+   * What is known of it, how surely, and how old that is.
+   *
+   * @param question in MAESTRO-SL, perhaps with variables
+   */
+  CompletableFuture<JsonNode> know(String question);
+
+  /**
+   * A goal's story.
+   *
+   * @param step with it: why its member does that step, and not another
+   * @param plan of which plan the step is; without: of the latest
+   */
+  CompletableFuture<JsonNode> story(String goal, OptionalInt plan, OptionalInt step);
+
+  /** Gives a goal up. */
+  CompletableFuture<Void> cancel(String goal);
+
+  /** Brings all devices into a safe state. */
+  CompletableFuture<Void> stop();
+
+  /** Starts the central coordination agent again after it was ended. */
+  CompletableFuture<Void> revive();
+}

@@ -1,0 +1,68 @@
+/** The page: what is told is drawn, what is chosen is shown. */
+import { byId } from "./dom.js";
+import { state, connect, onChange, ask } from "./feed.js";
+import { select, selection, onSelect } from "./selection.js";
+import { drawMap } from "./map.js";
+import { drawGoals, startGoals } from "./goals.js";
+import { drawDetail } from "./detail.js";
+import { drawMembers } from "./members.js";
+import { drawKnowledge, startKnowledge } from "./knowledge.js";
+
+const VIEWS = ["goals", "members", "knowledge"];
+const LINK = {
+  connecting: "connecting",
+  live: "live",
+  lost: "The platform does not answer; what is shown is what was told last.",
+};
+
+function drawFrame() {
+  const { view } = selection();
+  for (const name of VIEWS) {
+    byId(name).hidden = name !== view;
+    document.querySelector(`[data-view="${name}"]`).setAttribute("aria-pressed", String(name === view));
+  }
+  byId("home-name").textContent = state.home.label ?? "MAESTRO";
+  byId("platform-name").textContent = state.platform ? `platform ${state.platform.platform}` : "";
+  const link = byId("link");
+  link.textContent = LINK[state.live];
+  link.className = `link ${state.live}`;
+}
+
+function drawAll() {
+  drawFrame();
+  drawMap();
+  drawGoals();
+  drawMembers();
+  drawKnowledge();
+  drawDetail();
+}
+
+function theme(name) {
+  document.documentElement.dataset.theme = name;
+  localStorage.setItem("theme", name);
+}
+
+function say(text) {
+  const notice = byId("notice");
+  notice.textContent = text;
+  notice.hidden = text === "";
+  if (text) {
+    setTimeout(() => { if (notice.textContent === text) { notice.hidden = true; } }, 8000);
+  }
+}
+
+document.querySelectorAll("[data-view]").forEach((button) =>
+  button.addEventListener("click", () => select({ view: button.dataset.view })));
+byId("theme").addEventListener("click", () =>
+  theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"));
+byId("stop").addEventListener("click", () =>
+  ask.stop().then(() => say("Every device was told to go into a safe state."), (failure) => say(failure.message)));
+theme(localStorage.getItem("theme") ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light"));
+startGoals();
+startKnowledge();
+onChange(drawAll);
+onSelect(drawAll);
+// Ages go on.
+setInterval(() => { if (!document.hidden) { drawAll(); } }, 1000);
+connect();
+drawAll();

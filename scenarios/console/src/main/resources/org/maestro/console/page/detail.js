@@ -1,0 +1,98 @@
+/** What is chosen, in full: a goal's story, or all that is known of a thing. */
+import { make, byId, table, redraw, seconds } from "./dom.js";
+import { state, age, ask, onStory } from "./feed.js";
+import { selection } from "./selection.js";
+import { isOver, stateOf } from "./goals.js";
+
+let story = { goal: null, entries: [], problem: null };
+
+function key(entry) {
+  return `${entry.at_s} ${entry.kind} ${entry.text}`;
+}
+
+async function read(goal) {
+  story = { goal, entries: [], problem: null };
+  try {
+    const document = await ask.story(goal);
+    if (story.goal === goal) {
+      const told = new Set(document.story.map(key));
+      story.entries = [...document.story, ...story.entries.filter((entry) => !told.has(key(entry)))];
+    }
+  } catch (failure) {
+    story.problem = failure.message;
+  }
+  drawDetail();
+}
+
+onStory((entry) => {
+  if (entry.goal === story.goal) {
+    story.entries.push(entry);
+    drawDetail();
+  }
+});
+
+function line(entry, from) {
+  return make("li", {},
+    make("time", {}, `${(entry.at_s - from).toFixed(1)} s`),
+    make("span", { class: "kind" }, entry.kind),
+    make("span", { class: entry.kind }, entry.text));
+}
+
+function goalDetail(id) {
+  const goal = state.goals.find((one) => one.id === id);
+  const from = story.entries[0]?.at_s ?? 0;
+  const head = make("h2", {},
+    make("code", {}, `${id} ${goal?.goal ?? ""}`), goal ? stateOf(goal) : null, make("span", { class: "grow" }),
+    goal && !isOver(goal)
+      ? make("button", { type: "button", onclick: () => ask.cancel(id).catch((failure) => { story.problem = failure.message; drawDetail(); }) }, "Cancel goal")
+      : null);
+  return [head,
+    story.problem ? make("p", { class: "problem", role: "alert" }, story.problem) : null,
+    make("ol", { class: "story" }, story.entries.map((entry) => line(entry, from)))];
+}
+
+function value(fact) {
+  if (typeof fact.value === "number") {
+    return String(Math.round(fact.value * 1000) / 1000);
+  }
+  return fact.value === true ? "true" : fact.value === false ? "not so" : "unknown";
+}
+
+export function facts(rows) {
+  return table([
+    { name: "Fact", cell: (fact) => make("code", {}, `(${[fact.word, ...fact.arguments.map((part) => (Array.isArray(part) ? part.join(" ") : part))].join(" ")})`) },
+    { name: "Value", className: "number", cell: value },
+    { name: "From", cell: (fact) => `${fact.source}, ${fact.kind}` },
+    { name: "Age", className: "number", cell: (fact) => seconds(age(fact)) },
+  ], rows);
+}
+
+function thingDetail(name) {
+  const thing = state.home.things.find((one) => one.name === name);
+  if (!thing) {
+    return [make("p", { class: "empty" }, `There is no ${name} in this home.`)];
+  }
+  const agent = state.agents.find((one) => one.members.includes(name));
+  const known = [...state.facts.values()].filter((fact) => fact.arguments.includes(name));
+  return [
+    make("h2", {}, thing.label ?? name, make("code", { class: "quiet" }, name),
+      make("span", { class: "quiet" }, thing.classes.filter((one) => one !== "Thing").join(", "))),
+    agent ? make("p", {}, `On the bus: ${agent.phase}${agent.state ? `, ${agent.state}` : ""}, for ${seconds(age(agent))}.`
+      + (agent.why ? ` It is refused: ${agent.why}` : "")) : null,
+    thing.device ? make("p", {}, "It can: ", make("code", {}, thing.device.features.join(", ") || "nothing")) : null,
+    known.length > 0 ? facts(known) : make("p", { class: "empty" }, "Nothing is known of it yet."),
+  ];
+}
+
+export function drawDetail() {
+  const { goal, thing } = selection();
+  const detail = byId("detail");
+  if (goal && story.goal !== goal) {
+    read(goal);
+  }
+  const wasAtEnd = detail.scrollTop + detail.clientHeight >= detail.scrollHeight - 20;
+  const top = detail.scrollTop;
+  redraw(detail, goal ? goalDetail(goal) : thing ? thingDetail(thing)
+    : make("p", { class: "empty" }, "Choose a goal for its story, or something on the map for what is known of it."));
+  detail.scrollTop = goal && wasAtEnd ? detail.scrollHeight : top;
+}

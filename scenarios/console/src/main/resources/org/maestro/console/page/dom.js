@@ -1,0 +1,64 @@
+/** Elements, made of data alone: no text is ever read as markup. */
+const SVG = "http://www.w3.org/2000/svg";
+
+function fill(element, attributes, children) {
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name.startsWith("on")) {
+      element.addEventListener(name.slice(2), value);
+    } else if (value !== null && value !== undefined && value !== false) {
+      element.setAttribute(name, value === true ? "" : value);
+    }
+  }
+  element.append(...children.flat().filter((child) => child !== null && child !== undefined));
+  return element;
+}
+
+export function make(name, attributes = {}, ...children) {
+  return fill(document.createElement(name), attributes, children);
+}
+
+export function draw(name, attributes = {}, ...children) {
+  return fill(document.createElementNS(SVG, name), attributes, children);
+}
+
+export function byId(id) {
+  return document.getElementById(id);
+}
+
+/** Draws a part anew; what had the focus in it has it afterwards, so that keys go on. */
+export function redraw(container, ...children) {
+  const path = [];
+  for (let at = document.activeElement; at && at !== container; at = at.parentElement) {
+    path.unshift(at.parentElement ? [...at.parentElement.children].indexOf(at) : -1);
+    if (at === document.body) {
+      path.length = 0;
+    }
+  }
+  const had = container.contains(document.activeElement) && document.activeElement !== container;
+  container.replaceChildren(...children.flat().filter(Boolean));
+  if (had) {
+    path.reduce((at, index) => at?.children[index], container)?.focus({ preventScroll: true });
+  }
+}
+
+/** A table for people; rows are chosen by a click, or by the key of their first cell. */
+export function table(columns, rows, { isChosen = () => false, choose } = {}) {
+  return make("table", {},
+    make("thead", {}, make("tr", {}, columns.map((column) =>
+      make("th", { scope: "col", class: column.className }, column.name)))),
+    make("tbody", {}, rows.map((row) => make("tr",
+      { class: isChosen(row) ? "chosen" : null, onclick: () => choose?.(row) },
+      columns.map((column) => make("td", { class: column.className }, column.cell(row)))))));
+}
+
+export function seconds(value) {
+  if (value === null || value === undefined) {
+    return "–";
+  }
+  if (value < 60) {
+    return `${value < 10 ? value.toFixed(1) : Math.round(value)} s`;
+  }
+  return value < 3600
+    ? `${Math.floor(value / 60)} min ${Math.round(value % 60)} s`
+    : `${Math.floor(value / 3600)} h ${Math.floor((value % 3600) / 60)} min`;
+}

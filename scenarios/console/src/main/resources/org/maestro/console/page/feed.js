@@ -1,0 +1,151 @@
+/** What the platform tells: the latest of everything, and who wants to know. */
+const ROOT = "/api/v1";
+
+export const state = {
+  platform: null,
+  home: { things: [] },
+  facts: new Map(),
+  /** What was known last under a word of a thing, and is not any more: it was seen too long ago. */
+  former: new Map(),
+  goals: [],
+  agents: [],
+  words: [],
+  live: "connecting",
+};
+
+const listeners = new Set();
+const storyListeners = new Set();
+let waiting = false;
+
+export function onChange(listener) {
+  listeners.add(listener);
+}
+
+export function onStory(listener) {
+  storyListeners.add(listener);
+}
+
+/** All listeners are told once before the next picture is drawn, however much has changed. */
+function changed() {
+  if (!waiting) {
+    waiting = true;
+    requestAnimationFrame(() => {
+      waiting = false;
+      listeners.forEach((listener) => listener());
+    });
+  }
+}
+
+async function answer(response) {
+  if (response.ok) {
+    return response.status === 204 ? null : response.json();
+  }
+  let problem = `The platform answers with the status ${response.status}.`;
+  try {
+    problem = (await response.json()).problem;
+  } catch {
+    // There is no sentence of its own.
+  }
+  throw new Error(problem);
+}
+
+async function request(path, options) {
+  let response;
+  try {
+    response = await fetch(ROOT + path, options);
+  } catch {
+    throw new Error("The platform does not answer; see whether it still runs.");
+  }
+  return answer(response);
+}
+
+export const ask = {
+  story: (goal) => request(`/goals/${encodeURIComponent(goal)}/story`),
+  know: (question) => request(`/knowledge?question=${encodeURIComponent(question)}`),
+  state: (goal) => request("/goals", {
+    method: "POST",
+    headers: { "Content-Type": "application/json" },
+    body: JSON.stringify({ goal }),
+  }),
+  cancel: (goal) => request(`/goals/${encodeURIComponent(goal)}`, { method: "DELETE" }),
+  stop: () => request("/safe-state", { method: "POST" }),
+};
+
+/** Ages go on while nothing is told. */
+function dated(row) {
+  return { ...row, heard: performance.now() - (row.age_s ?? 0) * 1000 };
+}
+
+export function age(row) {
+  return (performance.now() - row.heard) / 1000;
+}
+
+function take(event) {
+  return JSON.parse(event.data);
+}
+
+export function connect() {
+  const events = new EventSource(`${ROOT}/events`);
+  events.addEventListener("open", () => {
+    state.live = "live";
+    request("/platform").then((platform) => { state.platform = platform; changed(); }).catch(() => {});
+    request("/words").then((words) => { state.words = words.words; changed(); }).catch(() => {});
+    changed();
+  });
+  events.addEventListener("error", () => {
+    state.live = "lost";
+    changed();
+  });
+  events.addEventListener("home", (event) => {
+    state.home = take(event);
+    changed();
+  });
+  events.addEventListener("facts", (event) => {
+    const news = take(event);
+    if (news.all) {
+      state.facts.clear();
+      state.former.clear();
+    }
+    news.gone.forEach((name) => {
+      const fact = state.facts.get(name);
+      state.facts.delete(name);
+      if (fact && fact.value !== false) {
+        state.former.set(`${fact.word} ${fact.arguments[0]}`, fact);
+      }
+    });
+    news.facts.forEach((fact) => state.facts.set(fact.fact, dated(fact)));
+    changed();
+  });
+  events.addEventListener("goals", (event) => {
+    state.goals = take(event).goals.map(dated);
+    changed();
+  });
+  events.addEventListener("agents", (event) => {
+    state.agents = take(event).agents.map(dated);
+    changed();
+  });
+  events.addEventListener("story", (event) => {
+    const entry = take(event);
+    storyListeners.forEach((listener) => listener(entry));
+  });
+}
+
+/** What is known under a word, of these things in this order. */
+export function known(word, ...things) {
+  for (const fact of state.facts.values()) {
+    if (fact.word === word && fact.arguments.length >= things.length
+        && things.every((thing, i) => fact.arguments[i] === thing)) {
+      return fact;
+    }
+  }
+  return null;
+}
+
+/** The same, or what was known last; that it is so still, nobody says. */
+export function knownLast(word, thing) {
+  return known(word, thing) ?? state.former.get(`${word} ${thing}`) ?? null;
+}
+
+export function isFormer(fact) {
+  return !state.facts.has(fact.fact);
+}

@@ -1,0 +1,128 @@
+/** Goals: stating them, the list, and how far each is. */
+import { make, byId, table, redraw, seconds } from "./dom.js";
+import { state, age, ask } from "./feed.js";
+import { select, selection } from "./selection.js";
+
+const SIGNS = {
+  achieved: ["✓", "good"], holding: ["✓", "good"], failed: ["✗", "bad"], cancelled: ["–", ""],
+  running: ["▶", ""], waiting: ["…", "wait"], suspended: ["…", "wait"],
+};
+const LAST = new Set(["achieved", "failed", "cancelled"]);
+const MOST_SUGGESTED = 12;
+
+export function stateOf(goal) {
+  const [sign, kind] = SIGNS[goal.state] ?? ["▷", ""];
+  const waits = goal.waits.map((wait) => `${wait.for} (${wait.holder})`).join(", ");
+  return make("span", { class: `state ${kind}`, "data-sign": sign, title: waits || goal.detail || goal.state }, goal.state);
+}
+
+export function isOver(goal) {
+  return LAST.has(goal.state);
+}
+
+export function drawGoals() {
+  const list = byId("goal-list");
+  if (state.goals.length === 0) {
+    redraw(list, make("p", { class: "empty" },
+      "No goal was stated yet. Write one above; the words that this home has are offered as you type."));
+    return;
+  }
+  const chosen = selection().goal;
+  const columns = [
+    { name: "Goal", cell: (goal) => make("button", { class: "row", type: "button", title: goal.goal }, `${goal.id} ${goal.goal}`) },
+    { name: "State", cell: stateOf },
+    { name: "Since", className: "number", cell: (goal) => seconds(age(goal)) },
+    { name: "By", className: "wide state", cell: (goal) => goal.requester ?? "–" },
+    { name: "Detail", className: "wide quiet", cell: (goal) => goal.detail ?? "" },
+  ];
+  redraw(list, table(columns, [...state.goals].reverse(), {
+    isChosen: (goal) => goal.id === chosen,
+    choose: (goal) => select({ goal: goal.id }),
+  }));
+}
+
+function wordAt(input) {
+  const before = input.value.slice(0, input.selectionStart ?? input.value.length);
+  return /[^\s()]*$/.exec(before)[0];
+}
+
+function suggestions(word) {
+  if (word.length === 0 || word.startsWith("?")) {
+    return [];
+  }
+  const small = word.toLowerCase();
+  const rank = (entry) => (entry.word.toLowerCase().startsWith(small) ? 0 : 1);
+  return state.words
+    .filter((entry) => entry.word !== word && entry.kind !== "feature" && entry.word.toLowerCase().includes(small))
+    .sort((a, b) => rank(a) - rank(b) || a.word.localeCompare(b.word))
+    .slice(0, MOST_SUGGESTED);
+}
+
+/** Offers the words of the home while one is written. */
+function complete(input, list) {
+  let offered = [];
+  let at = -1;
+  const show = () => {
+    list.replaceChildren(...offered.map((entry, i) => make("li", {
+      role: "option", id: `suggestion-${i}`, "aria-selected": i === at ? "true" : "false",
+      onmousedown: (event) => { event.preventDefault(); take(entry); },
+    }, make("code", {}, entry.form), make("span", {}, entry.meaning ?? entry.kind))));
+    list.hidden = offered.length === 0;
+    input.setAttribute("aria-expanded", String(offered.length > 0));
+    if (at >= 0) {
+      input.setAttribute("aria-activedescendant", `suggestion-${at}`);
+      list.children[at].scrollIntoView({ block: "nearest" });
+    } else {
+      input.removeAttribute("aria-activedescendant");
+    }
+  };
+  const close = () => { offered = []; at = -1; show(); };
+  const take = (entry) => {
+    const end = input.selectionStart ?? input.value.length;
+    const start = end - wordAt(input).length;
+    const rest = input.value.slice(end);
+    input.value = input.value.slice(0, start) + entry.word + rest;
+    input.setSelectionRange(start + entry.word.length, start + entry.word.length);
+    close();
+    input.focus();
+  };
+  input.addEventListener("input", () => { offered = suggestions(wordAt(input)); at = -1; show(); });
+  input.addEventListener("blur", close);
+  input.addEventListener("keydown", (event) => {
+    if (offered.length === 0) {
+      return;
+    }
+    if (event.key === "ArrowDown" || event.key === "ArrowUp") {
+      event.preventDefault();
+      at = (at + (event.key === "ArrowDown" ? 1 : -1) + offered.length) % offered.length;
+      show();
+    } else if ((event.key === "Enter" || event.key === "Tab") && at >= 0) {
+      event.preventDefault();
+      take(offered[at]);
+    } else if (event.key === "Escape") {
+      close();
+    }
+  });
+}
+
+export function startGoals() {
+  const input = byId("goal-input");
+  const problem = byId("goal-problem");
+  complete(input, byId("suggestions"));
+  byId("goal-form").addEventListener("submit", async (event) => {
+    event.preventDefault();
+    problem.textContent = "";
+    const goal = input.value.trim();
+    if (goal === "") {
+      problem.textContent = "Write a goal first, such as (nextTo Cup Bob).";
+      return;
+    }
+    try {
+      const { id } = await ask.state(goal);
+      input.value = "";
+      select({ goal: id });
+    } catch (failure) {
+      problem.textContent = failure.message;
+    }
+  });
+}

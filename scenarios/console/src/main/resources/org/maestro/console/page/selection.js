@@ -1,0 +1,30 @@
+/** What is looked at: one thing or goal, and one view; it stands in the address, to be sent on. */
+const listeners = new Set();
+
+export function selection() {
+  const parameters = new URLSearchParams(location.hash.slice(1));
+  return {
+    view: parameters.get("view") ?? "goals",
+    goal: parameters.get("goal"),
+    thing: parameters.get("thing"),
+  };
+}
+
+export function select(change) {
+  const next = { ...selection(), ...change };
+  if (change.goal) {
+    next.thing = null;
+  }
+  if (change.thing) {
+    next.goal = null;
+  }
+  const parameters = new URLSearchParams();
+  Object.entries(next).filter(([, value]) => value).forEach(([name, value]) => parameters.set(name, value));
+  location.hash = parameters.toString();
+}
+
+export function onSelect(listener) {
+  listeners.add(listener);
+}
+
+addEventListener("hashchange", () => listeners.forEach((listener) => listener()));

@@ -1,0 +1,125 @@
+package org.maestro.console;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.openqa.selenium.By;
+import org.openqa.selenium.JavascriptExecutor;
+import org.openqa.selenium.StaleElementReferenceException;
+import org.openqa.selenium.WebElement;
+import org.openqa.selenium.chrome.ChromeDriver;
+import org.openqa.selenium.chrome.ChromeDriverService;
+import org.openqa.selenium.chrome.ChromeOptions;
+import org.openqa.selenium.support.ui.WebDriverWait;
+
+/** A real browser with the page of a console. */
+final class Browser implements AutoCloseable {
+  private static final Duration LIMIT = Duration.ofSeconds(60);
+
+  private final ChromeDriver driver;
+
+  private Browser(ChromeDriver driver) {
+    this.driver = driver;
+  }
+
+  /** Whether this machine has what it takes. */
+  static boolean isThere() {
+    return program("chromium").isPresent() && program("chromedriver").isPresent();
+  }
+
+  private static Optional<Path> program(String name) {
+    return Stream.of(System.getenv().getOrDefault("PATH", "").split(":"))
+        .map(directory -> Path.of(directory, name))
+        .filter(Files::isExecutable)
+        .findFirst();
+  }
+
+  static Browser open() {
+    ChromeOptions options = new ChromeOptions();
+    options.setBinary(program("chromium").orElseThrow().toFile());
+    options.addArguments(
+        "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage");
+    ChromeDriverService service =
+        new ChromeDriverService.Builder()
+            .usingDriverExecutable(program("chromedriver").orElseThrow().toFile())
+            .usingAnyFreePort()
+            .build();
+    return new Browser(new ChromeDriver(service, options));
+  }
+
+  void size(int width, int height) {
+    driver.executeCdpCommand(
+        "Emulation.setDeviceMetricsOverride",
+        Map.of("width", width, "height", height, "deviceScaleFactor", 1, "mobile", width < 500));
+  }
+
+  /** Goes to the page, and waits until it is told what happens. */
+  void go(String address) {
+    driver.get(address);
+    waitFor("#link.live");
+  }
+
+  /** Of our page: {@code light} or {@code dark}. */
+  void theme(String name) {
+    run("localStorage.setItem('theme', arguments[0]); location.reload();", name);
+    waitFor("#link.live");
+    waitFor("html[data-theme=" + name + "]");
+  }
+
+  WebElement waitFor(String selector) {
+    return new WebDriverWait(driver, LIMIT)
+        .ignoring(StaleElementReferenceException.class)
+        .until(
+            shown ->
+                shown.findElements(By.cssSelector(selector)).stream().findFirst().orElse(null));
+  }
+
+  void waitForText(String selector, String text) {
+    new WebDriverWait(driver, LIMIT)
+        .ignoring(StaleElementReferenceException.class)
+        .withMessage(() -> "\"" + text + "\" in " + text(selector))
+        .until(shown -> text(selector).contains(text));
+  }
+
+  /** All text that is there; what is drawn anew meanwhile is read anew. */
+  String text(String selector) {
+    return String.valueOf(
+        run(
+            "return [...document.querySelectorAll(arguments[0])].map(e => e.textContent).join('\\n')",
+            selector));
+  }
+
+  void click(String selector) {
+    run(
+        "document.querySelector(arguments[0]).dispatchEvent(new MouseEvent('click', {bubbles: true}))",
+        selector);
+  }
+
+  Object run(String script, Object... arguments) {
+    return ((JavascriptExecutor) driver).executeScript(script, arguments);
+  }
+
+  Object runAsync(String script, Object... arguments) {
+    return ((JavascriptExecutor) driver).executeAsyncScript(script, arguments);
+  }
+
+  String address() {
+    return String.valueOf(driver.getCurrentUrl());
+  }
+
+  /** What the page has complained of. */
+  List<String> complaints() {
+    return driver.manage().logs().get("browser").getAll().stream()
+        .map(entry -> entry.getMessage())
+        .toList();
+  }
+
+  @Override
+  public void close() {
+    driver.quit();
+  }
+}

@@ -1,0 +1,148 @@
+package org.maestro.console;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Objects;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
+import org.openqa.selenium.Keys;
+import org.openqa.selenium.WebElement;
+
+/** The page as a person uses it, in a real browser. */
+@Isolated("its time is wall time, which others beside it would take")
+class ConsolePageTest {
+  private static ServedHome home;
+  private static Browser browser;
+
+  @BeforeAll
+  static void open() {
+    assumeTrue(
+        Browser.isThere(),
+        "The page is not tried: there is no chromium with its chromedriver; .ci/install installs them.");
+    home = ServedHome.start();
+    browser = Browser.open();
+    browser.size(1440, 900);
+  }
+
+  @AfterAll
+  static void close() {
+    if (browser != null) {
+      browser.close();
+    }
+    if (home != null) {
+      home.close();
+    }
+  }
+
+  @Test
+  void theCupIsSentForAndFollowed() {
+    browser.complaints();
+    browser.go(home.uri() + "/");
+    browser.waitForText("#plan", "room A");
+
+    browser.waitFor("#goal-input").sendKeys("(nextTo Cup Bob)", Keys.ENTER);
+
+    browser.waitForText("#detail h2", "(nextTo Cup Bob)");
+    assertThat(browser.address()).contains("goal=G");
+    browser.waitForText("#detail .story", "Plan 1");
+    browser.waitForText("#detail .story", "Reached.");
+    browser.waitForText("#goal-list", "achieved");
+    browser.waitFor("#plan [data-thing=Cup]");
+    browser.waitForText("#plan .light", "lux");
+
+    browser.click("#plan [data-thing=Cup]");
+    browser.waitForText("#detail", "(in Cup zone-a)");
+    assertThat(browser.address()).contains("thing=Cup");
+    assertThat(browser.complaints()).isEmpty();
+  }
+
+  @Test
+  void whatIsWrittenWronglyIsToldBesideIt() {
+    browser.go(home.uri() + "/#view=goals");
+    WebElement entry = browser.waitFor("#goal-input");
+
+    entry.sendKeys("(canSe ?who Bob)", Keys.ENTER);
+
+    browser.waitForText("#goal-problem", "write canSee, if that is meant");
+    assertThat(entry.getDomProperty("value")).isEqualTo("(canSe ?who Bob)");
+  }
+
+  @Test
+  void wordsAreOfferedAsTheyAreWritten() {
+    browser.go(home.uri() + "/#view=goals");
+    browser.runAsync(
+        "const done = arguments[0]; const look = () => fetch('/api/v1/words').then(done); look();");
+    WebElement entry = browser.waitFor("#goal-input");
+
+    entry.sendKeys("(nextT");
+    browser.waitForText("#suggestions", "(nextTo");
+    entry.sendKeys(Keys.ARROW_DOWN, Keys.ENTER);
+
+    assertThat(entry.getDomProperty("value")).isEqualTo("(nextTo");
+    assertThat(browser.waitFor("#suggestions").isDisplayed()).isFalse();
+    entry.clear();
+  }
+
+  @Test
+  void allIsBroughtToASafeStateByOneClick() {
+    browser.go(home.uri() + "/#view=members");
+    browser.waitForText("#member-list", "lamp-b1");
+
+    browser.click("#stop");
+
+    browser.waitForText("#notice", "Every device was told to go into a safe state.");
+    browser.waitForText("#member-list", "safe");
+  }
+
+  @Test
+  void whatIsKnownIsAsked() {
+    browser.go(home.uri() + "/#view=knowledge");
+    browser.waitForText("#fact-list", "(level lamp-a1)");
+
+    browser.waitFor("#question-input").sendKeys("(in rose ?where)", Keys.ENTER);
+
+    browser.waitForText("#answers", "?where = zone-");
+  }
+
+  /** Contrast, labels, roles: as the rules of the trade have them, in light and dark. */
+  @Test
+  void eachViewIsForEverybody() throws IOException {
+    for (String theme : List.of("light", "dark")) {
+      for (int width : List.of(1440, 900, 390)) {
+        browser.size(width, width == 390 ? 844 : 900);
+        for (String view : List.of("goals", "members&thing=rose", "knowledge")) {
+          browser.go(home.uri() + "/#view=" + view);
+          browser.theme(theme);
+          browser.waitForText("#plan", "room A");
+          assertThat(faults()).as("%s, %d, %s", theme, width, view).isEmpty();
+          assertThat(browser.run("return document.documentElement.scrollWidth <= innerWidth"))
+              .as("nothing is cut off at %d", width)
+              .isEqualTo(true);
+        }
+      }
+    }
+    browser.size(1440, 900);
+    browser.go(home.uri() + "/");
+    assertThat(browser.run("return document.documentElement.scrollHeight <= innerHeight"))
+        .as("one screen without scrolling")
+        .isEqualTo(true);
+  }
+
+  private static List<?> faults() throws IOException {
+    try (InputStream axe = ConsolePageTest.class.getResourceAsStream("/axe.min.js")) {
+      browser.run(new String(Objects.requireNonNull(axe).readAllBytes(), StandardCharsets.UTF_8));
+    }
+    return (List<?>)
+        browser.runAsync(
+            "const done = arguments[0];"
+                + " axe.run().then(found => done(found.violations.map(fault =>"
+                + " fault.id + ': ' + fault.nodes.map(node => node.html).join(' '))));");
+  }
+}

@@ -1,0 +1,44 @@
+package org.maestro.console;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import org.junit.jupiter.api.Test;
+
+/** Who listens and does not take what is told is let go, and holds nothing of others up. */
+class EventQueueTest {
+  private static final int MORE_THAN_FIT = 10_000;
+
+  @Test
+  void whatIsTakenInTimeComesInOrder() throws InterruptedException {
+    EventQueue queue = new EventQueue();
+    for (int i = 0; i < 3; i++) {
+      assertThat(queue.add("story", JsonNodeFactory.instance.numberNode(i))).isTrue();
+    }
+
+    for (int i = 0; i < 3; i++) {
+      assertThat(queue.next()).contains(new EventQueue.Event("story", String.valueOf(i)));
+    }
+    assertThat(queue.isOver()).isFalse();
+  }
+
+  @Test
+  void whoTakesNothingIsLetGo() {
+    EventQueue queue = new EventQueue();
+    int taken = 0;
+    while (taken < MORE_THAN_FIT && queue.add("facts", JsonNodeFactory.instance.nullNode())) {
+      taken++;
+    }
+
+    assertThat(taken).isBetween(1, MORE_THAN_FIT - 1);
+    assertThat(queue.isOver()).isTrue();
+  }
+
+  @Test
+  void whoHasLeftIsToldNothing() {
+    EventQueue queue = new EventQueue();
+    queue.end();
+
+    assertThat(queue.add("story", JsonNodeFactory.instance.nullNode())).isFalse();
+  }
+}

@@ -1,0 +1,115 @@
+package org.maestro.console;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
+import java.util.Objects;
+import org.maestro.assembly.LocalSite;
+import org.maestro.assembly.SiteSettings;
+import org.maestro.console.api.Api;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+import org.maestro.sim.scene.SceneLoader;
+
+/** Bob's home, simulated, with its console; and a client of that. */
+final class ServedHome implements AutoCloseable {
+  private static final double SPEED = 20;
+  private static final ObjectMapper MAPPER = new ObjectMapper();
+
+  /** An answer of the console. */
+  record Answer(int status, JsonNode document) {
+    String problem() {
+      return document.path("problem").asText();
+    }
+  }
+
+  private final HttpClient client = HttpClient.newHttpClient();
+  private final LocalSite site;
+  private final Console console;
+
+  private ServedHome(LocalSite site, Console console) {
+    this.site = site;
+    this.console = console;
+  }
+
+  static ServedHome start() {
+    Home home = new HomeLoader().load(resource("/homes/bob.ttl"), "bob.ttl");
+    LocalSite site =
+        LocalSite.paced(
+            SiteSettings.of("served", home)
+                .scene(SceneLoader.load("bob-dark", stream("/scenes/bob-dark.ttl"), home))
+                .build(),
+            SPEED);
+    return new ServedHome(site, Console.start(site.platform(), "served", 0, "1.2.3"));
+  }
+
+  private static InputStream stream(String name) {
+    return Objects.requireNonNull(LocalSite.class.getResourceAsStream(name), name);
+  }
+
+  private static String resource(String name) {
+    try (InputStream text = stream(name)) {
+      return new String(text.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  LocalSite site() {
+    return site;
+  }
+
+  URI uri() {
+    return console.uri();
+  }
+
+  Answer get(String path) throws IOException, InterruptedException {
+    return send(to(path));
+  }
+
+  Answer post(String path, String body) throws IOException, InterruptedException {
+    return send(
+        to(path)
+            .header("Content-Type", "application/json")
+            .POST(HttpRequest.BodyPublishers.ofString(body)));
+  }
+
+  Answer delete(String path) throws IOException, InterruptedException {
+    return send(to(path).DELETE());
+  }
+
+  HttpRequest.Builder to(String path) {
+    return HttpRequest.newBuilder(uri().resolve(Api.ROOT + path));
+  }
+
+  Answer send(HttpRequest.Builder request) throws IOException, InterruptedException {
+    HttpResponse<String> response =
+        client.send(request.build(), HttpResponse.BodyHandlers.ofString());
+    return new Answer(response.statusCode(), MAPPER.readTree(response.body()));
+  }
+
+  HttpResponse<InputStream> stream(HttpRequest request) throws IOException, InterruptedException {
+    return client.send(request, HttpResponse.BodyHandlers.ofInputStream());
+  }
+
+  /** States a goal, and returns its id. */
+  String state(String goal) throws IOException, InterruptedException {
+    return post("/goals", MAPPER.createObjectNode().put("goal", goal).toString())
+        .document()
+        .path("id")
+        .asText();
+  }
+
+  @Override
+  public void close() {
+    console.close();
+    site.close();
+  }
+}

@@ -1,0 +1,131 @@
+package org.maestro.launch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.awaitility.Awaitility;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
+
+/** A platform serves its console, commands ask it, and so can programs, as the guide shows. */
+@Isolated("its time is wall time, which others beside it would take")
+class ConsoleOfPlatformTest {
+  private static final Duration LIMIT = Duration.ofSeconds(60);
+  private static final Path DOCS = Path.of("..", "..", "docs");
+  private static final String USUAL = "http://127.0.0.1:7070";
+  private static final Pattern SERVED = Pattern.compile("The console, for a browser: (\\S+)");
+
+  @TempDir private Path directory;
+
+  private record Said(int exitCode, String text) {}
+
+  @Test
+  void whatTheGuideShowsIsAnswered() throws Exception {
+    try (JavaProcess platform = run("--console", "0")) {
+      String console = await(platform, SERVED);
+      assertThat(console).matches("http://127\\.0\\.0\\.1:\\d+");
+      assumeTrue(isThere("python3"), "The guide's program is not tried: there is no python3.");
+
+      Said reached = bash("python3 docs/examples/goal.py \"(nextTo Cup Bob)\" " + console);
+      assertThat(reached.exitCode()).as(reached.text()).isZero();
+      assertThat(reached.text()).startsWith("goal ").contains("end      Reached");
+      Said refused = bash("python3 docs/examples/goal.py \"(nextT Cup Bob)\" " + console);
+      assertThat(refused.exitCode()).isEqualTo(1);
+      assertThat(refused.text()).contains("write nextTo, if that is meant");
+
+      assumeTrue(isThere("curl"), "The guide's requests are not tried: there is no curl.");
+      List<String> requests =
+          Files.readAllLines(DOCS.resolve("guide-console.md")).stream()
+              .map(String::strip)
+              .filter(line -> line.startsWith("curl "))
+              .toList();
+      assertThat(requests).hasSizeGreaterThan(4);
+      for (String request : requests) {
+        Said answer =
+            bash(request.replace("curl ", "curl --silent --show-error ").replace(USUAL, console));
+        assertThat(answer.exitCode()).as(request).isZero();
+        assertThat(answer.text()).as(request).doesNotContain("\"kind\":\"outside\"");
+        if (request.contains("/story") || request.endsWith("/goals")) {
+          assertThat(answer.text()).as(request).doesNotContain("\"problem\"");
+        }
+      }
+    }
+  }
+
+  @Test
+  void withoutAConsoleCommandsAskAllTheSame() throws Exception {
+    try (JavaProcess platform = run("--console", "off")) {
+      await(platform, Pattern.compile("(It has no console)"));
+
+      assertThat(command("goals"))
+          .isEqualTo("No goal was stated yet; try ./maestro goal \"(nextTo Cup Bob)\"");
+      assertThat(command("know", "(in rose ?where)")).contains("?where = zone-b");
+      assertThat(command("agents")).contains("lamp-b1").doesNotContain("cli-");
+    }
+  }
+
+  /** It was killed, and its port is another's now; what runs is asked in the other way. */
+  @Test
+  void whereItsConsoleDoesNotAnswerThePlatformIsAskedAllTheSame() throws Exception {
+    try (JavaProcess platform = run("--console", "0")) {
+      String console = await(platform, SERVED);
+      Path told = directory.resolve("maestro").resolve("maestro.platform.json");
+      Files.writeString(told, Files.readString(told).replace(console, "http://127.0.0.1:1"));
+
+      assertThat(command("agents")).contains("lamp-b1").doesNotContain("cli-");
+    }
+  }
+
+  private JavaProcess run(String... more) throws IOException {
+    List<String> arguments = new ArrayList<>(List.of("run", "bob", "--port", "0", "--speed", "20"));
+    arguments.addAll(List.of(more));
+    return maestro(arguments);
+  }
+
+  private static String await(JavaProcess platform, Pattern pattern) {
+    Awaitility.await()
+        .atMost(LIMIT)
+        .until(() -> pattern.matcher(platform.output()).find() || !platform.isAlive());
+    Matcher found = pattern.matcher(platform.output());
+    assertThat(found.find()).as(platform.output() + platform.errors()).isTrue();
+    return found.group(1);
+  }
+
+  private String command(String... arguments) throws Exception {
+    try (JavaProcess process = maestro(List.of(arguments))) {
+      JavaProcess.Ended ended = process.await(LIMIT);
+      assertThat(ended.exitCode()).as(ended.errors()).isZero();
+      return ended.output().strip();
+    }
+  }
+
+  private JavaProcess maestro(List<String> arguments) throws IOException {
+    return JavaProcess.start(
+        Maestro.class.getName(), arguments, Map.of("XDG_RUNTIME_DIR", directory.toString()));
+  }
+
+  private static boolean isThere(String program) throws Exception {
+    return bash("command -v " + program).exitCode() == 0;
+  }
+
+  private static Said bash(String line) throws Exception {
+    Process process =
+        new ProcessBuilder("bash", "-c", line)
+            .directory(DOCS.resolve("..").toFile())
+            .redirectErrorStream(true)
+            .start();
+    String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    return new Said(process.waitFor(), text);
+  }
+}
