@@ -59,8 +59,10 @@ public final class Console implements AutoCloseable {
     EventStreams streams = new EventStreams(events);
     List<Operation> operations = new Api(name, questions, platform.knowledge()).operations();
     ObjectNode document = OpenApiDocument.of(operations, version);
+    Health health = new Health(questions, platform::containers);
     Javalin server =
-        Javalin.create(config -> configure(config, operations, document.toString(), streams));
+        Javalin.create(
+            config -> configure(config, operations, document.toString(), streams, health));
     requireFree(port);
     try {
       server.start(HOST, port);
@@ -84,7 +86,11 @@ public final class Console implements AutoCloseable {
   }
 
   private static void configure(
-      JavalinConfig config, List<Operation> operations, String document, EventStreams streams) {
+      JavalinConfig config,
+      List<Operation> operations,
+      String document,
+      EventStreams streams,
+      Health health) {
     config.startup.showJavalinBanner = false;
     config.startup.showOldJavalinVersionWarning = false;
     config.startup.startupWatcherEnabled = false;
@@ -102,6 +108,8 @@ public final class Console implements AutoCloseable {
     config.routes.get(
         Api.ROOT + "/openapi.json",
         context -> context.contentType("application/json").result(document));
+    config.routes.get("/health", health::tellHealth);
+    config.routes.get("/ready", context -> context.future(() -> health.tellReadiness(context)));
     config.routes.sse(Api.ROOT + "/events", streams::serve);
     config.routes.exception(
         RefusalException.class, (refusal, context) -> Problems.answer(context, refusal));

@@ -29,12 +29,20 @@ final class Problems {
     context.status(status).contentType("application/json").result(document.toString());
   }
 
+  /** What went wrong, for people. */
+  static String sentence(Throwable failure) {
+    return String.valueOf(cause(failure).getMessage());
+  }
+
+  private static Throwable cause(Throwable failure) {
+    return failure instanceof CompletionException && failure.getCause() != null
+        ? failure.getCause()
+        : failure;
+  }
+
   /** What went wrong while it was answered. */
   static void answer(Context context, Throwable failure) {
-    Throwable cause =
-        failure instanceof CompletionException && failure.getCause() != null
-            ? failure.getCause()
-            : failure;
+    Throwable cause = cause(failure);
     if (cause instanceof RefusalException refusal) {
       answer(
           context,

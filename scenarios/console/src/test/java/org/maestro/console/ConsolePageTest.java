@@ -102,6 +102,77 @@ class ConsolePageTest {
   }
 
   @Test
+  void aGoalIsMadeOfATemplate() {
+    browser.go(home.uri() + "/#view=goals");
+    browser.waitForText("#goal-template", "nextTo");
+
+    browser.run(
+        "const t = document.getElementById('goal-template');"
+            + " t.value = '(nextTo Thing Thing)'; t.dispatchEvent(new Event('change'));");
+
+    WebElement entry = browser.waitFor("#goal-input");
+    entry.sendKeys("Cup");
+    assertThat(entry.getDomProperty("value")).isEqualTo("(nextTo Cup Thing)");
+    entry.clear();
+  }
+
+  @Test
+  void agentsAreMovedAndRemovedAndAddedByTheForm() {
+    browser.go(home.uri() + "/#view=members");
+    browser.waitForText("#agent-name", "lamp-b3");
+    browser.run("document.getElementById('agent-forms').open = true");
+
+    order("agent-move", "Array.from(document.querySelectorAll('#agent-container option')).at(-1)");
+    browser.waitForText("#agent-told", "lamp-b3");
+
+    browser.run("document.getElementById('agent-name').value = 'lamp-b3'");
+    browser.click("#agent-remove");
+    browser.waitForText("#agent-told", "lamp-b3");
+    browser.waitForText("#member-list", "lamp-b2");
+
+    browser
+        .waitFor("#agent-description")
+        .sendKeys(
+            """
+            @prefix maestro: <https://w3id.org/maestro#> .
+            @prefix : <https://w3id.org/maestro/domain#> .
+            <#lamp-b3> a :Lamp ; maestro:pose "4.5 1.9 2.8" ;
+              maestro:luminousIntensity 471 ; maestro:beamAngle 100 ; :power 27 .
+            """);
+    browser.click("#agent-add");
+    browser.waitForText("#agent-told", "lamp-b3");
+    browser.waitForText("#member-list", "lamp-b3");
+
+    browser.waitFor("#agent-description").clear();
+    browser
+        .waitFor("#agent-description")
+        .sendKeys(
+            """
+            @prefix maestro: <https://w3id.org/maestro#> .
+            @prefix : <https://w3id.org/maestro/domain#> .
+            @prefix home: <https://w3id.org/maestro/home/bob#> .
+            <#door-out> a :DrivenDoor ; maestro:openingFrom "0 1" ; maestro:openingTo "0 1.9" ;
+              :side home:zone-a .
+            """);
+    browser.click("#agent-add");
+    browser.waitForText("#agent-told", "door-out");
+    browser.waitForText("#member-list", "door-out");
+
+    browser.run("document.getElementById('agent-description').value = 'no Turtle'");
+    browser.click("#agent-add");
+    browser.waitFor("#agent-told.problem");
+  }
+
+  private static void order(String button, String container) {
+    browser.run(
+        "document.getElementById('agent-name').value = 'lamp-b3';"
+            + " document.getElementById('agent-container').value = ("
+            + container
+            + ").value;");
+    browser.click("#" + button);
+  }
+
+  @Test
   void whatIsKnownIsAsked() {
     browser.go(home.uri() + "/#view=knowledge");
     browser.waitForText("#fact-list", "(level lamp-a1)");

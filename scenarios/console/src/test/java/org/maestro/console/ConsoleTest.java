@@ -22,6 +22,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterAll;
@@ -34,6 +35,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.maestro.console.api.Api;
 import org.maestro.console.client.HttpQuestions;
 import org.maestro.console.client.UnreachableConsoleException;
+import org.maestro.console.questions.AgentOrder;
 import org.maestro.console.questions.RefusalException;
 
 /** The API of a running platform: what it answers, what it refuses, and what it tells. */
@@ -96,6 +98,34 @@ class ConsoleTest {
 
     await(() -> state(id).equals("cancelled"));
     assertThat(home.delete("/goals/" + id).problem()).contains(id);
+  }
+
+  @Test
+  void anAgentIsMovedConfiguredRemovedAndAdded() throws Exception {
+    HttpQuestions questions = new HttpQuestions(home.uri());
+    String lamp =
+        """
+        @prefix maestro: <https://w3id.org/maestro#> .
+        @prefix : <https://w3id.org/maestro/domain#> .
+        <#lamp-b1> a :Lamp ; maestro:pose "4.1 1.5 2.8" ;
+          maestro:luminousIntensity 505 ; maestro:beamAngle 100 ; :power 7 .
+        """;
+
+    for (AgentOrder order :
+        List.of(
+            new AgentOrder.Move("lamp-b1", "sensors"),
+            new AgentOrder.Reconfigure("lamp-b1", lamp, "lamp.ttl"),
+            new AgentOrder.Remove("lamp-b1"),
+            new AgentOrder.Add(lamp, "lamp.ttl", Optional.empty(), Optional.empty(), List.of()))) {
+      JsonNode told = questions.order(order).join();
+      assertValid(told, "told");
+      assertThat(told.path("told").path(0).asText()).as(order.toString()).contains("lamp-b1");
+    }
+    assertThatThrownBy(() -> questions.order(new AgentOrder.Remove("lamp-z")).join())
+        .hasCauseInstanceOf(RefusalException.class)
+        .hasMessageContaining("lamp-z");
+    ServedHome.Answer faulty = home.post("/agents", "{\"description\": \"x\", \"needs\": [1]}");
+    assertThat(faulty.problem()).isEqualTo("The member needs is a list of texts.");
   }
 
   @Test
@@ -196,6 +226,24 @@ class ConsoleTest {
       })
   void ourOwnPageDoes(String headers) throws IOException {
     assertThat(raw("GET /api/v1/goals", headers)).startsWith("HTTP/1.1 200 ");
+  }
+
+  @Test
+  void whoWatchesOverProcessesIsToldHowThisOneDoes() throws IOException {
+    assertThat(raw("GET /health", "Host: localhost"))
+        .startsWith("HTTP/1.1 200 ")
+        .contains("\"status\":\"well\"")
+        .contains("{\"container\":\"lights\",\"condition\":\"alive\"}");
+    assertThat(raw("GET /ready", "Host: localhost"))
+        .startsWith("HTTP/1.1 200 ")
+        .contains("{\"ready\":true,\"reasons\":[]}");
+
+    home.site().platform().endAgent("CCA");
+    await(() -> raw("GET /ready", "Host: localhost").startsWith("HTTP/1.1 503 "));
+    assertThat(raw("GET /ready", "Host: localhost"))
+        .contains("There is no central coordination agent (CCA) now");
+    new HttpQuestions(home.uri()).revive().join();
+    await(() -> raw("GET /ready", "Host: localhost").startsWith("HTTP/1.1 200 "));
   }
 
   @Test

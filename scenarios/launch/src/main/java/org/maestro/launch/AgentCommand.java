@@ -1,18 +1,13 @@
 package org.maestro.launch;
 
-import jade.lang.acl.ACLMessage;
+import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.maestro.agents.content.AgentNames;
-import org.maestro.agents.content.Words;
-import org.maestro.console.questions.Reply;
-import org.maestro.platform.JoinedContainer;
-import org.maestro.sl.Content;
+import org.maestro.console.questions.AgentOrder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -45,27 +40,22 @@ final class AgentCommand implements Runnable {
     @Spec private CommandSpec spec;
     @Mixin private PlatformOptions platform;
 
-    abstract List<Content.Argument> arguments();
+    abstract AgentOrder order();
 
     @Override
     public Integer call() {
-      List<Content.Argument> all = new ArrayList<>();
-      all.add(Words.named("action", Words.name(spec.name())));
-      all.addAll(arguments());
-      try (JoinedContainer container = platform.join()) {
-        Reply.lines(
-                container.ask(
-                    ACLMessage.REQUEST, AgentNames.COORDINATOR, new Content("perform", all)))
-            .forEach(line -> spec.commandLine().getOut().println(line.string("text").orElse("")));
+      AgentOrder order = order();
+      try (AskedPlatform asked = platform.ask()) {
+        JsonRows.of(
+                asked.answer(questions -> questions.order(order)).path("told"), JsonNode::asText)
+            .forEach(spec.commandLine().getOut()::println);
       }
       return ExitCode.DONE;
     }
 
-    static List<Content.Argument> description(Path file) {
+    static String description(Path file) {
       try {
-        return List.of(
-            Words.named("description", Words.text(Files.readString(file))),
-            Words.named("file", Words.text(String.valueOf(file.getFileName()))));
+        return Files.readString(file);
       } catch (IOException e) {
         throw CommandException.badInput(
             "There is no device file "
@@ -104,14 +94,9 @@ final class AgentCommand implements Runnable {
     private List<String> needs = List.of();
 
     @Override
-    List<Content.Argument> arguments() {
-      List<Content.Argument> arguments = new ArrayList<>(description(file));
-      as.ifPresent(name -> arguments.add(Words.named("as", Words.text(name))));
-      container.ifPresent(name -> arguments.add(Words.named("container", Words.text(name))));
-      if (!needs.isEmpty()) {
-        arguments.add(Words.named("needs", needs.stream().map(Words::text).toList()));
-      }
-      return arguments;
+    AgentOrder order() {
+      return new AgentOrder.Add(
+          description(file), String.valueOf(file.getFileName()), as, container, needs);
     }
   }
 
@@ -130,8 +115,8 @@ final class AgentCommand implements Runnable {
     private String to;
 
     @Override
-    List<Content.Argument> arguments() {
-      return List.of(Words.named("agent", Words.text(agent)), Words.named("to", Words.text(to)));
+    AgentOrder order() {
+      return new AgentOrder.Move(agent, to);
     }
   }
 
@@ -146,10 +131,9 @@ final class AgentCommand implements Runnable {
     private Path file;
 
     @Override
-    List<Content.Argument> arguments() {
-      List<Content.Argument> arguments = new ArrayList<>(description(file));
-      arguments.add(Words.named("agent", Words.text(agent)));
-      return arguments;
+    AgentOrder order() {
+      return new AgentOrder.Reconfigure(
+          agent, description(file), String.valueOf(file.getFileName()));
     }
   }
 
@@ -161,8 +145,8 @@ final class AgentCommand implements Runnable {
     private String agent;
 
     @Override
-    List<Content.Argument> arguments() {
-      return List.of(Words.named("agent", Words.text(agent)));
+    AgentOrder order() {
+      return new AgentOrder.Remove(agent);
     }
   }
 }

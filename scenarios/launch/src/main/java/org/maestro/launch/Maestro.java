@@ -39,6 +39,7 @@ import picocli.CommandLine.Spec;
       StopCommand.class,
       ReviveCommand.class,
       CheckCommand.class,
+      NewCommand.class,
       PlanCommand.class,
       SecureCommand.class,
       BenchCommand.class,

@@ -4,7 +4,9 @@ import static org.maestro.console.api.Operation.get;
 import static org.maestro.console.api.Operation.order;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
@@ -15,6 +17,7 @@ import org.maestro.console.documents.FactsDocument;
 import org.maestro.console.documents.HomeDocument;
 import org.maestro.console.documents.JsonMembers;
 import org.maestro.console.questions.AclQuestions;
+import org.maestro.console.questions.AgentOrder;
 import org.maestro.console.questions.RefusalException;
 import org.maestro.knowledge.api.KnowledgeBase;
 
@@ -25,6 +28,8 @@ public final class Api {
 
   private static final int CREATED = 201;
   private static final Parameter GOAL = Parameter.path("goal", "A goal's id, such as G1.");
+
+  private static final Parameter AGENT = Parameter.path("agent", "An agent's name.");
 
   private final String platform;
   private final AclQuestions questions;
@@ -92,6 +97,49 @@ public final class Api {
             "agents",
             request -> questions.agents()),
         get(
+                "/agents",
+                "addAgents",
+                "Starts an agent for each device that a description has, or one for all of them.",
+                "told",
+                this::add)
+            .by(Method.POST)
+            .taking("agent-request")
+            .answering(CREATED, "told"),
+        get(
+                "/agents/{agent}/moves",
+                "moveAgent",
+                "Has an agent live in another container; it goes when nothing is under way.",
+                "told",
+                request ->
+                    questions.order(
+                        new AgentOrder.Move(
+                            request.parameter("agent"), request.body().path("to").asText())))
+            .by(Method.POST)
+            .with(AGENT)
+            .taking("agent-move"),
+        get(
+                "/agents/{agent}/descriptions",
+                "reconfigureAgent",
+                "Has an agent go by another description of its device.",
+                "told",
+                request ->
+                    questions.order(
+                        new AgentOrder.Reconfigure(
+                            request.parameter("agent"),
+                            request.body().path("description").asText(),
+                            request.body().path("file").asText("description"))))
+            .by(Method.POST)
+            .with(AGENT)
+            .taking("agent-description"),
+        get(
+                "/agents/{agent}",
+                "removeAgent",
+                "Ends an agent; its device gets no other until one is added.",
+                "told",
+                request -> questions.order(new AgentOrder.Remove(request.parameter("agent"))))
+            .by(Method.DELETE)
+            .with(AGENT),
+        get(
             "/containers",
             "containers",
             "The containers, with the agents of each.",
@@ -143,6 +191,23 @@ public final class Api {
             asked.path("priority").asInt(),
             deadline.isNumber() ? OptionalDouble.of(deadline.asDouble()) : OptionalDouble.empty())
         .thenApply(id -> JsonMembers.empty().text("id", id).node());
+  }
+
+  private CompletableFuture<JsonNode> add(Request request) {
+    JsonNode asked = request.body();
+    List<String> needs = new ArrayList<>();
+    asked.path("needs").forEach(need -> needs.add(need.asText()));
+    return questions.order(
+        new AgentOrder.Add(
+            asked.path("description").asText(),
+            asked.path("file").asText("description"),
+            text(asked, "as"),
+            text(asked, "container"),
+            needs));
+  }
+
+  private static Optional<String> text(JsonNode asked, String name) {
+    return Optional.ofNullable(asked.path(name).textValue()).filter(text -> !text.isBlank());
   }
 
   private CompletableFuture<JsonNode> story(Request request) {

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.maestro.console.questions.RefusalException;
 
-/** Checks what was sent against its schema: an object of texts and numbers. */
+/** Checks what was sent against its schema: an object of texts, numbers, and lists of texts. */
 final class BodyCheck {
   private BodyCheck() {}
 
@@ -65,8 +65,17 @@ final class BodyCheck {
       case "number" -> value.isNumber();
       case "integer" -> value.canConvertToInt() && value.asDouble() == value.asInt();
       case "null" -> value.isNull();
+      case "array" -> value.isArray() && isOfTexts(value);
       default -> throw new IllegalStateException("No body has a member of type " + type + ".");
     };
+  }
+
+  private static boolean isOfTexts(JsonNode array) {
+    boolean texts = true;
+    for (JsonNode item : array) {
+      texts &= item.isTextual();
+    }
+    return texts;
   }
 
   private static String inWords(String type) {
@@ -74,6 +83,7 @@ final class BodyCheck {
       case "string" -> "a text";
       case "integer" -> "a whole number";
       case "null" -> "null";
+      case "array" -> "a list of texts";
       default -> "a number";
     };
   }

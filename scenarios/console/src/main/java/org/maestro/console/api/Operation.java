@@ -115,6 +115,11 @@ public record Operation(
         action);
   }
 
+  /** The same by another method. */
+  Operation by(Method other) {
+    return new Operation(other, path, id, summary, parameters, body, status, answer, action);
+  }
+
   Operation with(Parameter... more) {
     return new Operation(method, path, id, summary, List.of(more), body, status, answer, action);
   }

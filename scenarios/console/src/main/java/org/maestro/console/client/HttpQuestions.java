@@ -4,14 +4,18 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.net.HttpURLConnection;
 import java.net.URI;
 import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
+import org.maestro.console.questions.AgentOrder;
 import org.maestro.console.questions.Questions;
 import org.maestro.console.questions.RefusalException;
 
@@ -68,26 +72,49 @@ public final class HttpQuestions implements Questions {
 
   @Override
   public CompletableFuture<Void> cancel(String goal) {
-    return request("DELETE", "/goals/" + encoded(goal)).thenAccept(nothing -> {});
+    return request("DELETE", "/goals/" + encoded(goal), Optional.empty()).thenAccept(nothing -> {});
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> order(AgentOrder order) {
+    ObjectNode body = JsonNodeFactory.instance.objectNode();
+    if (order instanceof AgentOrder.Add add) {
+      body.put("description", add.description()).put("file", add.file());
+      add.as().ifPresent(name -> body.put("as", name));
+      add.container().ifPresent(name -> body.put("container", name));
+      add.needs().forEach(body.putArray("needs")::add);
+      return request("POST", "/agents", Optional.of(body));
+    } else if (order instanceof AgentOrder.Move move) {
+      body.put("to", move.to());
+      return request("POST", agent(move.agent()) + "/moves", Optional.of(body));
+    } else if (order instanceof AgentOrder.Reconfigure changed) {
+      body.put("description", changed.description()).put("file", changed.file());
+      return request("POST", agent(changed.agent()) + "/descriptions", Optional.of(body));
+    }
+    return request("DELETE", agent(((AgentOrder.Remove) order).agent()), Optional.empty());
+  }
+
+  private static String agent(String name) {
+    return "/agents/" + encoded(name);
   }
 
   @Override
   public CompletableFuture<Void> stop() {
-    return request("POST", "/safe-state").thenAccept(nothing -> {});
+    return request("POST", "/safe-state", Optional.empty()).thenAccept(nothing -> {});
   }
 
   @Override
   public CompletableFuture<Void> revive() {
-    return request("POST", "/coordinator/revival").thenAccept(nothing -> {});
+    return request("POST", "/coordinator/revival", Optional.empty()).thenAccept(nothing -> {});
   }
 
   private CompletableFuture<JsonNode> get(String path) {
-    return request("GET", path);
+    return request("GET", path, Optional.empty());
   }
 
-  private CompletableFuture<JsonNode> request(String method, String path) {
+  private CompletableFuture<JsonNode> request(String method, String path, Optional<JsonNode> body) {
     try {
-      return CompletableFuture.completedFuture(answer(method, console.resolve(ROOT + path)));
+      return CompletableFuture.completedFuture(answer(method, console.resolve(ROOT + path), body));
     } catch (RefusalException e) {
       return CompletableFuture.failedFuture(e);
     } catch (IOException e) {
@@ -95,11 +122,19 @@ public final class HttpQuestions implements Questions {
     }
   }
 
-  private static JsonNode answer(String method, URI at) throws IOException {
+  private static JsonNode answer(String method, URI at, Optional<JsonNode> sent)
+      throws IOException {
     HttpURLConnection connection = (HttpURLConnection) at.toURL().openConnection();
     connection.setRequestMethod(method);
     connection.setConnectTimeout(CONNECT_MILLIS);
     connection.setReadTimeout(ANSWER_WITHIN_MILLIS);
+    if (sent.isPresent()) {
+      connection.setDoOutput(true);
+      connection.setRequestProperty("Content-Type", "application/json");
+      try (OutputStream out = connection.getOutputStream()) {
+        out.write(sent.get().toString().getBytes(StandardCharsets.UTF_8));
+      }
+    }
     int status = connection.getResponseCode();
     if (status >= FIRST_BAD_STATUS) {
       throw refusal(connection, status);

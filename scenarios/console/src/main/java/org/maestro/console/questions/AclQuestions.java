@@ -16,6 +16,7 @@ import org.maestro.console.documents.AgentsDocument;
 import org.maestro.console.documents.AnswersDocument;
 import org.maestro.console.documents.ContainersDocument;
 import org.maestro.console.documents.GoalsDocument;
+import org.maestro.console.documents.JsonMembers;
 import org.maestro.console.documents.StoryDocument;
 import org.maestro.console.documents.WordsDocument;
 import org.maestro.sl.Content;
@@ -105,6 +106,19 @@ public final class AclQuestions implements Questions {
             AgentNames.COORDINATOR,
             Words.content("cancel", Words.named("goal", Words.name(goal))))
         .thenAccept(lines -> {});
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> order(AgentOrder order) {
+    return ask(
+            ACLMessage.REQUEST,
+            AgentNames.COORDINATOR,
+            new Content("perform", OrderWords.arguments(order)))
+        .thenApply(
+            lines ->
+                JsonMembers.empty()
+                    .words("told", lines.stream().flatMap(l -> l.string("text").stream()).toList())
+                    .node());
   }
 
   @Override

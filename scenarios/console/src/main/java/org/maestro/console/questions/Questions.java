@@ -37,6 +37,13 @@ public interface Questions {
   /** Gives a goal up. */
   CompletableFuture<Void> cancel(String goal);
 
+  /**
+   * Changes which agents there are.
+   *
+   * @return what was done, in sentences
+   */
+  CompletableFuture<JsonNode> order(AgentOrder order);
+
   /** Brings all devices into a safe state. */
   CompletableFuture<Void> stop();
 

@@ -5,7 +5,7 @@ import { select, selection, onSelect } from "./selection.js";
 import { drawMap } from "./map.js";
 import { drawGoals, startGoals } from "./goals.js";
 import { drawDetail } from "./detail.js";
-import { drawMembers } from "./members.js";
+import { drawMembers, startMembers } from "./members.js";
 import { drawKnowledge, startKnowledge } from "./knowledge.js";
 
 const VIEWS = ["goals", "members", "knowledge"];
@@ -59,6 +59,7 @@ byId("stop").addEventListener("click", () =>
   ask.stop().then(() => say("Every device was told to go into a safe state."), (failure) => say(failure.message)));
 theme(localStorage.getItem("theme") ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light"));
 startGoals();
+startMembers();
 startKnowledge();
 onChange(drawAll);
 onSelect(drawAll);

@@ -1,7 +1,7 @@
 /** What is chosen, in full: a goal's story, or all that is known of a thing. */
 import { make, byId, table, redraw, seconds } from "./dom.js";
 import { state, age, ask, onStory } from "./feed.js";
-import { selection } from "./selection.js";
+import { select, selection } from "./selection.js";
 import { isOver, stateOf } from "./goals.js";
 
 let story = { goal: null, entries: [], problem: null };
@@ -43,6 +43,9 @@ function goalDetail(id) {
   const from = story.entries[0]?.at_s ?? 0;
   const head = make("h2", {},
     make("code", {}, `${id} ${goal?.goal ?? ""}`), goal ? stateOf(goal) : null, make("span", { class: "grow" }),
+    goal && isOver(goal) && goal.state !== "achieved"
+      ? make("button", { type: "button", onclick: () => ask.state(goal.goal, goal.priority).then(({ id: again }) => select({ goal: again }), (failure) => { story.problem = failure.message; drawDetail(); }) }, "State again")
+      : null,
     goal && !isOver(goal)
       ? make("button", { type: "button", onclick: () => ask.cancel(id).catch((failure) => { story.problem = failure.message; drawDetail(); }) }, "Cancel goal")
       : null);

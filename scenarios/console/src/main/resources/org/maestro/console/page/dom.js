@@ -51,6 +51,19 @@ export function table(columns, rows, { isChosen = () => false, choose } = {}) {
       columns.map((column) => make("td", { class: column.className }, column.cell(row)))))));
 }
 
+/** The choices of a list; what is chosen stays so, and nothing moves while it is open. */
+export function choices(select, values) {
+  const wanted = values.map(({ value, text }) => `${value} ${text}`).join("\n");
+  if (select.dataset.choices !== wanted) {
+    const chosen = select.value;
+    select.replaceChildren(...values.map(({ value, text }) => make("option", { value }, text)));
+    if (values.some((one) => one.value === chosen)) {
+      select.value = chosen;
+    }
+    select.dataset.choices = wanted;
+  }
+}
+
 export function seconds(value) {
   if (value === null || value === undefined) {
     return "–";

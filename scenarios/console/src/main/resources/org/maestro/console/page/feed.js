@@ -59,14 +59,23 @@ async function request(path, options) {
   return answer(response);
 }
 
+function send(method, path, body) {
+  return request(path, {
+    method,
+    headers: { "Content-Type": "application/json" },
+    body: JSON.stringify(body),
+  });
+}
+
 export const ask = {
   story: (goal) => request(`/goals/${encodeURIComponent(goal)}/story`),
   know: (question) => request(`/knowledge?question=${encodeURIComponent(question)}`),
-  state: (goal) => request("/goals", {
-    method: "POST",
-    headers: { "Content-Type": "application/json" },
-    body: JSON.stringify({ goal }),
-  }),
+  state: (goal, priority = 0, deadline = null) => send("POST", "/goals", { goal, priority, deadline_s: deadline }),
+  containers: () => request("/containers"),
+  addAgents: (description) => send("POST", "/agents", { description }),
+  moveAgent: (agent, to) => send("POST", `/agents/${encodeURIComponent(agent)}/moves`, { to }),
+  reconfigureAgent: (agent, description) => send("POST", `/agents/${encodeURIComponent(agent)}/descriptions`, { description }),
+  removeAgent: (agent) => request(`/agents/${encodeURIComponent(agent)}`, { method: "DELETE" }),
   cancel: (goal) => request(`/goals/${encodeURIComponent(goal)}`, { method: "DELETE" }),
   stop: () => request("/safe-state", { method: "POST" }),
 };

@@ -1,5 +1,5 @@
 /** Goals: stating them, the list, and how far each is. */
-import { make, byId, table, redraw, seconds } from "./dom.js";
+import { make, byId, table, redraw, choices, seconds } from "./dom.js";
 import { state, age, ask } from "./feed.js";
 import { select, selection } from "./selection.js";
 
@@ -20,7 +20,16 @@ export function isOver(goal) {
   return LAST.has(goal.state);
 }
 
+/** What a goal can be, with classes where its things are to stand. */
+function templates() {
+  const filled = (entry) => `(${[entry.word, ...entry.arguments.map((one) => one.class ?? "thing")].join(" ")})`;
+  const of = (kind, form) => state.words.filter((entry) => entry.kind === kind)
+    .map((entry) => ({ value: form(filled(entry)), text: entry.meaning ? `${entry.word}: ${entry.meaning}` : entry.word }));
+  return [{ value: "", text: "choose …" }, ...of("predicate", (text) => text), ...of("number", (text) => `(>= ${text} 1)`)];
+}
+
 export function drawGoals() {
+  choices(byId("goal-template"), templates());
   const list = byId("goal-list");
   if (state.goals.length === 0) {
     redraw(list, make("p", { class: "empty" },
@@ -105,10 +114,25 @@ function complete(input, list) {
   });
 }
 
+/** Where the first thing that is to be named stands. */
+function firstPlace(goal) {
+  const start = goal.indexOf(" ", goal.startsWith("(>= (") ? 5 : 1) + 1;
+  return [start, start + goal.slice(start).search(/[ )]/)];
+}
+
 export function startGoals() {
   const input = byId("goal-input");
   const problem = byId("goal-problem");
+  const template = byId("goal-template");
   complete(input, byId("suggestions"));
+  template.addEventListener("change", () => {
+    if (template.value) {
+      input.value = template.value;
+      template.value = "";
+      input.focus();
+      input.setSelectionRange(...firstPlace(input.value));
+    }
+  });
   byId("goal-form").addEventListener("submit", async (event) => {
     event.preventDefault();
     problem.textContent = "";
@@ -118,8 +142,11 @@ export function startGoals() {
       return;
     }
     try {
-      const { id } = await ask.state(goal);
+      const deadline = byId("goal-deadline").value;
+      const { id } = await ask.state(goal, Number(byId("goal-priority").value), deadline === "" ? null : Number(deadline));
       input.value = "";
+      byId("goal-priority").value = "0";
+      byId("goal-deadline").value = "";
       select({ goal: id });
     } catch (failure) {
       problem.textContent = failure.message;

@@ -1,0 +1,68 @@
+package org.maestro.console;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import io.javalin.http.Context;
+import java.util.List;
+import java.util.Locale;
+import java.util.SortedMap;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Supplier;
+import org.maestro.agents.pulse.Condition;
+import org.maestro.console.documents.JsonMembers;
+import org.maestro.console.questions.Questions;
+
+/**
+ * The health of a platform, for those who watch over processes (ADE, status derived from
+ * heartbeats; A34): {@code /health} tells how its containers do as soon as the process can tell
+ * anything, {@code /ready} whether goals are taken now.
+ */
+final class Health {
+  private final Questions questions;
+  private final Supplier<SortedMap<String, Condition>> containers;
+
+  /**
+   * @param containers of the platform, and whether they give signs of life
+   */
+  Health(Questions questions, Supplier<SortedMap<String, Condition>> containers) {
+    this.questions = questions;
+    this.containers = containers;
+  }
+
+  /** Always answered with 200: whether something is amiss stands in the answer. */
+  void tellHealth(Context context) {
+    JsonMembers document = JsonMembers.empty();
+    SortedMap<String, Condition> now = containers.get();
+    boolean well = now.values().stream().allMatch(Condition.ALIVE::equals);
+    document.text("status", well ? "well" : "impaired");
+    ArrayNode array = document.node().putArray("containers");
+    now.forEach(
+        (name, condition) ->
+            JsonMembers.in(array)
+                .text("container", name)
+                .text("condition", condition.name().toLowerCase(Locale.ROOT)));
+    answer(context, 200, document.node());
+  }
+
+  /** Answered with 200 when goals are taken, and with 503 and the reason when not. */
+  CompletableFuture<?> tellReadiness(Context context) {
+    return questions
+        .goals()
+        .handle(
+            (goals, failure) -> {
+              boolean ready = failure == null;
+              answer(
+                  context,
+                  ready ? 200 : Problems.OUTSIDE,
+                  JsonMembers.empty()
+                      .truth("ready", ready)
+                      .words("reasons", ready ? List.of() : List.of(Problems.sentence(failure)))
+                      .node());
+              return null;
+            });
+  }
+
+  private static void answer(Context context, int status, JsonNode document) {
+    context.status(status).contentType("application/json").result(document.toString());
+  }
+}
