@@ -206,6 +206,11 @@ public final class MaestroPlatform implements AutoCloseable {
     return desk;
   }
 
+  /** Simulated seconds in one of wall time. */
+  public double speed() {
+    return time.clock().speed();
+  }
+
   public int port() {
     return settings.port();
   }

@@ -37,9 +37,11 @@ public final class Console implements AutoCloseable {
 
   private final EventHub events;
   private final EventStreams streams;
+  private final Preview preview;
   private final Javalin server;
 
-  private Console(EventHub events, EventStreams streams, Javalin server) {
+  private Console(EventHub events, EventStreams streams, Preview preview, Javalin server) {
+    this.preview = preview;
     this.events = events;
     this.streams = streams;
     this.server = server;
@@ -57,7 +59,9 @@ public final class Console implements AutoCloseable {
     AclQuestions questions = new AclQuestions(platform.desk());
     EventHub events = new EventHub(questions, platform.knowledge());
     EventStreams streams = new EventStreams(events);
-    List<Operation> operations = new Api(name, questions, platform.knowledge()).operations();
+    Preview preview = new Preview(platform.knowledge(), platform::presentMembers);
+    List<Operation> operations =
+        new Api(name, platform.speed(), questions, platform.knowledge(), preview::of).operations();
     ObjectNode document = OpenApiDocument.of(operations, version);
     Health health = new Health(questions, platform::containers);
     Javalin server =
@@ -71,7 +75,7 @@ public final class Console implements AutoCloseable {
     }
     platform.onStory(events::told);
     events.start();
-    return new Console(events, streams, server);
+    return new Console(events, streams, preview, server);
   }
 
   private static void requireFree(int port) {
@@ -95,6 +99,7 @@ public final class Console implements AutoCloseable {
     config.startup.showOldJavalinVersionWarning = false;
     config.startup.startupWatcherEnabled = false;
     config.http.maxRequestSize = MOST_BYTES;
+    config.http.prefer405over404 = true;
     config.jetty.threadPool = threads();
     config.jetty.modifyHttpConfiguration(http -> http.setSendServerVersion(false));
     config.staticFiles.add("/org/maestro/console/page", Location.CLASSPATH);
@@ -183,6 +188,7 @@ public final class Console implements AutoCloseable {
   public void close() {
     streams.close();
     server.stop();
+    preview.close();
     events.close();
   }
 }

@@ -37,8 +37,8 @@ final class EventHub implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(EventHub.class);
   private static final long GATHERED_MILLIS = 100;
 
-  /** Agents come and go without a word; their table is compared so often. */
-  private static final long AGENTS_MILLIS = 1_000;
+  /** Agents come and go, and facts grow too old, without a word; so often it is looked for. */
+  private static final long LOOK_MILLIS = 1_000;
 
   private static final int MOST_LISTENERS = 64;
 
@@ -70,7 +70,7 @@ final class EventHub implements AutoCloseable {
   void start() {
     knowledge.watch(change -> factsAreNew.set(true));
     rounds.add(everyMillis(GATHERED_MILLIS, this::tell));
-    rounds.add(everyMillis(AGENTS_MILLIS, this::askForAgents));
+    rounds.add(everyMillis(LOOK_MILLIS, this::look));
   }
 
   private Future<?> everyMillis(long pause, Runnable work) {
@@ -188,6 +188,11 @@ final class EventHub implements AutoCloseable {
     ArrayNode lost = node.putArray("gone");
     gone.forEach(lost::add);
     return node;
+  }
+
+  private void look() {
+    factsAreNew.set(true);
+    askForAgents();
   }
 
   private void askForAgents() {

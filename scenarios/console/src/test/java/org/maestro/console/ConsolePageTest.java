@@ -102,6 +102,20 @@ class ConsolePageTest {
   }
 
   @Test
+  void aPlanIsLookedAtBeforeItIsBegun() {
+    browser.go(home.uri() + "/#view=goals");
+    WebElement entry = browser.waitFor("#goal-input");
+    entry.sendKeys("(canSee ?who Cup)");
+
+    browser.click("#goal-preview");
+
+    browser.waitForText("#goal-plan", "Would cost ");
+    browser.waitForText("#goal-plan", "looks for Cup in");
+    assertThat(entry.getDomProperty("value")).isEqualTo("(canSee ?who Cup)");
+    entry.clear();
+  }
+
+  @Test
   void aGoalIsMadeOfATemplate() {
     browser.go(home.uri() + "/#view=goals");
     browser.waitForText("#goal-template", "nextTo");

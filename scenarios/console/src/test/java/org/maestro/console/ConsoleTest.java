@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.networknt.schema.JsonSchemaFactory;
@@ -87,6 +88,28 @@ class ConsoleTest {
     assertThat(story.path("story").findValuesAsText("kind")).startsWith("goal").endsWith("end");
     JsonNode choice = home.get("/goals/" + id + "/story?step=1").document();
     assertThat(choice.at("/story/0/text").asText()).isNotEmpty();
+  }
+
+  @Test
+  void aPlanIsShownBeforeItIsBegun() throws Exception {
+    ServedHome.Answer lit =
+        home.post("/goals/preview", "{\"goal\": \"(keep (>= (illuminance zone-b) 72))\"}");
+    assertThat(lit.status()).as(lit.toString()).isEqualTo(200);
+    assertValid(lit.document(), "preview");
+    assertThat(lit.document().path("verdict").asText()).isEqualTo("plan");
+    int goals = home.get("/goals").document().path("goals").size();
+
+    ServedHome.Answer cup = home.post("/goals/preview", "{\"goal\": \"(in rose zone-a)\"}");
+    assertValid(cup.document(), "preview");
+    assertThat(cup.document().path("cost").asDouble()).isPositive();
+    assertThat(cup.document().at("/steps/0/text").asText()).isEqualTo("rose drives to zone-a");
+    ServedHome.Answer never =
+        home.post("/goals/preview", "{\"goal\": \"(>= (illuminance zone-b) 100000)\"}");
+    assertValid(never.document(), "preview");
+    assertThat(never.document().path("verdict").asText()).isEqualTo("none");
+    assertThat(home.post("/goals/preview", "{\"goal\": \"(flies Bob)\"}").problem())
+        .contains("flies");
+    assertThat(home.get("/goals").document().path("goals")).as("nothing is begun").hasSize(goals);
   }
 
   @Test
@@ -282,6 +305,44 @@ class ConsoleTest {
     }
     assertThat(heard.subList(0, 2)).containsExactly("home", "facts");
     assertThat(heard).contains("story").filteredOn("facts"::equals).hasSizeGreaterThan(1);
+  }
+
+  /** Nobody tells that a fact has grown too old; what was seen is not shown as seen for ever. */
+  @Test
+  void whatGrowsTooOldIsToldToBeGone() throws Exception {
+    HttpResponse<InputStream> response =
+        home.stream(home.to("/events").header("Accept", "text/event-stream").build());
+    boolean seen = false;
+    boolean gone = false;
+    try (BufferedReader lines =
+        new BufferedReader(new InputStreamReader(response.body(), StandardCharsets.UTF_8))) {
+      for (String line = lines.readLine(); line != null && !gone; line = lines.readLine()) {
+        if (line.startsWith("event: home")) {
+          home.state("(canSee ?who Bob)");
+        } else if (line.startsWith("data: {\"all\"")) {
+          JsonNode news = new ObjectMapper().readTree(line.substring("data: ".length()));
+          seen |= news.path("facts").findValuesAsText("fact").contains("(canSee cam-a Bob)");
+          for (JsonNode fact : news.path("gone")) {
+            gone |= seen && fact.asText().equals("(canSee cam-a Bob)");
+          }
+        }
+      }
+    }
+    assertThat(gone).isTrue();
+  }
+
+  @Test
+  void whatIsTooLongIsNotRead() throws Exception {
+    ServedHome.Answer answer = home.post("/goals", "{\"goal\": \"" + "x".repeat(1_100_000) + "\"}");
+    assertThat(answer.status()).isEqualTo(413);
+    assertValid(answer.document(), "problem");
+  }
+
+  @Test
+  void whatIsNotDoneSoIsSaid() throws Exception {
+    ServedHome.Answer answer = home.delete("/goals");
+    assertThat(answer.status()).isEqualTo(405);
+    assertValid(answer.document(), "problem");
   }
 
   @Test

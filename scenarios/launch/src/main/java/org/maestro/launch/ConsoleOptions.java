@@ -20,6 +20,11 @@ final class ConsoleOptions {
               + " Without: on 7070, or on a free port when that is taken.")
   private Optional<String> wanted = Optional.empty();
 
+  /** As without the option. */
+  static ConsoleOptions usual() {
+    return new ConsoleOptions();
+  }
+
   /**
    * Whether it can be.
    *

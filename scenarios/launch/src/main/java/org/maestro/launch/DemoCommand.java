@@ -14,6 +14,7 @@ import org.maestro.agents.content.GoalReport;
 import org.maestro.agents.content.Words;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
+import org.maestro.console.Console;
 import org.maestro.console.documents.JsonMembers;
 import org.maestro.ontology.home.Home;
 import org.maestro.picture.TopView;
@@ -67,6 +68,11 @@ final class DemoCommand implements Callable<Integer> {
       description = "Of all chance in the world; default ${DEFAULT-VALUE}.")
   private long seed;
 
+  @Option(
+      names = "--console",
+      description = "Show it in a page, too, and stay with it until Ctrl-C.")
+  private boolean console;
+
   @Option(names = "--json", description = "Print one JSON document instead of the story.")
   private boolean json;
 
@@ -80,13 +86,16 @@ final class DemoCommand implements Callable<Integer> {
       Path picture) {}
 
   @Override
-  public Integer call() {
+  public Integer call() throws InterruptedException {
     long started = System.nanoTime();
     if (!Shipped.SCENES.contains(scene)) {
       throw CommandException.badInput(
           "There is no demo %s; there are %s.".formatted(scene, String.join(", ", Shipped.SCENES)));
     }
     Speed.require(speed);
+    if (console && json) {
+      throw CommandException.badInput("--console stays, --json prints and ends; leave one away.");
+    }
     String homeName = scene.substring(0, scene.indexOf('-'));
     Home home = Shipped.home(homeName);
     Scene truth = Shipped.scene(scene, home);
@@ -109,6 +118,9 @@ final class DemoCommand implements Callable<Integer> {
             .allocation(allocation.objective())
             .build();
     try (LocalSite site = LocalSite.paced(settings, speed)) {
+      Optional<Console> served =
+          console ? ConsoleOptions.usual().start(site.platform(), NAME, false) : Optional.empty();
+      served.ifPresent(page -> out.println("In a browser: " + page.uri()));
       Optional<Duration> lowerBound = lowerBound(site, home, goal);
       TopView view = new TopView(home, site.world());
       GoalReport report = pursue(site, goal);
@@ -123,8 +135,23 @@ final class DemoCommand implements Callable<Integer> {
               (System.nanoTime() - started) / 1e9,
               picture);
       tell(summary, out);
+      if (served.isPresent()) {
+        out.println();
+        stay(site, served.get(), out);
+      }
       return summary.reached() ? ExitCode.DONE : ExitCode.NOT_REACHED;
     }
+  }
+
+  private static void stay(LocalSite site, Console served, PrintWriter out)
+      throws InterruptedException {
+    UntilStopped.run(
+        out,
+        "The platform and its page stay: " + served.uri() + ".",
+        () -> {
+          served.close();
+          site.close();
+        });
   }
 
   private GoalReport pursue(LocalSite site, String goal) {
@@ -209,6 +236,7 @@ final class DemoCommand implements Callable<Integer> {
     out.println();
     out.println("Try next:");
     out.printf("  ./maestro why %-17s the whole story again%n", report.id().orElse("G1"));
+    out.printf("  ./maestro demo --console        the same, in a page that stays open%n");
     out.printf("  ./maestro demo bob-weak-lamps   lamps weaker than they claim%n");
     out.printf(
         "  ./maestro run bob --gui         a platform that stays, to talk to from another"

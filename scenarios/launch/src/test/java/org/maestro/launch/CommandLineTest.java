@@ -32,6 +32,7 @@ class CommandLineTest {
         "dance | 2 | There is no command dance",
         "help gaol | 2 | There is no command gaol; write goal, if that is meant",
         "demo bob-bright | 2 | There is no demo bob-bright",
+        "demo --console --json | 2 | --console stays, --json prints and ends; leave one away",
         "demo --speed 0 | 2 | --speed is above 0",
         "run | 2 | Missing required parameter",
         "run nowhere.ttl | 2 | There is no home file nowhere.ttl",

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Function;
 import org.maestro.console.api.Operation.Method;
 import org.maestro.console.api.Operation.Parameter;
 import org.maestro.console.api.Operation.Request;
@@ -32,14 +33,25 @@ public final class Api {
   private static final Parameter AGENT = Parameter.path("agent", "An agent's name.");
 
   private final String platform;
+  private final double speed;
   private final AclQuestions questions;
   private final KnowledgeBase knowledge;
+  private final Function<String, CompletableFuture<JsonNode>> preview;
 
   /**
    * @param platform its name
+   * @param speed of its clock, simulated seconds in one of wall time
+   * @param preview makes a plan for a goal that is not stated yet
    */
-  public Api(String platform, AclQuestions questions, KnowledgeBase knowledge) {
+  public Api(
+      String platform,
+      double speed,
+      AclQuestions questions,
+      KnowledgeBase knowledge,
+      Function<String, CompletableFuture<JsonNode>> preview) {
+    this.preview = preview;
     this.platform = platform;
+    this.speed = speed;
     this.questions = questions;
     this.knowledge = knowledge;
   }
@@ -73,6 +85,14 @@ public final class Api {
         order(Method.POST, "/goals", "stateGoal", "States a goal.", this::state)
             .taking("goal-request")
             .answering(CREATED, "goal-accepted"),
+        get(
+                "/goals/preview",
+                "previewGoal",
+                "The plan for a goal and its price as described, before anybody is asked.",
+                "preview",
+                request -> preview.apply(request.body().path("goal").asText()))
+            .by(Method.POST)
+            .taking("preview-request"),
         order(
                 Method.DELETE,
                 "/goals/{goal}",
@@ -178,6 +198,7 @@ public final class Api {
     return JsonMembers.empty()
         .text("platform", platform)
         .text("home", knowledge.home().label())
+        .number("speed", speed)
         .number("devices", OptionalInt.of(knowledge.home().devices().size()))
         .node();
   }

@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
@@ -16,11 +17,10 @@ public final class OpenApiDocument {
   /** What each operation may answer when it does not do what it is for. */
   private static final SortedMap<Integer, String> PROBLEMS =
       new TreeMap<>(
-          java.util.Map.of(
+          Map.of(
               400, "It cannot be understood, or speaks of what is not there.",
               403, "It comes from a page of another site, or for another host.",
               413, "What was sent is too long.",
-              429, "There are too many requests.",
               503, "Something outside failed; the same may be answered later."));
 
   private OpenApiDocument() {}

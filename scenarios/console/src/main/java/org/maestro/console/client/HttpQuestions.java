@@ -15,6 +15,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
+import org.maestro.console.api.Api;
 import org.maestro.console.questions.AgentOrder;
 import org.maestro.console.questions.Questions;
 import org.maestro.console.questions.RefusalException;
@@ -29,7 +30,6 @@ public final class HttpQuestions implements Questions {
 
   private static final int CONNECT_MILLIS = 2_000;
   private static final int FIRST_BAD_STATUS = 400;
-  private static final String ROOT = "/api/v1";
 
   private final URI console;
 
@@ -114,7 +114,8 @@ public final class HttpQuestions implements Questions {
 
   private CompletableFuture<JsonNode> request(String method, String path, Optional<JsonNode> body) {
     try {
-      return CompletableFuture.completedFuture(answer(method, console.resolve(ROOT + path), body));
+      return CompletableFuture.completedFuture(
+          answer(method, console.resolve(Api.ROOT + path), body));
     } catch (RefusalException e) {
       return CompletableFuture.failedFuture(e);
     } catch (IOException e) {

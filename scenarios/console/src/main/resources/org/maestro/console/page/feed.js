@@ -71,6 +71,7 @@ export const ask = {
   story: (goal) => request(`/goals/${encodeURIComponent(goal)}/story`),
   know: (question) => request(`/knowledge?question=${encodeURIComponent(question)}`),
   state: (goal, priority = 0, deadline = null) => send("POST", "/goals", { goal, priority, deadline_s: deadline }),
+  preview: (goal) => send("POST", "/goals/preview", { goal }),
   containers: () => request("/containers"),
   addAgents: (description) => send("POST", "/agents", { description }),
   moveAgent: (agent, to) => send("POST", `/agents/${encodeURIComponent(agent)}/moves`, { to }),
@@ -82,11 +83,11 @@ export const ask = {
 
 /** Ages go on while nothing is told. */
 function dated(row) {
-  return { ...row, heard: performance.now() - (row.age_s ?? 0) * 1000 };
+  return { ...row, heard: performance.now() };
 }
 
 export function age(row) {
-  return (performance.now() - row.heard) / 1000;
+  return (row.age_s ?? 0) + ((performance.now() - row.heard) / 1000) * (state.platform?.speed ?? 1);
 }
 
 function take(event) {

@@ -114,6 +114,23 @@ function complete(input, list) {
   });
 }
 
+/** A plan that nobody has begun. */
+function planned(preview) {
+  if (preview.verdict !== "plan") {
+    return [make("p", { class: "quiet" }, preview.reason)];
+  }
+  if (preview.steps.length === 0) {
+    return [make("p", {}, "It is so already, as far as is known.")];
+  }
+  return [
+    make("p", {}, make("strong", {}, `Would cost ${Math.round(preview.cost * 100) / 100} and take ${seconds(preview.duration_s)}`),
+      make("span", { class: "quiet" }, ", by prices as they are described:")),
+    make("ol", { class: "plan" }, preview.steps.map((step) => make("li", {}, step.text,
+      make("span", { class: "quiet" }, ` ${Math.round(step.cost * 100) / 100}, ${seconds(step.seconds)}`
+        + (step.after.length > 0 ? `, after ${step.after.join(", ")}` : ""))))),
+  ];
+}
+
 /** Where the first thing that is to be named stands. */
 function firstPlace(goal) {
   const start = goal.indexOf(" ", goal.startsWith("(>= (") ? 5 : 1) + 1;
@@ -133,12 +150,31 @@ export function startGoals() {
       input.setSelectionRange(...firstPlace(input.value));
     }
   });
+  const plan = byId("goal-plan");
+  const written = () => {
+    problem.textContent = "";
+    plan.replaceChildren();
+    const goal = input.value.trim();
+    problem.textContent = goal === "" ? "Write a goal first, such as (nextTo Cup Bob)." : "";
+    return goal;
+  };
+  byId("goal-preview").addEventListener("click", async () => {
+    const goal = written();
+    if (goal === "") {
+      return;
+    }
+    plan.textContent = "Planning …";
+    try {
+      plan.replaceChildren(...planned(await ask.preview(goal)));
+    } catch (failure) {
+      plan.replaceChildren();
+      problem.textContent = failure.message;
+    }
+  });
   byId("goal-form").addEventListener("submit", async (event) => {
     event.preventDefault();
-    problem.textContent = "";
-    const goal = input.value.trim();
+    const goal = written();
     if (goal === "") {
-      problem.textContent = "Write a goal first, such as (nextTo Cup Bob).";
       return;
     }
     try {

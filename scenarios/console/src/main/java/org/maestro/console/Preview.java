@@ -1,0 +1,96 @@
+package org.maestro.console;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
+import org.maestro.console.documents.PreviewDocument;
+import org.maestro.console.questions.RefusalException;
+import org.maestro.coordination.api.GoalCheck;
+import org.maestro.coordination.api.InvalidGoalException;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.ontology.home.Home;
+import org.maestro.planning.OptimalPlanner;
+import org.maestro.planning.api.PlanningTask;
+import org.maestro.planning.api.PricedFeature;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.SlSyntaxException;
+
+/**
+ * The plan for a goal before anybody is asked for anything: from what is known now, with those who
+ * are there, at the prices that they have described. When the goal is stated they are asked, and
+ * the plan may be another one. Planned one after the other, on a thread of its own.
+ */
+final class Preview implements AutoCloseable {
+  private static final int MOST_WAITING = 4;
+
+  private final KnowledgeBase knowledge;
+  private final Supplier<Collection<String>> present;
+  private final OptimalPlanner planner = new OptimalPlanner();
+  private final ThreadPoolExecutor thread =
+      new ThreadPoolExecutor(
+          1,
+          1,
+          0,
+          TimeUnit.SECONDS,
+          new ArrayBlockingQueue<>(MOST_WAITING),
+          task -> {
+            Thread named = new Thread(task, "console-preview");
+            named.setDaemon(true);
+            return named;
+          });
+
+  /**
+   * @param present the members that can be used now
+   */
+  Preview(KnowledgeBase knowledge, Supplier<Collection<String>> present) {
+    this.knowledge = knowledge;
+    this.present = present;
+  }
+
+  /** Completed with the plan, or with why there seems to be none. */
+  CompletableFuture<JsonNode> of(String goal) {
+    try {
+      PlanningTask task = task(goal);
+      Home home = knowledge.home();
+      return CompletableFuture.supplyAsync(
+          () -> PreviewDocument.of(task.goal(), planner.plan(task), home), thread);
+    } catch (SlSyntaxException | InvalidGoalException e) {
+      return CompletableFuture.failedFuture(
+          RefusalException.badInput(String.valueOf(e.getMessage())));
+    } catch (RejectedExecutionException e) {
+      return CompletableFuture.failedFuture(
+          RefusalException.outside("Other plans are being made; ask again in a while."));
+    }
+  }
+
+  private PlanningTask task(String text) {
+    Home home = knowledge.home();
+    Formula goal = SlParser.formula(text, home.vocabulary()::isFluent);
+    new GoalCheck(home).check(goal);
+    Collection<String> there = present.get();
+    List<PricedFeature> features =
+        home.devices().values().stream()
+            .filter(device -> there.contains(device.id()))
+            .flatMap(
+                device ->
+                    device.features().stream()
+                        .map(type -> new PricedFeature(device.id(), type, type.cost(), Map.of())))
+            .toList();
+    Formula wanted = goal instanceof Formula.Keep keep ? keep.body() : goal;
+    return new PlanningTask(home.vocabulary(), knowledge.snapshot(), features, wanted, Set.of());
+  }
+
+  @Override
+  public void close() {
+    thread.shutdownNow();
+  }
+}
