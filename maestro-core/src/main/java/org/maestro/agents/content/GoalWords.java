@@ -15,6 +15,8 @@ import org.maestro.sl.Term;
 
 /** Goals in messages: how they are asked for and listed. */
 public final class GoalWords {
+  private static final Duration LATEST = Duration.ofDays(3_653);
+
   private GoalWords() {}
 
   /**
@@ -34,6 +36,10 @@ public final class GoalWords {
     if (deadline.isPresent() && deadline.get() <= 0) {
       throw new InvalidGoalException(
           "The deadline is over before the goal begins; write seconds above 0, such as 60.");
+    }
+    if (deadline.isPresent() && deadline.get() > LATEST.toSeconds()) {
+      throw new InvalidGoalException(
+          "The deadline is more than ten years away; leave it away, or write seconds, such as 60.");
     }
     return new GoalRequest(
         goal,

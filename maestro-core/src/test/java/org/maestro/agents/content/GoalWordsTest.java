@@ -40,6 +40,8 @@ class GoalWordsTest {
     }
     assertThatThrownBy(() -> request("(initCNP (:goal (in Cup A)) (:deadline -1))"))
         .hasMessageContaining("over before");
+    assertThatThrownBy(() -> request("(initCNP (:goal (in Cup A)) (:deadline 1e16))"))
+        .hasMessageContaining("more than ten years away");
   }
 
   @Test

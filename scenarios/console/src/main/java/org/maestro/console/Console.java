@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.stream.Collectors;
 import org.eclipse.jetty.util.thread.QueuedThreadPool;
 import org.maestro.console.api.Api;
 import org.maestro.console.api.OpenApiDocument;
@@ -120,8 +121,12 @@ public final class Console implements AutoCloseable {
         RefusalException.class, (refusal, context) -> Problems.answer(context, refusal));
     config.routes.exception(
         HttpResponseException.class,
-        (failure, context) ->
-            Problems.answer(context, failure.getStatus(), sentence(failure, context)));
+        (failure, context) -> {
+          if (failure.getStatus() == Problems.NOT_ALLOWED) {
+            context.header("Allow", allowed(operations, context.path()));
+          }
+          Problems.answer(context, failure.getStatus(), sentence(failure, context));
+        });
     config.routes.exception(
         Exception.class, (failure, context) -> Problems.answer(context, failure));
     config.routes.error(
@@ -168,10 +173,25 @@ public final class Console implements AutoCloseable {
         });
   }
 
+  /** What can be done at a path. */
+  private static String allowed(List<Operation> operations, String path) {
+    String methods =
+        operations.stream()
+            .filter(operation -> operation.isAt(path))
+            .map(operation -> operation.method().name())
+            .distinct()
+            .collect(Collectors.joining(", "));
+    return methods.isEmpty() ? "GET" : methods;
+  }
+
   private static String sentence(HttpResponseException failure, Context context) {
-    return failure.getStatus() == Problems.NOT_FOUND
-        ? nothing(context)
-        : "It is not answered: " + failure.getMessage() + ".";
+    return switch (failure.getStatus()) {
+      case Problems.NOT_FOUND -> nothing(context);
+      case Problems.NOT_ALLOWED ->
+          "%s is not done with %s; %s/openapi.json tells what is."
+              .formatted(context.method(), context.path(), Api.ROOT);
+      default -> "It is not answered: " + failure.getMessage() + ".";
+    };
   }
 
   private static String nothing(Context context) {

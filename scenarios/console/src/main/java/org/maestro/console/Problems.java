@@ -13,6 +13,7 @@ final class Problems {
   static final int BAD_INPUT = 400;
   static final int FORBIDDEN = 403;
   static final int NOT_FOUND = 404;
+  static final int NOT_ALLOWED = 405;
   static final int OUTSIDE = 503;
 
   private static final Logger LOG = LoggerFactory.getLogger(Problems.class);

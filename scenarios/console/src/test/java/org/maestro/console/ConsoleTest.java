@@ -93,22 +93,21 @@ class ConsoleTest {
   @Test
   void aPlanIsShownBeforeItIsBegun() throws Exception {
     ServedHome.Answer lit =
-        home.post("/goals/preview", "{\"goal\": \"(keep (>= (illuminance zone-b) 72))\"}");
+        home.post("/previews", "{\"goal\": \"(keep (>= (illuminance zone-b) 72))\"}");
     assertThat(lit.status()).as(lit.toString()).isEqualTo(200);
     assertValid(lit.document(), "preview");
     assertThat(lit.document().path("verdict").asText()).isEqualTo("plan");
     int goals = home.get("/goals").document().path("goals").size();
 
-    ServedHome.Answer cup = home.post("/goals/preview", "{\"goal\": \"(in rose zone-a)\"}");
+    ServedHome.Answer cup = home.post("/previews", "{\"goal\": \"(in rose zone-a)\"}");
     assertValid(cup.document(), "preview");
     assertThat(cup.document().path("cost").asDouble()).isPositive();
     assertThat(cup.document().at("/steps/0/text").asText()).isEqualTo("rose drives to zone-a");
     ServedHome.Answer never =
-        home.post("/goals/preview", "{\"goal\": \"(>= (illuminance zone-b) 100000)\"}");
+        home.post("/previews", "{\"goal\": \"(>= (illuminance zone-b) 100000)\"}");
     assertValid(never.document(), "preview");
     assertThat(never.document().path("verdict").asText()).isEqualTo("none");
-    assertThat(home.post("/goals/preview", "{\"goal\": \"(flies Bob)\"}").problem())
-        .contains("flies");
+    assertThat(home.post("/previews", "{\"goal\": \"(flies Bob)\"}").problem()).contains("flies");
     assertThat(home.get("/goals").document().path("goals")).as("nothing is begun").hasSize(goals);
   }
 
@@ -343,6 +342,9 @@ class ConsoleTest {
     ServedHome.Answer answer = home.delete("/goals");
     assertThat(answer.status()).isEqualTo(405);
     assertValid(answer.document(), "problem");
+    assertThat(answer.problem()).startsWith("DELETE is not done with /api/v1/goals;");
+    assertThat(raw("DELETE /api/v1/goals", "Host: localhost")).contains("Allow: GET, POST\r\n");
+    assertThat(raw("PUT /api/v1/goals/G1", "Host: localhost")).contains("Allow: DELETE\r\n");
   }
 
   @Test

@@ -86,7 +86,7 @@ public final class Api {
             .taking("goal-request")
             .answering(CREATED, "goal-accepted"),
         get(
-                "/goals/preview",
+                "/previews",
                 "previewGoal",
                 "The plan for a goal and its price as described, before anybody is asked.",
                 "preview",

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.regex.Pattern;
 
 /**
  * One operation of the API.
@@ -74,6 +75,11 @@ public record Operation(
     static Parameter number(String name, String description) {
       return new Parameter(name, false, "integer", false, description);
     }
+  }
+
+  /** Whether a path of a request is one of its. */
+  public boolean isAt(String requested) {
+    return requested.matches(Pattern.quote(Api.ROOT) + path.replaceAll("\\{\\w+}", "[^/]+"));
   }
 
   /**

@@ -71,7 +71,7 @@ export const ask = {
   story: (goal) => request(`/goals/${encodeURIComponent(goal)}/story`),
   know: (question) => request(`/knowledge?question=${encodeURIComponent(question)}`),
   state: (goal, priority = 0, deadline = null) => send("POST", "/goals", { goal, priority, deadline_s: deadline }),
-  preview: (goal) => send("POST", "/goals/preview", { goal }),
+  preview: (goal) => send("POST", "/previews", { goal }),
   containers: () => request("/containers"),
   addAgents: (description) => send("POST", "/agents", { description }),
   moveAgent: (agent, to) => send("POST", `/agents/${encodeURIComponent(agent)}/moves`, { to }),
