@@ -1,18 +1,21 @@
 package org.maestro.console;
 
 import io.javalin.http.sse.SseClient;
-import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * The streams of server-sent events, each with a thread of its own: a listener that does not read
  * keeps nobody else from hearing.
  */
 final class EventStreams implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(EventStreams.class);
+  private static final int END_SECONDS = 2;
+
   private final EventHub events;
-  private final Set<SseClient> open = ConcurrentHashMap.newKeySet();
   private final ExecutorService threads =
       Executors.newCachedThreadPool(
           task -> {
@@ -29,11 +32,9 @@ final class EventStreams implements AutoCloseable {
   void serve(SseClient client) {
     EventQueue queue = new EventQueue();
     client.keepAlive();
-    open.add(client);
     client.onClose(
         () -> {
           queue.end();
-          open.remove(client);
           events.leave(queue);
         });
     events.listen(queue, () -> threads.execute(() -> send(client, queue)));
@@ -54,14 +55,25 @@ final class EventStreams implements AutoCloseable {
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    } catch (IllegalStateException e) {
+      LOG.debug("A listener has gone while it was written to", e);
     } finally {
-      client.close();
+      if (!client.terminated()) {
+        client.close();
+      }
     }
   }
 
+  /** Each stream is ended by its own thread, as long as the server still stands. */
   @Override
   public void close() {
     threads.shutdownNow();
-    open.forEach(SseClient::close);
+    try {
+      if (!threads.awaitTermination(END_SECONDS, TimeUnit.SECONDS)) {
+        LOG.debug("A listener does not read; its stream ends with the server");
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
   }
 }

@@ -8,7 +8,7 @@ import { drawDetail } from "./detail.js";
 import { drawMembers, startMembers } from "./members.js";
 import { drawKnowledge, startKnowledge } from "./knowledge.js";
 
-const VIEWS = ["goals", "members", "knowledge"];
+const VIEWS = { goals: drawGoals, members: drawMembers, knowledge: drawKnowledge };
 const LINK = {
   connecting: "connecting",
   live: "live",
@@ -17,7 +17,7 @@ const LINK = {
 
 function drawFrame() {
   const { view } = selection();
-  for (const name of VIEWS) {
+  for (const name of Object.keys(VIEWS)) {
     byId(name).hidden = name !== view;
     document.querySelector(`[data-view="${name}"]`).setAttribute("aria-pressed", String(name === view));
   }
@@ -31,9 +31,7 @@ function drawFrame() {
 function drawAll() {
   drawFrame();
   drawMap();
-  drawGoals();
-  drawMembers();
-  drawKnowledge();
+  VIEWS[selection().view]();
   drawDetail();
 }
 

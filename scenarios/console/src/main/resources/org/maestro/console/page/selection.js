@@ -1,10 +1,11 @@
 /** What is looked at: one thing or goal, and one view; it stands in the address, to be sent on. */
+const VIEWS = ["goals", "members", "knowledge"];
 const listeners = new Set();
 
 export function selection() {
   const parameters = new URLSearchParams(location.hash.slice(1));
   return {
-    view: parameters.get("view") ?? "goals",
+    view: VIEWS.includes(parameters.get("view")) ? parameters.get("view") : "goals",
     goal: parameters.get("goal"),
     thing: parameters.get("thing"),
   };
