@@ -59,9 +59,9 @@ final class Browser implements AutoCloseable {
 
   /** Goes to the page, and waits until it is told what happens. */
   void go(String address) {
-    // Another fragment of the same page would not be another page.
-    driver.get("about:blank");
     driver.get(address);
+    // Another fragment of the same page would not be another page.
+    driver.navigate().refresh();
     waitFor("#link.live");
   }
 
