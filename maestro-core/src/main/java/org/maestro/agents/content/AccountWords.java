@@ -69,11 +69,7 @@ public final class AccountWords {
   }
 
   public static MemberWord word(Words words, Moment moment) {
-    return new MemberWord(texts(words, "facts"), moment, Set.copyOf(texts(words, "only")));
-  }
-
-  private static List<String> texts(Words words, String name) {
-    return words.strings(name);
+    return new MemberWord(words.strings("facts"), moment, Set.copyOf(words.strings("only")));
   }
 
   public static Optional<Moment> moment(Words words, String name) {

@@ -3,9 +3,9 @@ package org.maestro.launch;
 import jade.lang.acl.ACLMessage;
 import java.io.PrintWriter;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -17,6 +17,7 @@ import org.jspecify.annotations.Nullable;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.GoalReport;
+import org.maestro.agents.content.GoalWords;
 import org.maestro.agents.content.HeldReport;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.OtherPlatform;
@@ -312,14 +313,8 @@ final class GoalCommand implements Callable<Integer> {
     if (stated || resumes) {
       return Words.content("await", Words.named("goal", Words.name(resumes ? id : goal)));
     }
-    List<Content.Argument> arguments = new ArrayList<>();
-    arguments.add(Words.named("goal", Words.text(goal)));
-    if (priority != 0) {
-      arguments.add(Words.named("priority", Words.number(priority)));
-    }
-    deadlineSeconds.ifPresent(
-        seconds -> arguments.add(Words.named("deadline", Words.number(seconds))));
-    return new Content("initCNP", arguments);
+    return GoalWords.asked(
+        goal, priority, deadlineSeconds.map(OptionalDouble::of).orElseGet(OptionalDouble::empty));
   }
 
   private void follow(JoinedContainer container, ACLMessage agreed) {

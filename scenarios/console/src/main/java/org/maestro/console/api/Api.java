@@ -1,5 +1,6 @@
 package org.maestro.console.api;
 
+import static org.maestro.console.api.Operation.asking;
 import static org.maestro.console.api.Operation.get;
 import static org.maestro.console.api.Operation.order;
 
@@ -49,11 +50,11 @@ public final class Api {
       AclQuestions questions,
       KnowledgeBase knowledge,
       Function<String, CompletableFuture<JsonNode>> preview) {
-    this.preview = preview;
     this.platform = platform;
     this.speed = speed;
     this.questions = questions;
     this.knowledge = knowledge;
+    this.preview = preview;
   }
 
   public List<Operation> operations() {
@@ -85,13 +86,13 @@ public final class Api {
         order(Method.POST, "/goals", "stateGoal", "States a goal.", this::state)
             .taking("goal-request")
             .answering(CREATED, "goal-accepted"),
-        get(
+        asking(
+                Method.POST,
                 "/previews",
                 "previewGoal",
                 "The plan for a goal and its price as described, before anybody is asked.",
                 "preview",
                 request -> preview.apply(request.body().path("goal").asText()))
-            .by(Method.POST)
             .taking("preview-request"),
         order(
                 Method.DELETE,
@@ -116,16 +117,17 @@ public final class Api {
             "The agents, and the members that they stand for.",
             "agents",
             request -> questions.agents()),
-        get(
+        asking(
+                Method.POST,
                 "/agents",
                 "addAgents",
                 "Starts an agent for each device that a description has, or one for all of them.",
                 "told",
                 this::add)
-            .by(Method.POST)
             .taking("agent-request")
             .answering(CREATED, "told"),
-        get(
+        asking(
+                Method.POST,
                 "/agents/{agent}/moves",
                 "moveAgent",
                 "Has an agent live in another container; it goes when nothing is under way.",
@@ -134,10 +136,10 @@ public final class Api {
                     questions.order(
                         new AgentOrder.Move(
                             request.parameter("agent"), request.body().path("to").asText())))
-            .by(Method.POST)
             .with(AGENT)
             .taking("agent-move"),
-        get(
+        asking(
+                Method.POST,
                 "/agents/{agent}/descriptions",
                 "reconfigureAgent",
                 "Has an agent go by another description of its device.",
@@ -148,16 +150,15 @@ public final class Api {
                             request.parameter("agent"),
                             request.body().path("description").asText(),
                             request.body().path("file").asText("description"))))
-            .by(Method.POST)
             .with(AGENT)
             .taking("agent-description"),
-        get(
+        asking(
+                Method.DELETE,
                 "/agents/{agent}",
                 "removeAgent",
                 "Ends an agent; its device gets no other until one is added.",
                 "told",
                 request -> questions.order(new AgentOrder.Remove(request.parameter("agent"))))
-            .by(Method.DELETE)
             .with(AGENT),
         get(
             "/containers",

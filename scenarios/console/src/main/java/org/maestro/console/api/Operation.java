@@ -95,16 +95,14 @@ public record Operation(
   }
 
   static Operation get(String path, String id, String summary, String answer, Action action) {
+    return asking(Method.GET, path, id, summary, answer, action);
+  }
+
+  /** What has something to answer. */
+  static Operation asking(
+      Method method, String path, String id, String summary, String answer, Action action) {
     return new Operation(
-        Method.GET,
-        path,
-        id,
-        summary,
-        List.of(),
-        Optional.empty(),
-        OK,
-        Optional.of(answer),
-        action);
+        method, path, id, summary, List.of(), Optional.empty(), OK, Optional.of(answer), action);
   }
 
   /** An order, which has no content to answer. */
@@ -119,11 +117,6 @@ public record Operation(
         NO_CONTENT,
         Optional.empty(),
         action);
-  }
-
-  /** The same by another method. */
-  Operation by(Method other) {
-    return new Operation(other, path, id, summary, parameters, body, status, answer, action);
   }
 
   Operation with(Parameter... more) {

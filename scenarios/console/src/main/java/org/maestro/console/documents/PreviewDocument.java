@@ -54,6 +54,7 @@ public final class PreviewDocument {
     if (result instanceof PlanningResult.GaveUp gaveUp) {
       return gaveUp.reason();
     }
-    return "As things are known now nobody can bring it about; stated, it is looked for who or what stands in the way.";
+    return "From what is known and described now there is no plan; when it is stated, it is told who"
+        + " or what stands in the way.";
   }
 }

@@ -11,6 +11,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Predicate;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.GoalWords;
 import org.maestro.agents.content.Words;
 import org.maestro.console.documents.AgentsDocument;
 import org.maestro.console.documents.AnswersDocument;
@@ -147,13 +148,6 @@ public final class AclQuestions implements Questions {
    */
   public CompletableFuture<String> state(
       String goal, int priority, OptionalDouble deadlineSeconds) {
-    List<Content.Argument> arguments = new ArrayList<>();
-    arguments.add(Words.named("goal", Words.text(goal)));
-    if (priority != 0) {
-      arguments.add(Words.named("priority", Words.number(priority)));
-    }
-    deadlineSeconds.ifPresent(
-        seconds -> arguments.add(Words.named("deadline", Words.number(seconds))));
     CompletableFuture<String> accepted = new CompletableFuture<>();
     desk.request(
         ACLMessage.REQUEST,
@@ -166,7 +160,7 @@ public final class AclQuestions implements Questions {
             accepted.completeExceptionally(refusal(reply));
           }
         },
-        new Content("initCNP", arguments));
+        GoalWords.asked(goal, priority, deadlineSeconds));
     return accepted;
   }
 
