@@ -28,15 +28,20 @@ final class Equipment {
     this.idleDetector = new IdleDetector(tickets, started::countDown);
     this.conversations = new Conversations(agent, thread, time);
     this.protest = new NotUnderstoodReplier(agent);
-    this.inbox = new Inbox(agent, thread, time.clock(), tickets, idleDetector);
+    this.inbox = new Inbox(agent, thread, time.clock(), tickets);
     this.reception =
         new Reception(
             agent, List.of(inbox::step, conversations::step, mail), inbox::hasWork, this::settled);
   }
 
-  /** Where time is paced nobody waits until the agent is idle, but for its start. */
+  /**
+   * On a stepped clock it is looked again whether the agent is idle, as a waking by JADE can be
+   * lost; where time is paced nobody waits until it is, but for its start.
+   */
   private void settled() {
-    if (!time.clock().isStepped()) {
+    if (time.clock().isStepped()) {
+      idleDetector.restart();
+    } else {
       tickets.idle();
       started.countDown();
     }

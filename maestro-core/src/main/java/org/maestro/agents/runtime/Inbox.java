@@ -4,7 +4,6 @@ import jade.core.Agent;
 import java.time.Duration;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import org.maestro.agents.stepping.IdleDetector;
 import org.maestro.agents.stepping.WorkTickets;
 import org.maestro.rats.time.Clock;
 
@@ -17,16 +16,13 @@ final class Inbox {
   private final transient OwnThread thread;
   private final transient Clock clock;
   private final transient WorkTickets tickets;
-  private final transient IdleDetector idleDetector;
   private volatile boolean ended;
 
-  Inbox(
-      Agent agent, OwnThread thread, Clock clock, WorkTickets tickets, IdleDetector idleDetector) {
+  Inbox(Agent agent, OwnThread thread, Clock clock, WorkTickets tickets) {
     this.agent = agent;
     this.thread = thread;
     this.clock = clock;
     this.tickets = tickets;
-    this.idleDetector = idleDetector;
   }
 
   /**
@@ -61,7 +57,6 @@ final class Inbox {
       return false;
     }
     tickets.taken(work.ticket());
-    idleDetector.restart();
     thread.work(work.action());
     return true;
   }

@@ -33,6 +33,20 @@ final class Reception extends CyclicBehaviour {
     this.idle = idle;
   }
 
+  /**
+   * JADE tells of both by one object that it fills anew: a message that comes while an agent begins
+   * to rest could otherwise be told as that rest, and nobody would wake the agent for it.
+   */
+  @Override
+  protected synchronized void handleBlockEvent() {
+    super.handleBlockEvent();
+  }
+
+  @Override
+  public synchronized void handleRestartEvent() {
+    super.handleRestartEvent();
+  }
+
   /** Nothing more is begun until JADE has had the chance to move the agent. Agent thread only. */
   void leave() {
     leaving = true;

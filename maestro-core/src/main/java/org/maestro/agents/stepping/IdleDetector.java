@@ -8,8 +8,9 @@ import java.util.List;
 
 /**
  * Scheduled in turn with an agent's other behaviours, it gives the agent's tickets back when none
- * of the others can run. JADE wakes it with each message, as it wakes all blocked behaviours; other
- * work has to restart it. Agent thread only, but for {@code restart}.
+ * of the others can run. Whatever the agent has done, it has to be restarted after it: JADE wakes
+ * it with each message, too, and can lose such a waking. Agent thread only, but for {@code
+ * restart}.
  */
 public final class IdleDetector extends CyclicBehaviour {
   private static final long serialVersionUID = 1L;

@@ -10,7 +10,10 @@ import java.util.PriorityQueue;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Time that jumps from event to event. It has no thread: whoever calls {@link #runUntil} drives it
@@ -19,8 +22,10 @@ import org.jspecify.annotations.Nullable;
  */
 public final class SteppedClock implements Clock {
 
+  private static final Logger LOG = LoggerFactory.getLogger(SteppedClock.class);
   private static final Instant START = Instant.parse("2026-01-01T00:00:00Z");
   private static final Duration DEFAULT_STALL_LIMIT = Duration.ofSeconds(30);
+  private static final int MOST_FRAMES = 20;
 
   private final Object monitor = new Object();
   private final PriorityQueue<Event> events = new PriorityQueue<>();
@@ -171,6 +176,7 @@ public final class SteppedClock implements Clock {
       while (!tickets.isEmpty()) {
         long leftMillis = (deadline - System.nanoTime()) / 1_000_000;
         if (leftMillis <= 0) {
+          LOG.error("The stepped clock is stalled; what each thread is at:{}", stacks());
           throw new ClockStalledException(now, stallLimit, holders());
         }
         try {
@@ -184,6 +190,17 @@ public final class SteppedClock implements Clock {
         }
       }
     }
+  }
+
+  private static String stacks() {
+    StringBuilder text = new StringBuilder();
+    Thread.getAllStackTraces()
+        .forEach(
+            (thread, frames) -> {
+              text.append("\n").append(thread.getName()).append(", ").append(thread.getState());
+              Stream.of(frames).limit(MOST_FRAMES).forEach(at -> text.append("\n  ").append(at));
+            });
+    return text.toString();
   }
 
   private List<String> holders() {
