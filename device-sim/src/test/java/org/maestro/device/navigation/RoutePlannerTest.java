@@ -11,6 +11,7 @@ import java.util.Random;
 import net.jqwik.api.Assume;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import net.jqwik.api.constraints.DoubleRange;
 import org.junit.jupiter.api.Test;
 import org.maestro.hal.Surroundings.Obstacle;
@@ -113,11 +114,21 @@ class RoutePlannerTest {
             });
   }
 
+  @Property(tries = 2000)
+  void isAsShortAsOverAllCornersThereAre(@ForAll long seed) {
+    compareWithAllCorners(seed);
+  }
+
+  @Property(tries = 20000)
+  @Tag("full")
+  void isAsShortAsOverAllCornersInManyHomes(@ForAll long seed) {
+    compareWithAllCorners(seed);
+  }
+
   /**
    * Rooms side by side, with doors between them, and bodies on the floor, some of them in doors.
    */
-  @Property(tries = 20000)
-  void isAsShortAsOverAllCornersThereAre(@ForAll long seed) {
+  private static void compareWithAllCorners(long seed) {
     Random random = new Random(seed);
     List<Segment> walls = new ArrayList<>();
     int rooms = 2 + random.nextInt(3);

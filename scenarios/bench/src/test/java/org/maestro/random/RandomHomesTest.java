@@ -44,11 +44,11 @@ class RandomHomesTest {
   private static final double MOST_GIVEN_UP = 0.02;
 
   /**
-   * The first hundredth of all, but for one that takes as long as all others together, or the one
+   * The first hundredth of all, but for two that take longer than all others together, or the one
    * that is asked for.
    */
   static LongStream someSeeds() {
-    return seeds(1, 20).filter(seed -> seed != 14 || Long.getLong(SEED) != null);
+    return seeds(1, 20).filter(seed -> seed != 7 && seed != 14 || Long.getLong(SEED) != null);
   }
 
   /** From the first to the last, and the others; or the one that is asked for. */
