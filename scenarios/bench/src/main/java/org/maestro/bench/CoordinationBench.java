@@ -127,18 +127,13 @@ public final class CoordinationBench {
   }
 
   private void add(String name, List<Double> millis) {
-    List<Double> sorted = millis.stream().sorted().toList();
-    if (sorted.isEmpty()) {
+    if (millis.isEmpty()) {
       throw new SiteException(
           "No goal of the kind '" + name + "' needed a call; nothing measured.");
     }
-    rows.add(BenchReport.Row.of(name + ", goals measured", sorted.size(), "goals"));
-    rows.add(BenchReport.Row.of(name + ", p50", percentile(sorted, 0.5), "ms"));
-    rows.add(BenchReport.Row.of(name + ", p99", percentile(sorted, 0.99), "ms"));
-  }
-
-  private static double percentile(List<Double> sorted, double share) {
-    return sorted.get((int) Math.min(sorted.size() - 1, Math.ceil(share * sorted.size()) - 1));
+    rows.add(BenchReport.Row.of(name + ", goals measured", millis.size(), "goals"));
+    rows.add(BenchReport.Row.of(name + ", p50", Quantile.of(millis, 0.5), "ms"));
+    rows.add(BenchReport.Row.of(name + ", p99", Quantile.of(millis, 0.99), "ms"));
   }
 
   private static void note(GoalReport report, List<Double> millis) {

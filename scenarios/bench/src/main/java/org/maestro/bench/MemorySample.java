@@ -20,13 +20,13 @@ import org.maestro.assembly.SiteException;
  *     of it is called more often than before
  * @param residentMiB of the whole process, as the system counts it
  */
-record MemorySample(
+public record MemorySample(
     int goals, double heapMiB, double committedMiB, double programMiB, double residentMiB) {
   private static final double MIB = 1 << 20;
   private static final Path STATUS = Path.of("/proc/self/status");
   private static final String RESIDENT = "VmRSS:";
 
-  static MemorySample take(int goals) {
+  public static MemorySample take(int goals) {
     System.gc();
     MemoryUsage heap = ManagementFactory.getMemoryMXBean().getHeapMemoryUsage();
     return new MemorySample(

@@ -17,11 +17,11 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 
 /** Goals of all kinds, in turn: reached, impossible, cancelled on the way, held for a while. */
-final class SoakGoals {
+public final class SoakGoals {
   private static final long PATIENCE_SECONDS = 120;
 
   /** The end of a goal. */
-  enum End {
+  public enum End {
     REACHED("reached"),
     NOT_REACHED("not reached"),
     CANCELLED("cancelled"),
@@ -57,7 +57,7 @@ final class SoakGoals {
   /**
    * @param progress told of goals that are not reached though they could be
    */
-  SoakGoals(MaestroPlatform platform, Consumer<String> progress) {
+  public SoakGoals(MaestroPlatform platform, Consumer<String> progress) {
     this.platform = platform;
     this.progress = progress;
   }
@@ -67,7 +67,7 @@ final class SoakGoals {
    *
    * @param number of the goal, from 1
    */
-  End pursue(int number) {
+  public End pursue(int number) {
     return switch (number % (TO_REACH.size() + 3)) {
       case 7 -> ended(new Conversation(IMPOSSIBLE.formatted(100_000 + number)), false);
       case 8 -> {

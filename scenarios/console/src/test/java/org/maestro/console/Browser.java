@@ -87,6 +87,12 @@ final class Browser implements AutoCloseable {
         .until(shown -> text(selector).contains(text));
   }
 
+  /** Waits until a variable of the page has the text in it. */
+  void waitForSaid(String variable, String text) {
+    new WebDriverWait(driver, LIMIT)
+        .until(shown -> String.valueOf(run("return " + variable)).contains(text));
+  }
+
   /** All text that is there; what is drawn anew meanwhile is read anew. */
   String text(String selector) {
     return String.valueOf(

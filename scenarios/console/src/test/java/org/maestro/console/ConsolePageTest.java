@@ -196,6 +196,44 @@ class ConsolePageTest {
     browser.waitForText("#answers", "?where = zone-");
   }
 
+  @Test
+  void longListsAreFilteredSortedAndSaved() {
+    browser.go(home.uri() + "/#view=knowledge");
+    browser.waitForText("#fact-list", "(level lamp-a1)");
+
+    browser.waitFor("#fact-list input").sendKeys("(level lamp-a");
+    browser.waitForText("#fact-list [role=status]", "1–2 of 2");
+    browser.click("#fact-list th:first-child button");
+    browser.click("#fact-list th:first-child button");
+
+    browser.waitFor("#fact-list th:first-child[aria-sort=descending]");
+    assertThat(browser.text("#fact-list tbody tr:first-child")).contains("lamp-a2");
+    browser.run(
+        "URL.createObjectURL = (file) => { file.text().then((text) => { window.saved = text; }); return '#view=knowledge'; };");
+    browser.click("#fact-list .tools button:last-child");
+    browser.waitForSaid("window.saved", "\"(level lamp-a2)\"");
+    assertThat(browser.run("return window.saved.trim().split('\\n').length")).isEqualTo(3L);
+  }
+
+  /** A browser keeps few connections to one address, for all pages together. */
+  @Test
+  void aPageThatNobodySeesLeavesItsConnectionToOthers() {
+    browser.go(home.uri() + "/#view=goals");
+
+    hide(true);
+    browser.waitFor("#link.connecting");
+    hide(false);
+
+    browser.waitFor("#link.live");
+  }
+
+  private static void hide(boolean isHidden) {
+    browser.run(
+        "Object.defineProperty(document, 'hidden', { configurable: true, value: arguments[0] });"
+            + " document.dispatchEvent(new Event('visibilitychange'));",
+        isHidden);
+  }
+
   /** Contrast, labels, roles: as the rules of the trade have them, in light and dark. */
   @Test
   void eachViewIsForEverybody() throws IOException {

@@ -23,6 +23,7 @@ import org.maestro.bench.RunningBench;
 import org.maestro.bench.SimulationBench;
 import org.maestro.bench.SoakBench;
 import org.maestro.bench.bus.BusBench;
+import org.maestro.bench.console.ConsoleBench;
 import org.maestro.bench.containers.AgentsBench;
 import org.maestro.bench.containers.ContainersBench;
 import org.maestro.bench.containers.GrowthBench;
@@ -43,10 +44,11 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "bench",
     description =
-        "Run a benchmark: agents, building, bus, cancel, chaos, containers, coordination, growth, losses, "
+        "Run a benchmark: agents, building, bus, cancel, chaos, console, containers, coordination, growth, losses, "
             + "openings, planner, running, sim or soak.")
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
+  private static final int MANY = 1_000;
   private static final int LEAST_GOALS = 250;
 
   /** The options that were given. */
@@ -57,6 +59,7 @@ final class BenchCommand implements Callable<Integer> {
       List<Integer> sizes,
       List<Integer> devices,
       int goals,
+      Duration duration,
       Function<Consumer<String>, ChaosBench> chaos) {}
 
   private static final Map<String, BiFunction<Wanted, Consumer<String>, BenchReport>> BENCHES =
@@ -124,7 +127,8 @@ final class BenchCommand implements Callable<Integer> {
   @Option(
       names = "--minutes",
       paramLabel = "N",
-      description = "How long chaos goes on; ${DEFAULT-VALUE} unless it is said.")
+      description =
+          "How long chaos goes on, and the page of console stays open; ${DEFAULT-VALUE} unless it is said.")
   private int minutes = 5;
 
   @Option(
@@ -139,13 +143,17 @@ final class BenchCommand implements Callable<Integer> {
       description = "The one seed of chaos, with its story.")
   private Optional<Long> seed = Optional.empty();
 
-  private ChaosBench chaos(Consumer<String> progress) {
+  private Duration duration() {
     if (minutes < 1) {
       throw CommandException.badInput(
           "--minutes %d is less than one; give 1 or more.".formatted(minutes));
     }
+    return Duration.ofMinutes(minutes);
+  }
+
+  private ChaosBench chaos(Consumer<String> progress) {
     OptionalLong only = seed.map(OptionalLong::of).orElseGet(OptionalLong::empty);
-    return new ChaosBench(only, first, Duration.ofMinutes(minutes), progress);
+    return new ChaosBench(only, first, duration(), progress);
   }
 
   private List<Integer> sizes() {
@@ -194,6 +202,7 @@ final class BenchCommand implements Callable<Integer> {
         "building", (wanted, progress) -> new BuildingBench(wanted.devices(), progress).run());
     benches.put("bus", (wanted, progress) -> new BusBench(progress).run());
     benches.put("cancel", (wanted, progress) -> new CancelBench(wanted.runs(), progress).run());
+    benches.put("console", BenchCommand::console);
     benches.put(
         "containers", (wanted, progress) -> new ContainersBench(20, 200, 1_000, 1, progress).run());
     benches.put(
@@ -234,6 +243,14 @@ final class BenchCommand implements Callable<Integer> {
         .run();
   }
 
+  private static BenchReport console(Wanted wanted, Consumer<String> progress) {
+    Home bob = Shipped.home("bob");
+    int devices = wanted.devices().equals(BuildingBench.DEVICES) ? MANY : wanted.devices().get(0);
+    return new ConsoleBench(
+            bob, Shipped.scene("bob-dark", bob), devices, wanted.duration(), progress)
+        .run();
+  }
+
   private int goals() {
     if (goals < LEAST_GOALS) {
       throw CommandException.badInput(
@@ -259,7 +276,7 @@ final class BenchCommand implements Callable<Integer> {
     PrintWriter err = spec.commandLine().getErr();
     BenchReport report =
         bench.apply(
-            new Wanted(out, runs, losses(), sizes(), devices(), goals(), this::chaos),
+            new Wanted(out, runs, losses(), sizes(), devices(), goals(), duration(), this::chaos),
             line -> {
               err.println(line);
               err.flush();

@@ -61,21 +61,22 @@ function value(fact) {
   return fact.value === true ? "true" : fact.value === false ? "not so" : "unknown";
 }
 
-export function facts(rows) {
-  return table([
-    { name: "Fact", cell: (fact) => make("code", {}, `(${[fact.word, ...fact.arguments.map((part) => (Array.isArray(part) ? part.join(" ") : part))].join(" ")})`) },
-    { name: "Value", className: "number", cell: value },
-    { name: "From", cell: (fact) => `${fact.source}, ${fact.kind}` },
-    { name: "Age", className: "number", cell: (fact) => seconds(age(fact)) },
-  ], rows);
-}
+const formula = (fact) => `(${[fact.word, ...fact.arguments.map((part) => (Array.isArray(part) ? part.join(" ") : part))].join(" ")})`;
+
+/** The columns of a list of facts. */
+export const FACTS = [
+  { name: "Fact", text: formula, cell: (fact) => make("code", {}, formula(fact)) },
+  { name: "Value", className: "number", text: value },
+  { name: "From", text: (fact) => `${fact.source}, ${fact.kind}` },
+  { name: "Age", className: "number", text: (fact) => seconds(age(fact)), value: age },
+];
 
 function thingDetail(name) {
-  const thing = state.home.things.find((one) => one.name === name);
+  const thing = state.thingByName.get(name);
   if (!thing) {
     return [make("p", { class: "empty" }, `There is no ${name} in this home.`)];
   }
-  const agent = state.agents.find((one) => one.members.includes(name));
+  const agent = state.agentByMember.get(name);
   const known = [...state.facts.values()].filter((fact) => fact.arguments.includes(name));
   return [
     make("h2", {}, thing.label ?? name, make("code", { class: "quiet" }, name),
@@ -83,7 +84,7 @@ function thingDetail(name) {
     agent ? make("p", {}, `On the bus: ${agent.phase}${agent.state ? `, ${agent.state}` : ""}, for ${seconds(age(agent))}.`
       + (agent.why ? ` It is refused: ${agent.why}` : "")) : null,
     thing.device ? make("p", {}, "It can: ", make("code", {}, thing.device.features.join(", ") || "nothing")) : null,
-    known.length > 0 ? facts(known) : make("p", { class: "empty" }, "Nothing is known of it yet."),
+    known.length > 0 ? table(FACTS, known) : make("p", { class: "empty" }, "Nothing is known of it yet."),
   ];
 }
 

@@ -41,14 +41,52 @@ export function redraw(container, ...children) {
   }
 }
 
+/**
+ * One element for each name, made anew only when it is to show something else, so that a thousand of
+ * them cost no more than those that change. Returns what draws: it takes the names in their order,
+ * each with what it shows and how it is made.
+ */
+export function keyed(container) {
+  let kept = new Map();
+  return (wanted) => {
+    const next = new Map();
+    for (const [name, shows, made] of wanted) {
+      const before = kept.get(name);
+      if (before?.shows === shows) {
+        next.set(name, before);
+        continue;
+      }
+      const element = made();
+      if (before) {
+        const had = before.element === document.activeElement;
+        before.element.replaceWith(element);
+        if (had) {
+          element.focus({ preventScroll: true });
+        }
+      }
+      next.set(name, { shows, element });
+    }
+    kept.forEach(({ element }, name) => { if (!next.has(name)) { element.remove(); } });
+    let at = container.firstChild;
+    for (const { element } of next.values()) {
+      if (element === at) {
+        at = at.nextSibling;
+      } else {
+        container.insertBefore(element, at);
+      }
+    }
+    kept = next;
+  };
+}
+
 /** A table for people; rows are chosen by a click, or by the key of their first cell. */
 export function table(columns, rows, { isChosen = () => false, choose } = {}) {
   return make("table", {},
     make("thead", {}, make("tr", {}, columns.map((column) =>
-      make("th", { scope: "col", class: column.className }, column.name)))),
+      make("th", { scope: "col", class: column.className, "aria-sort": column.sorted }, column.head ?? column.name)))),
     make("tbody", {}, rows.map((row) => make("tr",
       { class: isChosen(row) ? "chosen" : null, onclick: () => choose?.(row) },
-      columns.map((column) => make("td", { class: column.className }, column.cell(row)))))));
+      columns.map((column) => make("td", { class: column.className }, (column.cell ?? column.text)(row)))))));
 }
 
 /** The choices of a list; what is chosen stays so, and nothing moves while it is open. */

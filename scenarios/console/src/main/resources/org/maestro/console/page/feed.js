@@ -4,15 +4,19 @@ const ROOT = "/api/v1";
 export const state = {
   platform: null,
   home: { things: [] },
+  thingByName: new Map(),
   facts: new Map(),
   /** What was known last under a word of a thing, and is not any more: it was seen too long ago. */
   former: new Map(),
   goals: [],
   agents: [],
+  agentByMember: new Map(),
   words: [],
   live: "connecting",
 };
 
+/** The facts under each word, by the first thing that they are about. */
+const factsByWord = new Map();
 const listeners = new Set();
 const storyListeners = new Set();
 let waiting = false;
@@ -90,12 +94,57 @@ export function age(row) {
   return (row.age_s ?? 0) + ((performance.now() - row.heard) / 1000) * (state.platform?.speed ?? 1);
 }
 
-function take(event) {
-  return JSON.parse(event.data);
+function forget(name) {
+  const fact = state.facts.get(name);
+  if (fact) {
+    state.facts.delete(name);
+    factsByWord.get(fact.word).get(fact.arguments[0])?.delete(name);
+  }
+  return fact;
 }
 
-export function connect() {
-  const events = new EventSource(`${ROOT}/events`);
+function learn(fact) {
+  state.facts.set(fact.fact, fact);
+  if (!factsByWord.has(fact.word)) {
+    factsByWord.set(fact.word, new Map());
+  }
+  const byFirst = factsByWord.get(fact.word);
+  if (!byFirst.has(fact.arguments[0])) {
+    byFirst.set(fact.arguments[0], new Map());
+  }
+  byFirst.get(fact.arguments[0]).set(fact.fact, fact);
+}
+
+const TAKEN = {
+  home: (news) => {
+    state.home = news;
+    state.thingByName = new Map(news.things.map((thing) => [thing.name, thing]));
+  },
+  facts: (news) => {
+    if (news.all) {
+      state.facts.clear();
+      state.former.clear();
+      factsByWord.clear();
+    }
+    news.gone.forEach((name) => {
+      const fact = forget(name);
+      if (fact && fact.value !== false) {
+        state.former.set(`${fact.word} ${fact.arguments[0]}`, fact);
+      }
+    });
+    news.facts.forEach((fact) => learn(dated(fact)));
+  },
+  goals: (news) => { state.goals = news.goals.map(dated); },
+  agents: (news) => {
+    state.agents = news.agents.map(dated);
+    state.agentByMember = new Map(state.agents.flatMap((agent) => agent.members.map((member) => [member, agent])));
+  },
+};
+
+let events = null;
+
+function listen() {
+  events = new EventSource(`${ROOT}/events`);
   events.addEventListener("open", () => {
     state.live = "live";
     request("/platform").then((platform) => { state.platform = platform; changed(); }).catch(() => {});
@@ -106,45 +155,44 @@ export function connect() {
     state.live = "lost";
     changed();
   });
-  events.addEventListener("home", (event) => {
-    state.home = take(event);
-    changed();
-  });
-  events.addEventListener("facts", (event) => {
-    const news = take(event);
-    if (news.all) {
-      state.facts.clear();
-      state.former.clear();
-    }
-    news.gone.forEach((name) => {
-      const fact = state.facts.get(name);
-      state.facts.delete(name);
-      if (fact && fact.value !== false) {
-        state.former.set(`${fact.word} ${fact.arguments[0]}`, fact);
-      }
+  for (const [name, take] of Object.entries(TAKEN)) {
+    events.addEventListener(name, (event) => {
+      take(JSON.parse(event.data));
+      changed();
     });
-    news.facts.forEach((fact) => state.facts.set(fact.fact, dated(fact)));
-    changed();
-  });
-  events.addEventListener("goals", (event) => {
-    state.goals = take(event).goals.map(dated);
-    changed();
-  });
-  events.addEventListener("agents", (event) => {
-    state.agents = take(event).agents.map(dated);
-    changed();
-  });
+  }
   events.addEventListener("story", (event) => {
-    const entry = take(event);
+    const entry = JSON.parse(event.data);
     storyListeners.forEach((listener) => listener(entry));
   });
 }
 
+function leave() {
+  events?.close();
+  events = null;
+  state.live = "connecting";
+  changed();
+}
+
+/** A browser keeps few connections to one address: a page that nobody sees leaves its own to others. */
+export function connect() {
+  const follow = () => {
+    if (document.hidden) {
+      leave();
+    } else if (events === null) {
+      listen();
+    }
+  };
+  document.addEventListener("visibilitychange", follow);
+  addEventListener("pagehide", leave);
+  addEventListener("pageshow", follow);
+  follow();
+}
+
 /** What is known under a word, of these things in this order. */
 export function known(word, ...things) {
-  for (const fact of state.facts.values()) {
-    if (fact.word === word && fact.arguments.length >= things.length
-        && things.every((thing, i) => fact.arguments[i] === thing)) {
+  for (const fact of factsByWord.get(word)?.get(things[0])?.values() ?? []) {
+    if (fact.arguments.length >= things.length && things.every((thing, i) => fact.arguments[i] === thing)) {
       return fact;
     }
   }

@@ -1,5 +1,6 @@
 /** Goals: stating them, the list, and how far each is. */
-import { make, byId, table, redraw, choices, seconds } from "./dom.js";
+import { make, byId, redraw, choices, seconds } from "./dom.js";
+import { longTable } from "./list.js";
 import { state, age, ask } from "./feed.js";
 import { select, selection } from "./selection.js";
 
@@ -12,8 +13,7 @@ const MOST_SUGGESTED = 12;
 
 export function stateOf(goal) {
   const [sign, kind] = SIGNS[goal.state] ?? ["▷", ""];
-  const waits = goal.waits.map((wait) => `${wait.for} (${wait.holder})`).join(", ");
-  return make("span", { class: `state ${kind}`, "data-sign": sign, title: waits || goal.detail || goal.state }, goal.state);
+  return make("span", { class: `state ${kind}`, "data-sign": sign, title: waits(goal) || goal.detail || goal.state }, goal.state);
 }
 
 export function isOver(goal) {
@@ -28,6 +28,22 @@ function templates() {
   return [{ value: "", text: "choose …" }, ...of("predicate", (text) => text), ...of("number", (text) => `(>= ${text} 1)`)];
 }
 
+const waits = (goal) => goal.waits.map((wait) => `${wait.for} (${wait.holder})`).join(", ");
+let listed = null;
+
+function startList() {
+  listed = longTable(byId("goal-list"), "goals", [
+    { name: "Goal", text: (goal) => `${goal.id} ${goal.goal}`, cell: (goal) => make("button", { class: "row", type: "button", title: goal.goal }, `${goal.id} ${goal.goal}`) },
+    { name: "State", text: (goal) => goal.state, cell: stateOf },
+    { name: "Since", className: "number", text: (goal) => seconds(age(goal)), value: age },
+    { name: "By", className: "wide state", text: (goal) => goal.requester ?? "–" },
+    { name: "Waits for", className: "wide quiet", text: (goal) => waits(goal) || (isOver(goal) ? "" : goal.detail ?? "") },
+  ], {
+    isChosen: (goal) => goal.id === selection().goal,
+    choose: (goal) => select({ goal: goal.id }),
+  });
+}
+
 export function drawGoals() {
   choices(byId("goal-template"), templates());
   const list = byId("goal-list");
@@ -36,18 +52,7 @@ export function drawGoals() {
       "No goal was stated yet. Write one above; the words that this home has are offered as you type."));
     return;
   }
-  const chosen = selection().goal;
-  const columns = [
-    { name: "Goal", cell: (goal) => make("button", { class: "row", type: "button", title: goal.goal }, `${goal.id} ${goal.goal}`) },
-    { name: "State", cell: stateOf },
-    { name: "Since", className: "number", cell: (goal) => seconds(age(goal)) },
-    { name: "By", className: "wide state", cell: (goal) => goal.requester ?? "–" },
-    { name: "Detail", className: "wide quiet", cell: (goal) => goal.detail ?? "" },
-  ];
-  redraw(list, table(columns, [...state.goals].reverse(), {
-    isChosen: (goal) => goal.id === chosen,
-    choose: (goal) => select({ goal: goal.id }),
-  }));
+  listed([...state.goals].reverse());
 }
 
 function wordAt(input) {
@@ -138,6 +143,7 @@ function firstPlace(goal) {
 }
 
 export function startGoals() {
+  startList();
   const input = byId("goal-input");
   const problem = byId("goal-problem");
   const template = byId("goal-template");

@@ -1,13 +1,17 @@
 /** What is known: questions, and the whole list. */
 import { make, byId, table, redraw, seconds } from "./dom.js";
 import { state, ask } from "./feed.js";
-import { facts } from "./detail.js";
+import { longTable } from "./list.js";
+import { FACTS } from "./detail.js";
+
+let listed = null;
 
 export function drawKnowledge() {
-  const known = [...state.facts.values()];
-  redraw(byId("fact-list"), known.length > 0
-    ? facts(known)
-    : make("p", { class: "empty" }, "Nothing is known yet but what the home says. State a goal, and somebody will look."));
+  if (state.facts.size === 0) {
+    redraw(byId("fact-list"), make("p", { class: "empty" }, "Nothing is known yet but what the home says. State a goal, and somebody will look."));
+  } else {
+    listed([...state.facts.values()]);
+  }
 }
 
 function bound(answer) {
@@ -16,6 +20,7 @@ function bound(answer) {
 }
 
 export function startKnowledge() {
+  listed = longTable(byId("fact-list"), "facts", FACTS);
   const problem = byId("question-problem");
   byId("question-form").addEventListener("submit", async (event) => {
     event.preventDefault();

@@ -1,5 +1,5 @@
 /** The floor plan: what the home has, and what is known of it. Truth that nobody has told is not drawn. */
-import { draw, byId, redraw, seconds } from "./dom.js";
+import { draw, byId, keyed, seconds } from "./dom.js";
 import { state, age, known, knownLast, isFormer } from "./feed.js";
 import { select, selection } from "./selection.js";
 
@@ -37,10 +37,10 @@ function bounds(things) {
 }
 
 /** Where it is, as far as is known: what somebody carries is where that one is. */
-function place(thing, things) {
+function place(thing, isCarrier = false) {
   const inside = known("in", thing.name);
-  const carrier = inside?.value && things.find((one) => one.name === inside.arguments[1] && one.device);
-  const by = carrier ? place(carrier, []) : null;
+  const holder = inside?.value && !isCarrier ? state.thingByName.get(inside.arguments[1]) : null;
+  const by = holder?.device ? place(holder, true) : null;
   if (by) {
     return { at: by.at, fact: inside, carried: true };
   }
@@ -65,18 +65,23 @@ function floors(things) {
   return zones.length > 0 ? zones : things.filter((thing) => thing.outline && is(thing, "Room"));
 }
 
-function floor(zone, unit) {
+function lightOf(zone) {
   const light = knownLast("illuminance", zone.name);
   const isNow = light !== null && !isFormer(light);
-  const [x, y] = middle(zone.outline);
-  const top = Math.max(...zone.outline.map((point) => point[1]));
   const lux = light ? `${Math.round(light.value)} lux${light.kind === "expected" ? " expected" : ""}` : "";
   const told = isNow ? `${lux} · ${seconds(age(light))}` : light ? `was ${lux} ${seconds(age(light))} ago` : "light unknown";
-  const ink = isNow ? (isDark(light.value) ? "on-dark" : "on-bright") : "label";
+  return { value: isNow ? light.value : null, told };
+}
+
+function floor(zone, { value, told }, unit) {
+  const isNow = value !== null;
+  const [x, y] = middle(zone.outline);
+  const top = Math.max(...zone.outline.map((point) => point[1]));
+  const ink = isNow ? (isDark(value) ? "on-dark" : "on-bright") : "label";
   return draw("g", {},
     draw("polygon", {
       class: "room", points: points(zone.outline),
-      fill: isNow ? tint(light.value) : "url(#unknown)",
+      fill: isNow ? tint(value) : "url(#unknown)",
     }, draw("title", {}, `${zone.label}: ${told}`)),
     [[1.9, 1.1, zone.label, ""], [3.2, 1, told, "light"]].map(([down, size, text, kind]) => draw("text", {
       x, y: -top + down * unit, "font-size": size * unit, "text-anchor": "middle",
@@ -84,14 +89,18 @@ function floor(zone, unit) {
     }, text)));
 }
 
-function opening(door, unit) {
+function openness(door) {
   const open = known("open", door.name);
   const stands = open === null ? door.open : open.value;
   const kind = stands === null ? "unknown" : stands ? "open" : "shut";
+  return { kind, told: `${kind}${open === null && stands !== null ? ", as the home says" : ""}` };
+}
+
+function opening(door, { kind, told }, unit) {
   return draw("line", {
     class: `door ${kind}`, x1: door.from[0], y1: -door.from[1], x2: door.to[0], y2: -door.to[1],
     "stroke-width": 0.5 * unit, "stroke-dasharray": kind === "unknown" ? `${0.4 * unit} ${0.3 * unit}` : null,
-  }, draw("title", {}, `${door.label}: ${kind}${open === null && stands !== null ? ", as the home says" : ""}`));
+  }, draw("title", {}, `${door.label}: ${told}`));
 }
 
 const SIGNS = {
@@ -118,28 +127,50 @@ function sign(thing) {
   return Object.keys(SIGNS).find((name) => is(thing, name));
 }
 
-function agentOf(name) {
-  return state.agents.find((agent) => agent.members.includes(name));
+/** All by which the sign of a thing is drawn. */
+function look(thing, where, chosen) {
+  const agent = state.agentByMember.get(thing.name);
+  const isOld = where.fact !== null && isFormer(where.fact);
+  const isLost = thing.device !== null && agent !== undefined && agent.phase !== "ready";
+  const isNamed = where.fact !== null || chosen || isLost;
+  return {
+    x: where.at[0],
+    y: -where.at[1],
+    kind: sign(thing),
+    level: known("level", thing.name)?.value ?? 0,
+    isOld,
+    isLost,
+    phase: isLost ? agent.phase : null,
+    carried: where.carried === true,
+    chosen,
+    name: !isNamed ? null
+      : isLost ? `${thing.name} ${agent.phase}`
+        : isOld ? `${thing.name} ${seconds(age(where.fact))} ago` : thing.name,
+  };
 }
 
-function marker(thing, where, unit, chosen) {
-  const kind = sign(thing);
-  const level = known("level", thing.name)?.value ?? 0;
-  const agent = agentOf(thing.name);
-  const isLost = thing.device !== null && agent !== undefined && agent.phase !== "ready";
-  const [x, y] = where.at;
-  const isOld = where.fact !== null && isFormer(where.fact);
-  const told = [
+function told(thing, { kind, level, isOld, phase }) {
+  return [
     thing.label,
     kind === "Lamp" ? `${Math.round(level * 100)} %` : null,
-    where.fact ? `seen ${seconds(age(where.fact))} ago by ${where.fact.source}` : null,
     isOld ? "perhaps not there any more" : null,
-    isLost ? agent.phase : null,
+    phase,
   ].filter(Boolean).join(", ");
-  const moves = where.fact !== null;
+}
+
+/** Told to who points at it: the age goes on while nothing is drawn. */
+function seen(thing, seeming) {
+  const fact = place(thing)?.fact;
+  return fact ? `${told(thing, seeming)}, seen ${seconds(age(fact))} ago by ${fact.source}` : told(thing, seeming);
+}
+
+function marker(thing, seeming, unit) {
+  const { x, y, kind, level, isOld, isLost, carried, chosen, name } = seeming;
+  const title = draw("title", {}, seen(thing, seeming));
   return draw("g", {
-    class: `thing ${isLost || isOld ? "lost" : ""} ${chosen ? "chosen" : ""}`, tabindex: 0, role: "button", "aria-label": told,
-    "data-thing": thing.name, transform: `translate(${x} ${-y})`,
+    class: `thing ${isLost || isOld ? "lost" : ""} ${chosen ? "chosen" : ""}`, tabindex: 0, role: "button", "aria-label": told(thing, seeming),
+    "data-thing": thing.name, transform: `translate(${x} ${y})`,
+    onpointerenter: () => { title.textContent = seen(thing, seeming); },
     onclick: () => select({ thing: thing.name }),
     onkeydown: (event) => {
       if (event.key === "Enter" || event.key === " ") {
@@ -148,12 +179,11 @@ function marker(thing, where, unit, chosen) {
       }
     },
   },
-  draw("title", {}, told),
+  title,
   chosen ? draw("circle", { r: 1.5 * unit, fill: "none", stroke: "var(--chosen)", "stroke-width": 0.22 * unit }) : null,
   SIGNS[kind](unit, level, thing),
   isLost ? draw("path", { d: `M${-0.7 * unit},${-0.7 * unit}L${0.7 * unit},${0.7 * unit}`, stroke: "var(--bad)", "stroke-width": 0.25 * unit }) : null,
-  moves || chosen || isLost ? draw("text", { class: "label", y: (where.carried ? -1.2 : 1.9) * unit, "font-size": 0.95 * unit, "text-anchor": "middle", "stroke-width": 0.3 * unit },
-    isLost ? `${thing.name} ${agent.phase}` : isOld ? `${thing.name} ${seconds(age(where.fact))} ago` : thing.name) : null);
+  name === null ? null : draw("text", { class: "label", y: (carried ? -1.2 : 1.9) * unit, "font-size": 0.95 * unit, "text-anchor": "middle", "stroke-width": 0.3 * unit }, name));
 }
 
 function contains(outline, [x, y]) {
@@ -184,25 +214,31 @@ function follow(name, where) {
   return trails.get(name) ?? trail;
 }
 
-export function drawMap() {
-  const plan = byId("plan");
-  const things = state.home.things;
-  const box = bounds(things);
-  if (box === null) {
-    plan.replaceChildren();
-    byId("nowhere").textContent = things.length === 0
-      ? "Nothing is known of the home yet."
-      : "This home has no map; give its rooms an outline, and they are drawn here.";
-    return;
-  }
-  const rank = (thing) => (is(thing, "Item") ? 2 : is(thing, "Person") || is(thing, "MobileRobot") ? 1 : 0);
-  plan.setAttribute("viewBox", box.join(" "));
-  const unit = Math.max(box[2], box[3]) / 48;
-  const chosen = selection().thing;
+const LAYERS = ["floors", "fields", "walls", "doors", "trails", "things"];
+let layers = null;
+
+/** What is drawn of the home alone; what is known of it lies in layers above each other. */
+function lay(plan, rooms, unit) {
+  const groups = LAYERS.map((name) => [name, draw("g", { class: name })]);
+  plan.replaceChildren(
+    draw("defs", {}, rooms.map((room, i) => draw("clipPath", { id: `room-${i}` }, draw("polygon", { points: points(room.outline) }))),
+      draw("pattern", { id: "unknown", width: 0.6 * unit, height: 0.6 * unit, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" },
+        draw("rect", { width: 0.6 * unit, height: 0.6 * unit, fill: "var(--ground)" }),
+        draw("line", { y2: 0.6 * unit, stroke: "var(--line)", "stroke-width": 0.25 * unit }))),
+    ...groups.map(([, group]) => group));
+  return { home: state.home, ...Object.fromEntries(groups.map(([name, group]) => [name, keyed(group)])) };
+}
+
+function rank(thing) {
+  return is(thing, "Item") ? 2 : is(thing, "Person") || is(thing, "MobileRobot") ? 1 : 0;
+}
+
+/** Where everything is that has a sign, those that lie above others last; and who is nowhere. */
+function sorted(things) {
   const placed = [];
   const nowhere = [];
   for (const thing of things.filter((one) => sign(one))) {
-    const where = place(thing, things);
+    const where = place(thing);
     if (where) {
       placed.push([thing, where]);
     } else if (!is(thing, "Device")) {
@@ -212,18 +248,40 @@ export function drawMap() {
       nowhere.push(thing.name);
     }
   }
+  return { placed: placed.sort(([a], [b]) => rank(a) - rank(b)), nowhere };
+}
+
+export function drawMap() {
+  const plan = byId("plan");
+  const things = state.home.things;
+  const box = bounds(things);
+  if (box === null) {
+    plan.replaceChildren();
+    layers = null;
+    byId("nowhere").textContent = things.length === 0
+      ? "Nothing is known of the home yet."
+      : "This home has no map; give its rooms an outline, and they are drawn here.";
+    return;
+  }
+  const unit = Math.max(box[2], box[3]) / 48;
   const rooms = things.filter((thing) => thing.outline && is(thing, "Room"));
-  redraw(plan,
-    draw("defs", {}, rooms.map((room, i) => draw("clipPath", { id: `room-${i}` }, draw("polygon", { points: points(room.outline) }))), draw("pattern", { id: "unknown", width: 0.6 * unit, height: 0.6 * unit, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" },
-      draw("rect", { width: 0.6 * unit, height: 0.6 * unit, fill: "var(--ground)" }),
-      draw("line", { y2: 0.6 * unit, stroke: "var(--line)", "stroke-width": 0.25 * unit }))),
-    ...floors(things).map((zone) => floor(zone, unit)),
-    ...things.filter((thing) => is(thing, "Camera") && thing.pose && thing.viewAngle).map((camera) => field(camera, rooms, unit)),
-    ...rooms.map((room) =>
-      draw("polygon", { class: "wall", points: points(room.outline), "stroke-width": 0.3 * unit })),
-    ...things.filter((thing) => thing.from && thing.to).map((door) => opening(door, unit)),
-    ...placed.filter(([thing]) => is(thing, "MobileRobot")).map(([thing, where]) => draw("polyline", {
-      class: "trail", points: points(follow(thing.name, where)), "stroke-width": 0.25 * unit })),
-    ...placed.sort(([a], [b]) => rank(a) - rank(b)).map(([thing, where]) => marker(thing, where, unit, thing.name === chosen)));
+  if (layers?.home !== state.home) {
+    plan.setAttribute("viewBox", box.join(" "));
+    layers = lay(plan, rooms, unit);
+    layers.fields(things.filter((thing) => is(thing, "Camera") && thing.pose && thing.viewAngle)
+      .map((camera) => [camera.name, "", () => field(camera, rooms, unit)]));
+    layers.walls(rooms.map((room) => [room.name, "", () =>
+      draw("polygon", { class: "wall", points: points(room.outline), "stroke-width": 0.3 * unit })]));
+  }
+  const chosen = selection().thing;
+  const { placed, nowhere } = sorted(things);
+  const drawn = (thing, seeming, made) => [thing.name, JSON.stringify(seeming), () => made(thing, seeming, unit)];
+  layers.floors(floors(things).map((zone) => drawn(zone, lightOf(zone), floor)));
+  layers.doors(things.filter((thing) => thing.from && thing.to).map((door) => drawn(door, openness(door), opening)));
+  layers.trails(placed.filter(([thing]) => is(thing, "MobileRobot")).map(([thing, where]) => {
+    const way = points(follow(thing.name, where));
+    return [thing.name, way, () => draw("polyline", { class: "trail", points: way, "stroke-width": 0.25 * unit })];
+  }));
+  layers.things(placed.map(([thing, where]) => drawn(thing, look(thing, where, thing.name === chosen), marker)));
   byId("nowhere").textContent = nowhere.length > 0 ? `Not known where: ${nowhere.join(", ")}` : "";
 }

@@ -1,5 +1,6 @@
 /** Members and agents: who is there, and where it lives; who was lost stays in the list. */
-import { make, byId, table, redraw, choices, seconds } from "./dom.js";
+import { make, byId, redraw, choices, seconds } from "./dom.js";
+import { longTable } from "./list.js";
 import { state, age, ask } from "./feed.js";
 import { select, selection } from "./selection.js";
 
@@ -9,6 +10,21 @@ function phase(agent) {
 }
 
 let offered = null;
+let listed = null;
+
+function startList() {
+  listed = longTable(byId("member-list"), "members", [
+    { name: "Member", text: (agent) => agent.members.join(" "), cell: (agent) => make("button", { class: "row", type: "button" }, agent.members.join(" ")) },
+    { name: "Bus", text: (agent) => agent.phase ?? "–", cell: phase },
+    { name: "State", text: (agent) => agent.state ?? "–" },
+    { name: "For", className: "number", text: (agent) => seconds(age(agent)), value: age },
+    { name: "Container", className: "wide", text: (agent) => agent.container ?? "–" },
+    { name: "Can", className: "wide quiet", text: (agent) => agent.services.join(", ") },
+  ], {
+    isChosen: (agent) => agent.members.includes(selection().thing),
+    choose: (agent) => select({ thing: agent.members[0] }),
+  });
+}
 
 function drawForms(rows) {
   const named = (values) => [...new Set(values)].sort().map((value) => ({ value, text: value }));
@@ -24,6 +40,7 @@ function drawForms(rows) {
 
 /** Orders to the platform; what it says to them stands below. */
 export function startMembers() {
+  startList();
   const told = byId("agent-told");
   const order = (id, work) => byId(id).addEventListener("click", async () => {
     told.className = "";
@@ -53,16 +70,5 @@ export function drawMembers() {
       "No device has joined yet. A device joins by describing itself on the bus; docs/guide-bus.md shows how."));
     return;
   }
-  const chosen = selection().thing;
-  redraw(list, table([
-    { name: "Member", cell: (agent) => make("button", { class: "row", type: "button" }, agent.members.join(" ")) },
-    { name: "Bus", cell: phase },
-    { name: "State", cell: (agent) => agent.state ?? "–" },
-    { name: "For", className: "number", cell: (agent) => seconds(age(agent)) },
-    { name: "Container", className: "wide", cell: (agent) => agent.container ?? "–" },
-    { name: "Can", className: "wide quiet", cell: (agent) => agent.services.join(", ") },
-  ], rows, {
-    isChosen: (agent) => agent.members.includes(chosen),
-    choose: (agent) => select({ thing: agent.members[0] }),
-  }));
+  listed(rows);
 }

@@ -1,0 +1,86 @@
+/** Long tables: filtered, sorted, a page at a time, and to be had as a file. */
+import { make, redraw, table } from "./dom.js";
+
+const ROWS = 50;
+
+function order(a, b) {
+  return typeof a === "number" && typeof b === "number" ? a - b : String(a).localeCompare(String(b), "en", { numeric: true });
+}
+
+function quoted(text) {
+  return `"${String(text ?? "").replaceAll('"', '""')}"`;
+}
+
+function save(name, columns, rows) {
+  const lines = [columns.map((column) => column.name), ...rows.map((row) => columns.map((column) => column.value?.(row) ?? column.text(row)))];
+  const file = new Blob([lines.map((line) => line.map(quoted).join(",")).join("\r\n") + "\r\n"], { type: "text/csv" });
+  const address = URL.createObjectURL(file);
+  make("a", { href: address, download: `${name}.csv` }).click();
+  setTimeout(() => URL.revokeObjectURL(address), 10000);
+}
+
+/**
+ * Returns what draws rows into the container. Of a column: its name, the text of a row, what it is sorted by when that is not the text,
+ * and the cell when it is more than text. Choosing works as for any table.
+ */
+export function longTable(container, name, columns, choosing = {}) {
+  const asked = { filter: "", column: null, descending: false, page: 0 };
+  let all = [];
+  const filter = make("input", {
+    type: "search", placeholder: "filter", "aria-label": `Filter ${name}`,
+    oninput: () => { asked.filter = filter.value; asked.page = 0; show(); },
+  });
+  const where = make("span", { class: "quiet", role: "status" });
+  const turn = (by, text, title) => make("button", { type: "button", title, onclick: () => { asked.page += by; show(); } }, text);
+  const [back, on] = [turn(-1, "‹", "Earlier rows"), turn(1, "›", "Later rows")];
+  const file = make("button", { type: "button", title: "All rows that are listed, as a file", onclick: () => save(name, columns, wanted()) }, "CSV");
+  const tools = make("div", { class: "tools" }, filter, where, back, on, file);
+  const rows = make("div", {});
+  const sortedBy = (column) => (asked.column === column ? (asked.descending ? "descending" : "ascending") : null);
+  const heads = columns.map((column) => ({
+    ...column,
+    get sorted() { return sortedBy(column); },
+    get head() {
+      const sign = { ascending: " ▲", descending: " ▼" }[sortedBy(column)] ?? "";
+      return make("button", {
+        class: "sort", type: "button", title: `Sort by ${column.name}`,
+        onclick: () => {
+          asked.descending = asked.column === column && !asked.descending;
+          asked.column = column;
+          show();
+        },
+      }, column.name + sign);
+    },
+  }));
+
+  function wanted() {
+    const text = asked.filter.trim().toLowerCase();
+    const found = text === "" ? [...all]
+      : all.filter((row) => columns.some((column) => String(column.text(row)).toLowerCase().includes(text)));
+    if (asked.column) {
+      const key = asked.column.value ?? asked.column.text;
+      found.sort((a, b) => (asked.descending ? -1 : 1) * order(key(a), key(b)));
+    }
+    return found;
+  }
+
+  function show() {
+    const found = wanted();
+    asked.page = Math.max(0, Math.min(asked.page, Math.ceil(found.length / ROWS) - 1));
+    const first = asked.page * ROWS;
+    const last = Math.min(found.length, first + ROWS);
+    where.textContent = found.length === 0 ? `none of ${all.length}` : `${first + 1}–${last} of ${found.length}`;
+    back.disabled = first === 0;
+    on.disabled = last === found.length;
+    redraw(rows, found.length === 0 ? make("p", { class: "empty" }, `No row has "${asked.filter}" in it; change the filter.`)
+      : table(heads, found.slice(first, last), choosing));
+  }
+
+  return (given) => {
+    all = given;
+    if (tools.parentElement !== container) {
+      container.replaceChildren(tools, rows);
+    }
+    show();
+  };
+}
