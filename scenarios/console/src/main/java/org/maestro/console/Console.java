@@ -13,6 +13,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.URI;
+import java.time.Duration;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -39,10 +40,13 @@ public final class Console implements AutoCloseable {
   private final EventHub events;
   private final EventStreams streams;
   private final Preview preview;
+  private final Metrics metrics;
   private final Javalin server;
 
-  private Console(EventHub events, EventStreams streams, Preview preview, Javalin server) {
+  private Console(
+      EventHub events, EventStreams streams, Preview preview, Metrics metrics, Javalin server) {
     this.preview = preview;
+    this.metrics = metrics;
     this.events = events;
     this.streams = streams;
     this.server = server;
@@ -65,9 +69,10 @@ public final class Console implements AutoCloseable {
         new Api(name, platform.speed(), questions, platform.knowledge(), preview::of).operations();
     ObjectNode document = OpenApiDocument.of(operations, version);
     Health health = new Health(questions, platform::containers);
+    Metrics metrics = new Metrics(questions, platform::containers);
     Javalin server =
         Javalin.create(
-            config -> configure(config, operations, document.toString(), streams, health));
+            config -> configure(config, operations, document.toString(), streams, health, metrics));
     requireFree(port);
     try {
       server.start(HOST, port);
@@ -75,8 +80,9 @@ public final class Console implements AutoCloseable {
       throw RefusalException.outside("The console cannot be started: " + e.getMessage() + ".");
     }
     platform.onStory(events::told);
+    platform.onStory(metrics::told);
     events.start();
-    return new Console(events, streams, preview, server);
+    return new Console(events, streams, preview, metrics, server);
   }
 
   private static void requireFree(int port) {
@@ -95,7 +101,8 @@ public final class Console implements AutoCloseable {
       List<Operation> operations,
       String document,
       EventStreams streams,
-      Health health) {
+      Health health,
+      Metrics metrics) {
     config.startup.showJavalinBanner = false;
     config.startup.showOldJavalinVersionWarning = false;
     config.startup.startupWatcherEnabled = false;
@@ -109,13 +116,14 @@ public final class Console implements AutoCloseable {
       config.routes.addHttpHandler(
           HandlerType.findOrCreate(operation.method().name()),
           Api.ROOT + operation.path(),
-          context -> context.future(() -> answer(context, operation)));
+          context -> context.future(() -> answer(context, operation, metrics)));
     }
     config.routes.get(
         Api.ROOT + "/openapi.json",
         context -> context.contentType("application/json").result(document));
     config.routes.get("/health", health::tellHealth);
     config.routes.get("/ready", context -> context.future(() -> health.tellReadiness(context)));
+    config.routes.get("/metrics", context -> context.future(() -> metrics.tell(context)));
     config.routes.sse(Api.ROOT + "/events", streams::serve);
     config.routes.exception(
         RefusalException.class, (refusal, context) -> Problems.answer(context, refusal));
@@ -150,7 +158,9 @@ public final class Console implements AutoCloseable {
     }
   }
 
-  private static CompletableFuture<?> answer(Context context, Operation operation) {
+  private static CompletableFuture<?> answer(
+      Context context, Operation operation, Metrics metrics) {
+    long begin = System.nanoTime();
     CompletableFuture<?> answer;
     try {
       answer = operation.answer(ReadRequest.of(context, operation));
@@ -169,6 +179,8 @@ public final class Console implements AutoCloseable {
                 .contentType("application/json")
                 .result(Objects.requireNonNull(document).toString());
           }
+          metrics.answered(
+              operation.id(), context.statusCode(), Duration.ofNanos(System.nanoTime() - begin));
           return null;
         });
   }
@@ -210,5 +222,6 @@ public final class Console implements AutoCloseable {
     server.stop();
     preview.close();
     events.close();
+    metrics.close();
   }
 }
