@@ -22,6 +22,7 @@ import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.KnowledgeException;
 import org.maestro.knowledge.api.KnowledgeSettings;
 import org.maestro.knowledge.api.MemberWord;
+import org.maestro.knowledge.api.QueryAnswer;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.knowledge.api.Source;
 import org.maestro.knowledge.api.StateVariable;
@@ -47,6 +48,7 @@ import org.maestro.knowledge.history.HistoryFile;
 import org.maestro.knowledge.history.StoredHistory;
 import org.maestro.knowledge.learning.Lesson;
 import org.maestro.knowledge.learning.Sights;
+import org.maestro.knowledge.rdf.ForeignQuery;
 import org.maestro.knowledge.rdf.GraphStorage;
 import org.maestro.knowledge.rdf.GraphStorageFactory;
 import org.maestro.knowledge.rdf.Graphs;
@@ -312,6 +314,11 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     World seen = world;
     StateVariable variable = seen.declarations().spokenOf(FactReader.read(fact, "the reader"));
     return view(seen).lastKnown(variable.predicate(), variable.arguments());
+  }
+
+  @Override
+  public QueryAnswer query(String sparql) {
+    return ForeignQuery.of(sparql).ask(storage);
   }
 
   /** Rows of a SPARQL SELECT over the dataset, each by variable. */

@@ -64,6 +64,11 @@ public abstract class ForwardingKnowledge implements KnowledgeBase {
   }
 
   @Override
+  public QueryAnswer query(String sparql) {
+    return knowledge.query(sparql);
+  }
+
+  @Override
   public void watch(Consumer<Change> listener) {
     knowledge.watch(listener);
   }

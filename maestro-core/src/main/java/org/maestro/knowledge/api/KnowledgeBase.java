@@ -56,6 +56,14 @@ public interface KnowledgeBase extends AutoCloseable {
    */
   Optional<Belief> lastKnown(String fact);
 
+  /**
+   * What a SPARQL SELECT finds in all that is known as RDF, with its provenance (Three-layered
+   * architecture, 2; M12). It may wait for a store elsewhere.
+   *
+   * @throws KnowledgeException when it is no SPARQL, no SELECT, would ask others, or takes too long
+   */
+  QueryAnswer query(String sparql);
+
   /** Listeners are told after each change, on the writer's thread, and must hand over at once. */
   void watch(Consumer<Change> listener);
 

@@ -3,15 +3,20 @@ package org.maestro.knowledge.rdf;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.apache.jena.dboe.base.block.FileMode;
 import org.apache.jena.dboe.base.file.Location;
 import org.apache.jena.dboe.sys.SystemIndex;
 import org.apache.jena.graph.Node;
+import org.apache.jena.query.ARQ;
 import org.apache.jena.query.DatasetFactory;
+import org.apache.jena.query.QueryCancelledException;
+import org.apache.jena.query.QueryDeniedException;
 import org.apache.jena.query.QueryExecution;
 import org.apache.jena.query.QueryParseException;
 import org.apache.jena.query.TxnType;
@@ -191,18 +196,28 @@ public final class DatasetStorage implements GraphStorage {
   }
 
   @Override
-  public List<Map<String, String>> select(String query) {
+  public List<Map<String, String>> select(String query, Duration within) {
     try {
       return Txn.calculateRead(
           dataset,
           () -> {
             try (QueryExecution execution =
-                QueryExecution.dataset(DatasetFactory.wrap(dataset)).query(query).build()) {
+                QueryExecution.dataset(DatasetFactory.wrap(dataset))
+                    .query(query)
+                    .set(ARQ.httpServiceAllowed, false)
+                    .timeout(within.toMillis(), TimeUnit.MILLISECONDS)
+                    .build()) {
               return Rows.of(execution.execSelect());
             }
           });
     } catch (QueryParseException e) {
       throw Rows.noQuery(e);
+    } catch (QueryDeniedException e) {
+      throw new KnowledgeException(
+          "SERVICE would have the platform ask another one; leave it away.", e);
+    } catch (QueryCancelledException e) {
+      throw new KnowledgeException(
+          "The query takes longer than %d s; ask for less.".formatted(within.toSeconds()), e);
     } catch (RuntimeException e) {
       throw directory.<RuntimeException>map(place -> damaged(place, e)).orElse(e);
     }

@@ -38,7 +38,7 @@ import org.maestro.knowledge.api.KnowledgeException;
  */
 final class EndpointStorage implements GraphStorage {
   private static final Duration CONNECTED_WITHIN = Duration.ofSeconds(5);
-  private static final int ANSWERED_WITHIN_SECONDS = 20;
+  private static final Duration ANSWERED_WITHIN = Duration.ofSeconds(20);
   private static final String ALWAYS_TRUE = "ASK {}";
 
   private final URI queries;
@@ -60,7 +60,7 @@ final class EndpointStorage implements GraphStorage {
   static EndpointStorage open(URI queries, URI updates) {
     JenaSystem.init();
     EndpointStorage storage = new EndpointStorage(queries, updates);
-    try (QueryExec probe = storage.execution(QueryFactory.create(ALWAYS_TRUE))) {
+    try (QueryExec probe = storage.execution(QueryFactory.create(ALWAYS_TRUE), ANSWERED_WITHIN)) {
       probe.ask();
       return storage;
     } catch (HttpException | QueryExceptionHTTP e) {
@@ -95,7 +95,7 @@ final class EndpointStorage implements GraphStorage {
       UpdateExecHTTP.service(updates.toString())
           .httpClient(client)
           .update(request)
-          .timeout(ANSWERED_WITHIN_SECONDS, TimeUnit.SECONDS)
+          .timeout(ANSWERED_WITHIN.toSeconds(), TimeUnit.SECONDS)
           .build()
           .execute();
     } catch (HttpException e) {
@@ -182,8 +182,8 @@ final class EndpointStorage implements GraphStorage {
   }
 
   @Override
-  public List<Map<String, String>> select(String query) {
-    try (QueryExec execution = execution(QueryFactory.create(query))) {
+  public List<Map<String, String>> select(String query, Duration within) {
+    try (QueryExec execution = execution(QueryFactory.create(query), within)) {
       return Rows.of(ResultSet.adapt(execution.select()));
     } catch (QueryParseException e) {
       throw Rows.noQuery(e);
@@ -195,11 +195,11 @@ final class EndpointStorage implements GraphStorage {
     }
   }
 
-  private QueryExec execution(Query query) {
+  private QueryExec execution(Query query, Duration within) {
     return QueryExecHTTP.service(queries.toString())
         .httpClient(client)
         .query(query)
-        .timeout(ANSWERED_WITHIN_SECONDS, TimeUnit.SECONDS)
+        .timeout(Math.min(within.toMillis(), ANSWERED_WITHIN.toMillis()), TimeUnit.MILLISECONDS)
         .build();
   }
 

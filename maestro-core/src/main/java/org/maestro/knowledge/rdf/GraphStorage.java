@@ -1,5 +1,6 @@
 package org.maestro.knowledge.rdf;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import org.apache.jena.graph.Node;
@@ -14,8 +15,18 @@ public interface GraphStorage extends AutoCloseable {
   /** Makes the edits, in order. */
   void apply(List<Edit> edits);
 
-  /** Rows of a SPARQL SELECT over all graphs, each by variable; terms as IRIs or lexical forms. */
-  List<Map<String, String>> select(String query);
+  /**
+   * Rows of a SPARQL SELECT over all graphs, each by variable; terms as IRIs or lexical forms.
+   *
+   * @param within wall time, after which it is given up
+   * @throws org.maestro.knowledge.api.KnowledgeException when it is given up, or is no SPARQL
+   */
+  List<Map<String, String>> select(String query, Duration within);
+
+  /** The same, however long it takes. */
+  default List<Map<String, String>> select(String query) {
+    return select(query, Duration.ofDays(1));
+  }
 
   /** Whether the dataset is still there when the process is not. */
   boolean isLasting();

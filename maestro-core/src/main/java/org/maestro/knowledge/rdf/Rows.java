@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.apache.jena.query.QueryParseException;
+import org.apache.jena.query.QueryException;
 import org.apache.jena.query.ResultSet;
 import org.apache.jena.rdf.model.RDFNode;
 import org.maestro.knowledge.api.KnowledgeException;
@@ -24,7 +24,7 @@ final class Rows {
     return rows;
   }
 
-  static KnowledgeException noQuery(QueryParseException e) {
+  static KnowledgeException noQuery(QueryException e) {
     return new KnowledgeException(
         "The query is not SPARQL: " + e.getMessage() + " Correct it there.", e);
   }

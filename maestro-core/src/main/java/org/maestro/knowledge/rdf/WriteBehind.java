@@ -167,11 +167,11 @@ final class WriteBehind implements GraphStorage {
   }
 
   @Override
-  public List<Map<String, String>> select(String query) {
+  public List<Map<String, String>> select(String query, Duration within) {
     if (!drained()) {
       throw new KnowledgeException(notTaken());
     }
-    return storage.select(query);
+    return storage.select(query, within);
   }
 
   private synchronized String notTaken() {

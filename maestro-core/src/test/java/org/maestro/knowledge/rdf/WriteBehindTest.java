@@ -51,7 +51,7 @@ class WriteBehindTest {
     }
 
     @Override
-    public List<Map<String, String>> select(String query) {
+    public List<Map<String, String>> select(String query, Duration within) {
       return List.of();
     }
 

@@ -40,12 +40,19 @@ public final class Console implements AutoCloseable {
   private final EventHub events;
   private final EventStreams streams;
   private final Preview preview;
+  private final Queries queries;
   private final Metrics metrics;
   private final Javalin server;
 
   private Console(
-      EventHub events, EventStreams streams, Preview preview, Metrics metrics, Javalin server) {
+      EventHub events,
+      EventStreams streams,
+      Preview preview,
+      Queries queries,
+      Metrics metrics,
+      Javalin server) {
     this.preview = preview;
+    this.queries = queries;
     this.metrics = metrics;
     this.events = events;
     this.streams = streams;
@@ -65,8 +72,10 @@ public final class Console implements AutoCloseable {
     EventHub events = new EventHub(questions, platform.knowledge());
     EventStreams streams = new EventStreams(events);
     Preview preview = new Preview(platform.knowledge(), platform::presentMembers);
+    Queries queries = new Queries(platform.knowledge());
     List<Operation> operations =
-        new Api(name, platform.speed(), questions, platform.knowledge(), preview::of).operations();
+        new Api(name, platform.speed(), questions, platform.knowledge(), preview::of, queries::of)
+            .operations();
     ObjectNode document = OpenApiDocument.of(operations, version);
     Health health = new Health(questions, platform::containers);
     Metrics metrics = new Metrics(questions, platform::containers);
@@ -82,7 +91,7 @@ public final class Console implements AutoCloseable {
     platform.onStory(events::told);
     platform.onStory(metrics::told);
     events.start();
-    return new Console(events, streams, preview, metrics, server);
+    return new Console(events, streams, preview, queries, metrics, server);
   }
 
   private static void requireFree(int port) {
@@ -221,6 +230,7 @@ public final class Console implements AutoCloseable {
     streams.close();
     server.stop();
     preview.close();
+    queries.close();
     events.close();
     metrics.close();
   }

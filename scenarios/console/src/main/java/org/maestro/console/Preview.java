@@ -5,11 +5,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import org.maestro.console.documents.PreviewDocument;
 import org.maestro.console.questions.RefusalException;
@@ -30,23 +26,11 @@ import org.maestro.sl.SlSyntaxException;
  * the plan may be another one. Planned one after the other, on a thread of its own.
  */
 final class Preview implements AutoCloseable {
-  private static final int MOST_WAITING = 4;
-
   private final KnowledgeBase knowledge;
   private final Supplier<Collection<String>> present;
   private final OptimalPlanner planner = new OptimalPlanner();
-  private final ThreadPoolExecutor thread =
-      new ThreadPoolExecutor(
-          1,
-          1,
-          0,
-          TimeUnit.SECONDS,
-          new ArrayBlockingQueue<>(MOST_WAITING),
-          task -> {
-            Thread named = new Thread(task, "console-preview");
-            named.setDaemon(true);
-            return named;
-          });
+  private final OneByOne planning =
+      new OneByOne("console-preview", "Other plans are being made; ask again in a while.");
 
   /**
    * @param present the members that can be used now
@@ -61,14 +45,10 @@ final class Preview implements AutoCloseable {
     try {
       PlanningTask task = task(goal);
       Home home = knowledge.home();
-      return CompletableFuture.supplyAsync(
-          () -> PreviewDocument.of(task.goal(), planner.plan(task), home), thread);
+      return planning.work(() -> PreviewDocument.of(task.goal(), planner.plan(task), home));
     } catch (SlSyntaxException | InvalidGoalException e) {
       return CompletableFuture.failedFuture(
           RefusalException.badInput(String.valueOf(e.getMessage())));
-    } catch (RejectedExecutionException e) {
-      return CompletableFuture.failedFuture(
-          RefusalException.outside("Other plans are being made; ask again in a while."));
     }
   }
 
@@ -91,6 +71,6 @@ final class Preview implements AutoCloseable {
 
   @Override
   public void close() {
-    thread.shutdownNow();
+    planning.close();
   }
 }

@@ -194,6 +194,18 @@ class ConsolePageTest {
     browser.waitFor("#question-input").sendKeys("(in rose ?where)", Keys.ENTER);
 
     browser.waitForText("#answers", "?where = zone-");
+    WebElement question = browser.waitFor("#question-input");
+    question.clear();
+    question.sendKeys(
+        "SELECT DISTINCT ?who WHERE { GRAPH ?g { ?o <https://w3id.org/maestro#sourceName> ?who } }",
+        Keys.ENTER);
+    browser.waitForText("#answers", "lamp-a1");
+
+    browser.waitFor("#fact-list input").sendKeys("(level lamp-a1");
+    browser.waitForText("#fact-list [role=status]", "1–1 of 1");
+    browser.click("#fact-list tbody tr");
+    browser.waitForText("#detail", "✓ now");
+    assertThat(browser.address()).contains("fact=");
   }
 
   @Test

@@ -16,12 +16,15 @@ import org.maestro.console.api.Operation.Method;
 import org.maestro.console.api.Operation.Parameter;
 import org.maestro.console.api.Operation.Request;
 import org.maestro.console.documents.FactsDocument;
+import org.maestro.console.documents.HistoryDocument;
 import org.maestro.console.documents.HomeDocument;
 import org.maestro.console.documents.JsonMembers;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.console.questions.AgentOrder;
 import org.maestro.console.questions.RefusalException;
 import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.KnowledgeException;
+import org.maestro.sl.SlSyntaxException;
 
 /** The operations that a platform offers to programs, and to the page. */
 public final class Api {
@@ -38,23 +41,27 @@ public final class Api {
   private final AclQuestions questions;
   private final KnowledgeBase knowledge;
   private final Function<String, CompletableFuture<JsonNode>> preview;
+  private final Function<String, CompletableFuture<JsonNode>> queries;
 
   /**
    * @param platform its name
    * @param speed of its clock, simulated seconds in one of wall time
    * @param preview makes a plan for a goal that is not stated yet
+   * @param queries answers SPARQL
    */
   public Api(
       String platform,
       double speed,
       AclQuestions questions,
       KnowledgeBase knowledge,
-      Function<String, CompletableFuture<JsonNode>> preview) {
+      Function<String, CompletableFuture<JsonNode>> preview,
+      Function<String, CompletableFuture<JsonNode>> queries) {
     this.platform = platform;
     this.speed = speed;
     this.questions = questions;
     this.knowledge = knowledge;
     this.preview = preview;
+    this.queries = queries;
   }
 
   public List<Operation> operations() {
@@ -181,6 +188,21 @@ public final class Api {
             .with(
                 Parameter.query(
                     "question", "In MAESTRO-SL, perhaps with variables: (in Cup ?where).")),
+        get(
+                "/knowledge/history",
+                "history",
+                "Who said what of something, oldest first: what was replaced and what has lost, too.",
+                "history",
+                this::history)
+            .with(Parameter.query("fact", "In MAESTRO-SL: (in Cup zone-a), (illuminance zone-a).")),
+        asking(
+                Method.POST,
+                "/queries",
+                "query",
+                "What a SPARQL SELECT finds in all that is known, 1,000 rows at most.",
+                "rows",
+                request -> queries.apply(request.body().path("query").asText()))
+            .taking("query-request"),
         order(
             Method.POST,
             "/safe-state",
@@ -202,6 +224,16 @@ public final class Api {
         .number("speed", speed)
         .number("devices", OptionalInt.of(knowledge.home().devices().size()))
         .node();
+  }
+
+  private CompletableFuture<JsonNode> history(Request request) {
+    try {
+      return answer(
+          HistoryDocument.of(knowledge.history(request.parameter("fact")), knowledge.snapshot()));
+    } catch (KnowledgeException | SlSyntaxException e) {
+      return CompletableFuture.failedFuture(
+          RefusalException.badInput(String.valueOf(e.getMessage())));
+    }
   }
 
   private CompletableFuture<JsonNode> state(Request request) {

@@ -26,7 +26,7 @@ public final class FactsDocument {
     return add(JsonMembers.empty(), belief, snapshot).node();
   }
 
-  private static JsonMembers add(JsonMembers row, Belief belief, Snapshot snapshot) {
+  static JsonMembers add(JsonMembers row, Belief belief, Snapshot snapshot) {
     row.text("fact", belief.fact());
     Fact fact = SlParser.fact(belief.fact());
     if (fact instanceof Fact.Equation equation) {

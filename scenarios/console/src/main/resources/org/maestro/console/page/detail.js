@@ -88,15 +88,54 @@ function thingDetail(name) {
   ];
 }
 
+let past = { fact: null, claims: null, problem: null };
+
+async function readPast(fact) {
+  past = { fact, claims: null, problem: null };
+  try {
+    const { claims } = await ask.history(fact);
+    if (past.fact === fact) {
+      past.claims = claims.reverse();
+    }
+  } catch (failure) {
+    past.problem = failure.message;
+  }
+  drawDetail();
+}
+
+const CLAIMS = [
+  { name: "Said", text: (claim) => `${claim.value === false ? "not " : ""}${formula(claim)}`, cell: (claim) => make("code", {}, `${claim.value === false ? "not " : ""}${formula(claim)}`) },
+  { name: "Value", className: "number", text: value },
+  { name: "By", text: (claim) => `${claim.source}, ${claim.kind}` },
+  { name: "Sure", className: "number", text: (claim) => `${Math.round(claim.confidence * 100)} %` },
+  { name: "When", className: "number", text: (claim) => `${seconds(claim.age_s)} before` },
+  { name: "Counts", text: (claim) => (claim.counts ? "✓ now" : "not any more, or lost") },
+];
+
+/** Who said what of it, the latest first. */
+function factDetail(fact) {
+  return [
+    make("h2", {}, make("code", {}, fact), make("span", { class: "quiet" }, "who said what of it, the latest first"),
+      make("span", { class: "grow" }), make("button", { type: "button", onclick: () => readPast(fact) }, "Ask again")),
+    past.problem ? make("p", { class: "problem", role: "alert" }, past.problem) : null,
+    past.claims === null ? make("p", { class: "empty" }, past.problem ? "" : "…")
+      : past.claims.length === 0 ? make("p", { class: "empty" }, "Nobody has said anything of it: it follows from other facts, or the home says it.")
+        : table(CLAIMS, past.claims),
+  ];
+}
+
 export function drawDetail() {
-  const { goal, thing } = selection();
+  const { goal, thing, fact } = selection();
   const detail = byId("detail");
   if (goal && story.goal !== goal) {
     read(goal);
   }
+  if (fact && past.fact !== fact) {
+    readPast(fact);
+  }
   const wasAtEnd = detail.scrollTop + detail.clientHeight >= detail.scrollHeight - 20;
   const top = detail.scrollTop;
-  redraw(detail, goal ? goalDetail(goal) : thing ? thingDetail(thing)
-    : make("p", { class: "empty" }, "Choose a goal for its story, or something on the map for what is known of it."));
+  redraw(detail, goal ? goalDetail(goal) : thing ? thingDetail(thing) : fact ? factDetail(fact)
+    : make("p", { class: "empty" }, "Choose a goal for its story, something on the map for what is known of it, or a fact for who said it."));
   detail.scrollTop = goal && wasAtEnd ? detail.scrollHeight : top;
 }

@@ -74,6 +74,8 @@ function send(method, path, body) {
 export const ask = {
   story: (goal) => request(`/goals/${encodeURIComponent(goal)}/story`),
   know: (question) => request(`/knowledge?question=${encodeURIComponent(question)}`),
+  history: (fact) => request(`/knowledge/history?fact=${encodeURIComponent(fact)}`),
+  query: (query) => send("POST", "/queries", { query }),
   state: (goal, priority = 0, deadline = null) => send("POST", "/goals", { goal, priority, deadline_s: deadline }),
   preview: (goal) => send("POST", "/previews", { goal }),
   containers: () => request("/containers"),

@@ -8,16 +8,17 @@ export function selection() {
     view: VIEWS.includes(parameters.get("view")) ? parameters.get("view") : "goals",
     goal: parameters.get("goal"),
     thing: parameters.get("thing"),
+    fact: parameters.get("fact"),
   };
 }
 
+/** One of these is looked at in full, at a time. */
+const CHOSEN = ["goal", "thing", "fact"];
+
 export function select(change) {
   const next = { ...selection(), ...change };
-  if (change.goal) {
-    next.thing = null;
-  }
-  if (change.thing) {
-    next.goal = null;
+  if (CHOSEN.some((kind) => change[kind])) {
+    CHOSEN.filter((kind) => !change[kind]).forEach((kind) => { next[kind] = null; });
   }
   const parameters = new URLSearchParams();
   Object.entries(next).filter(([, value]) => value).forEach(([name, value]) => parameters.set(name, value));
