@@ -109,7 +109,7 @@ const CLAIMS = [
   { name: "By", text: (claim) => `${claim.source}, ${claim.kind}` },
   { name: "Sure", className: "number", text: (claim) => `${Math.round(claim.confidence * 100)} %` },
   { name: "When", className: "number", text: (claim) => `${seconds(claim.age_s)} before` },
-  { name: "Counts", text: (claim) => (claim.counts ? "✓ now" : "not any more, or lost") },
+  { name: "Counts", text: (claim) => (claim.counts ? "✓ now" : "–") },
 ];
 
 /** Who said what of it, the latest first. */
