@@ -33,7 +33,7 @@ import org.maestro.sl.Facts;
 
 /**
  * Why there is no plan: the least set of conditions with which there would be one, found by {@link
- * CureSearch} and tried out by planning with them, and for each of them what else would do.
+ * ExcuseSearch} and tried out by planning with them, and for each of them what else would do.
  *
  * <p>Numbers and stated facts that hamper are preferred to members that are not there, these to
  * what other features could change, and that to where things are seen to be. The goal itself comes
