@@ -101,9 +101,14 @@ public final class GoalOutcomeAssert extends AbstractAssert<GoalOutcomeAssert, G
     isNotNull();
     if (!condition) {
       failWithMessage(
-          "Expected the goal %s %s.%nIts story:%n%s",
-          actual.goal(), expectation, actual.storyText());
+          "Expected the goal %s %s%nIts story:%n%s",
+          actual.goal(), sentence(expectation), actual.storyText());
     }
     return this;
+  }
+
+  /** An explanation at its end brings its own full stop. */
+  private static String sentence(String words) {
+    return words.endsWith(".") ? words : words + ".";
   }
 }

@@ -23,6 +23,10 @@ import picocli.CommandLine.Spec;
     description = "Write a home, a device or a scenario to start from; it runs as it is.",
     subcommands = {NewCommand.OfHome.class, NewCommand.OfDevice.class, NewCommand.OfScenario.class})
 final class NewCommand implements Runnable {
+  /** Without the analysis of our own builds, which takes longer than all else. */
+  private static final String INSTALL =
+      "mvn install -DskipTests -Dmaestro.quick, once, in the clone of MAESTRO";
+
   @Spec private CommandSpec spec;
 
   @Override
@@ -142,7 +146,7 @@ final class NewCommand implements Runnable {
               more)
           : List.of(
               platform,
-              "mvn install -DskipTests, once, in the clone of MAESTRO",
+              INSTALL,
               "mvn -f %s compile exec:java -Dexec.mainClass=Bell -Dexec.args=\"127.0.0.1 1883 maestro\""
                   .formatted(where),
               goal,
@@ -160,9 +164,9 @@ final class NewCommand implements Runnable {
     @Override
     List<String> next(String where) {
       return List.of(
-          "mvn install -DskipTests, once, in the clone of MAESTRO",
+          INSTALL,
           "mvn -f %s test".formatted(where),
-          "What else a scenario can say: docs/recipes.md");
+          "What else a scenario can say: docs/guide-scenarios.md");
     }
   }
 }

@@ -106,21 +106,6 @@ class NewCommandTest {
     }
   }
 
-  /** Compiled with what a project that depends on maestro-junit has, and run as its build would. */
-  @Test
-  void theScenarioPasses() throws Exception {
-    Path where = directory.resolve("scenario");
-    Said said = maestro("new", "scenario", where.toString());
-    assertThat(said.exitCode()).as(said.err()).isZero();
-    Path classes = compiled(where.resolve("src/test/java/CupTest.java"));
-
-    try (JavaProcess run =
-        JavaProcess.startWith(classes, ScenarioRun.class.getName(), List.of("CupTest"))) {
-      JavaProcess.Ended ended = run.await(LIMIT);
-      assertThat(ended.output()).as(ended.errors()).contains("1 passed, 0 failed");
-    }
-  }
-
   @Test
   void whatIsThereIsNotWrittenOver() throws IOException {
     Files.writeString(directory.resolve("mine.ttl"), "mine");

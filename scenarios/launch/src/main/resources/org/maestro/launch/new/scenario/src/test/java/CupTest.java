@@ -10,5 +10,6 @@ class CupTest {
   @Test
   void theCupComesToBob(Stage stage) {
     assertThat(stage.goal("(nextTo Cup Bob)")).isReached().isConfirmed();
+    assertThat(stage.world()).hasNextTo("Cup", "Bob");
   }
 }
