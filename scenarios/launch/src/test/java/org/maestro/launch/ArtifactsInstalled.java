@@ -15,17 +15,16 @@ import java.util.jar.JarFile;
 import java.util.stream.Stream;
 
 /**
- * Installs the artifacts of this build, as {@code mvn install} does, into a local repository that
- * is nobody's: what is not ours is linked from the one that the build uses, which stays as it is.
+ * The artifacts of this build, as {@code mvn install} puts them into a local repository, in one
+ * that is nobody's: what is not ours is linked from the one that the build uses, which stays as it
+ * is.
  */
-final class ArtifactsInstalled {
+record ArtifactsInstalled(Path repository) implements AutoCloseable {
   private static final String OURS = "META-INF/maven/org.maestro/";
   private static final Path ROOT = Path.of("..", "..");
 
-  private ArtifactsInstalled() {}
-
   /** Where they are not built, or Maven did not start the test, the test is skipped. */
-  static Path in(Path repository) throws IOException {
+  static ArtifactsInstalled in(Path repository) throws IOException {
     String others = System.getProperty("maestro.repository");
     assumeTrue(others != null, "Maven does not run this test; mvn verify does");
     List<Path> jars =
@@ -42,7 +41,17 @@ final class ArtifactsInstalled {
     for (Path jar : jars) {
       install(repository, jar);
     }
-    return repository;
+    return new ArtifactsInstalled(repository);
+  }
+
+  /** Takes the links away: what they lead to is not to be deleted with the repository. */
+  @Override
+  public void close() throws IOException {
+    try (Stream<Path> parts = Files.walk(repository, 2)) {
+      for (Path link : parts.filter(Files::isSymbolicLink).toList()) {
+        Files.delete(link);
+      }
+    }
   }
 
   private static void link(Path from, Path to, String butFor) throws IOException {

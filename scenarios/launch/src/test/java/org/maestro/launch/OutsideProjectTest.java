@@ -41,12 +41,17 @@ class OutsideProjectTest {
       Files.writeString(tests.resolve(nameOf(listing) + ".java"), listing);
     }
 
-    Path repository = ArtifactsInstalled.in(directory.resolve("repository"));
-    String said = build(project, repository);
+    try (ArtifactsInstalled installed = ArtifactsInstalled.in(directory.resolve("repository"))) {
+      String said = build(project, installed.repository());
 
-    assertThat(said).contains("Tests run: 4, Failures: 1, Errors: 0, Skipped: 0");
-    assertThat(report(project, "RedTest.txt")).contains(shown("").get(1).split("\\.\\.\\.\n"));
-    assertThat(classPath(project))
+      assertThat(said).contains("Tests run: 4, Failures: 1, Errors: 0, Skipped: 0");
+      assertThat(report(project, "RedTest.txt")).contains(shown("").get(1).split("\\.\\.\\.\n"));
+      assertNothingElseOfOurs(classPath(project), project, installed.repository());
+    }
+  }
+
+  private static void assertNothingElseOfOurs(List<Path> classPath, Path project, Path repository) {
+    assertThat(classPath)
         .allMatch(entry -> entry.startsWith(project) || entry.startsWith(repository))
         .filteredOn(entry -> entry.startsWith(repository.resolve("org/maestro")))
         .extracting(entry -> entry.getParent().getParent().getFileName().toString())
