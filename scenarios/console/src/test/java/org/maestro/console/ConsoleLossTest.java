@@ -28,6 +28,9 @@ class ConsoleLossTest {
       browser.waitForText("#plan", "lamp-b2 lost");
       browser.waitFor("#plan [data-thing=lamp-b2].lost");
       browser.waitForText("#member-list", "lost");
+      browser.waitForText("#alerts-open", "▲ 1 alert");
+      browser.click("#alerts-open");
+      browser.waitForText("#alerts", "lamp-b2 is lost");
       browser.click("#plan [data-thing=lamp-b2]");
       browser.waitForText("#detail", "On the bus: lost");
       assertThat(browser.text("#member-list")).as("it stays in the list").contains("lamp-b2");

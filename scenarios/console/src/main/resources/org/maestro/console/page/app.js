@@ -2,6 +2,7 @@
 import { byId } from "./dom.js";
 import { state, connect, onChange, ask } from "./feed.js";
 import { select, selection, onSelect } from "./selection.js";
+import { drawAlerts, startAlerts } from "./alerts.js";
 import { drawMap } from "./map.js";
 import { drawGoals, startGoals } from "./goals.js";
 import { drawDetail } from "./detail.js";
@@ -30,6 +31,7 @@ function drawFrame() {
 
 function drawAll() {
   drawFrame();
+  drawAlerts();
   drawMap();
   VIEWS[selection().view]();
   drawDetail();
@@ -56,6 +58,7 @@ byId("theme").addEventListener("click", () =>
 byId("stop").addEventListener("click", () =>
   ask.stop().then(() => say("Every device was told to go into a safe state."), (failure) => say(failure.message)));
 theme(localStorage.getItem("theme") ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light"));
+startAlerts();
 startGoals();
 startMembers();
 startKnowledge();
