@@ -46,8 +46,8 @@ final class DevTools implements AutoCloseable {
     asked.put(id, answer);
     ObjectNode command = MAPPER.createObjectNode().put("id", id).put("method", method);
     command.set("params", parameters);
-    socket.sendText(command.toString(), true);
     try {
+      socket.sendText(command.toString(), true).get(PATIENCE_SECONDS, TimeUnit.SECONDS);
       JsonNode whole = answer.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
       if (whole.has("error")) {
         throw new SiteException(

@@ -5,7 +5,6 @@ import java.net.URI;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import org.maestro.bench.Waiting;
 
 /** The console's page as it is seen: when it is there, what a thing on its map is said to be. */
@@ -36,7 +35,7 @@ final class SeenPage {
 
   private static final String FRAMES =
       """
-      new Promise((done) => {
+      (watched) => new Promise((done) => {
         const between = [];
         const begin = performance.now();
         let last = begin;
@@ -44,7 +43,7 @@ final class SeenPage {
         const frame = (now) => {
           between.push(now - last);
           last = now;
-          if (now - begin < %d) { requestAnimationFrame(frame); } else { done({ between, longest: seen.longest }); }
+          if (now - begin < watched) { requestAnimationFrame(frame); } else { done({ between, longest: seen.longest }); }
         };
         requestAnimationFrame(frame);
       })
@@ -103,7 +102,7 @@ final class SeenPage {
   }
 
   Frames frames(Duration watched) {
-    JsonNode told = page.value(String.format(Locale.ROOT, FRAMES, watched.toMillis()));
+    JsonNode told = page.value("(" + FRAMES + ")(" + watched.toMillis() + ")");
     List<Double> between = new ArrayList<>();
     told.path("between").forEach(each -> between.add(each.asDouble()));
     return new Frames(between, told.path("longest").asDouble());
