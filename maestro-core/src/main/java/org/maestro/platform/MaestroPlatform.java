@@ -1,11 +1,13 @@
 package org.maestro.platform;
 
 import java.awt.GraphicsEnvironment;
+import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
+import java.util.function.Consumer;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.GroupAgent;
@@ -29,6 +31,7 @@ import org.maestro.ontology.home.Group;
 import org.maestro.platform.jade.MainContainer;
 import org.maestro.platform.jade.PlatformStartException;
 import org.maestro.platform.jade.Premises;
+import org.maestro.platform.jade.SentMessage;
 import org.maestro.rats.time.Clock;
 
 /**
@@ -187,6 +190,25 @@ public final class MaestroPlatform implements AutoCloseable {
     stories.addListener(listener);
   }
 
+  /**
+   * Tells the listener of the messages between agents from now on, on threads of the agents, which
+   * must not be held up: of all that one of this process sends or is sent.
+   *
+   * @return ends it
+   */
+  public Runnable onMail(Consumer<SentMessage> listener) {
+    return main.shared().mail().listen(listener);
+  }
+
+  /** The containers between whose agents {@link #onMail} sees no message: those of others. */
+  public List<String> containersElsewhere() {
+    Set<String> seen = main.shared().mail().containers();
+    return directory().containers().stream()
+        .map(Directory.Place::name)
+        .filter(name -> !seen.contains(name))
+        .toList();
+  }
+
   /** The members that the CCA can use now. */
   public Collection<String> presentMembers() {
     return central.now().presentMembers();
@@ -209,6 +231,11 @@ public final class MaestroPlatform implements AutoCloseable {
   /** Simulated seconds in one of wall time. */
   public double speed() {
     return time.clock().speed();
+  }
+
+  /** Simulated time since the platform's clock began. */
+  public Duration now() {
+    return time.clock().now();
   }
 
   public int port() {

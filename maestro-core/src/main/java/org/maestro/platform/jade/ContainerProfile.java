@@ -30,6 +30,7 @@ final class ContainerProfile {
           ";",
           HomeMobilityService.class.getName(),
           "jade.core.event.NotificationService",
+          MailWitnessService.class.getName(),
           SteppedMailService.class.getName(),
           PulseService.class.getName(),
           HostService.class.getName());
@@ -65,6 +66,7 @@ final class ContainerProfile {
     SerialFilter.install();
     Properties properties = new Properties();
     properties.put(ProcessPulse.KEY, shared.pulse());
+    properties.put(MailWitness.KEY, shared.mail());
     properties.put(HostService.KEY, host);
     properties.setProperty(Profile.LOCAL_HOST, from);
     properties.setProperty(Profile.DETECT_MAIN, "false");

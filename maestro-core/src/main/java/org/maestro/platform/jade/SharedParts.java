@@ -8,11 +8,12 @@ import org.maestro.platform.wires.Wires;
  *
  * @param wires their connections to others
  * @param pulse their signs of life
+ * @param mail the witness of their agents' messages
  */
-public record SharedParts(Wires wires, ProcessPulse pulse) {
+public record SharedParts(Wires wires, ProcessPulse pulse, MailWitness mail) {
 
   /** For the first of them. */
   public static SharedParts fresh() {
-    return new SharedParts(new Wires(), new ProcessPulse());
+    return new SharedParts(new Wires(), new ProcessPulse(), new MailWitness());
   }
 }

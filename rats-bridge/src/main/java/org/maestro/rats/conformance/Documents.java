@@ -6,17 +6,17 @@ import static org.maestro.rats.conformance.Finding.kept;
 
 import java.util.List;
 import java.util.Optional;
-import org.maestro.rats.protocol.MalformedMessageException;
-import org.maestro.rats.protocol.WireFormat;
+import org.maestro.rats.protocol.MessageCheck;
 
 /** Whether all that a device has said is what the documents of version 1 describe. */
 final class Documents {
 
   private final Bench bench;
-  private final WireFormat wire = new WireFormat();
+  private final MessageCheck check;
 
   Documents(Bench bench) {
     this.bench = bench;
+    this.check = new MessageCheck(bench.topics());
   }
 
   /**
@@ -55,32 +55,13 @@ final class Documents {
   }
 
   private Optional<String> faultOf(Examiner.Heard heard) {
-    String topic = heard.topic();
-    boolean isOwn = bench.topics().memberOf(topic).isPresent();
-    byte[] payload = heard.content().toString().getBytes(UTF_8);
-    if (isOwn && heard.isEmpty()) {
-      return Optional.empty();
+    if (!heard.isEmpty() && heard.content().isMissingNode()) {
+      return Optional.of("what it says on %s is no JSON".formatted(heard.topic()));
     }
-    if (heard.content().isMissingNode()) {
-      return Optional.of("what it says on %s is no JSON".formatted(topic));
-    }
-    try {
-      if (topic.equals(bench.topics().state(bench.member()))) {
-        wire.decodeState(payload);
-      } else if (topic.equals(bench.topics().status(bench.member()))) {
-        wire.decodeStatus(payload);
-      } else if (isProgress(topic)) {
-        wire.decodeProgress(payload);
-      } else if (!isOwn) {
-        wire.decodeResult(payload);
-      }
-      return Optional.empty();
-    } catch (MalformedMessageException malformed) {
-      return Optional.of("on %s: %s".formatted(topic, malformed.getMessage()));
-    }
-  }
-
-  private boolean isProgress(String topic) {
-    return topic.equals(bench.topics().progress(bench.examiner().name(), bench.member()));
+    byte[] payload = heard.isEmpty() ? new byte[0] : heard.content().toString().getBytes(UTF_8);
+    // What the broker keeps that it should not is judged for itself.
+    return check
+        .fault(heard.topic(), payload, false)
+        .map(fault -> "on %s: %s".formatted(heard.topic(), fault));
   }
 }

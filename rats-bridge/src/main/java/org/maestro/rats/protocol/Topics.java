@@ -133,6 +133,18 @@ public record Topics(String site) {
         .map(rest -> rest.substring(rest.lastIndexOf('/') + 1));
   }
 
+  /** What a topic carries; empty when it is none of this site's bus. */
+  public Optional<MessageKind> kindOf(String topic) {
+    return after(topic, root()).flatMap(MessageKind::at);
+  }
+
+  /** Whom a topic {@code result/{to}/{member}} or {@code progress/{to}/{member}} names; else empty. */
+  public Optional<String> receiverOf(String topic) {
+    return after(topic, root() + "result/")
+        .or(() -> after(topic, root() + "progress/"))
+        .map(rest -> rest.substring(0, end(rest)));
+  }
+
   /** Who speaks on a topic: the one that it names as its sender, else the topic itself. */
   public String speakerOf(String topic) {
     return callerOf(topic)

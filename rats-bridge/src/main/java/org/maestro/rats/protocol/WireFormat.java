@@ -444,11 +444,16 @@ public final class WireFormat {
     }
   }
 
-  private Fields fields(byte[] payload) {
+  /** Of any message: longer ones are not read. */
+  void requireReadable(byte[] payload) {
     if (payload.length > MOST_BYTES) {
       throw new MalformedMessageException(
           "payload", "at most " + MOST_BYTES + " bytes", payload.length + " bytes");
     }
+  }
+
+  private Fields fields(byte[] payload) {
+    requireReadable(payload);
     JsonNode root;
     try {
       root = MAPPER.readTree(payload);

@@ -60,6 +60,9 @@ public final class LocalSite implements AutoCloseable {
   private static final int BROKER_ANSWERS_WITHIN_MILLIS = 2_000;
   private static final String CONTROLLER = "maestro";
 
+  /** No member has this name: theirs have no such sign. */
+  private static final String OBSERVER = CONTROLLER + "$observer";
+
   /**
    * Lets time pass until a condition holds, for a simulated time at most; says whether it holds.
    */
@@ -283,6 +286,14 @@ public final class LocalSite implements AutoCloseable {
             profile, values, membersTransports.apply(profile.id()), settings.name(), policy, clock);
     parts.opened(member);
     return member;
+  }
+
+  /**
+   * A client of the bus beside all others, for one who only listens; not open yet. On a secured
+   * site nobody is let in who may hear everything.
+   */
+  public Transport observer() {
+    return transports.apply(OBSERVER);
   }
 
   public MaestroPlatform platform() {

@@ -3,6 +3,7 @@ package org.maestro.console;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import io.javalin.Javalin;
 import io.javalin.config.JavalinConfig;
+import io.javalin.config.RoutesConfig;
 import io.javalin.http.Context;
 import io.javalin.http.HandlerType;
 import io.javalin.http.HttpResponseException;
@@ -14,6 +15,7 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.URI;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -26,6 +28,7 @@ import org.maestro.console.api.Operation;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.console.questions.RefusalException;
 import org.maestro.platform.MaestroPlatform;
+import org.maestro.rats.transport.Transport;
 
 /**
  * The console of a platform of this process, on loopback (Three-layered architecture, 3; M25, M68):
@@ -38,6 +41,7 @@ public final class Console implements AutoCloseable {
   private static final int FEWEST_THREADS = 4;
 
   private final EventHub events;
+  private final Traffic traffic;
   private final EventStreams streams;
   private final Preview preview;
   private final Queries queries;
@@ -46,6 +50,7 @@ public final class Console implements AutoCloseable {
 
   private Console(
       EventHub events,
+      Traffic traffic,
       EventStreams streams,
       Preview preview,
       Queries queries,
@@ -54,6 +59,7 @@ public final class Console implements AutoCloseable {
     this.preview = preview;
     this.queries = queries;
     this.metrics = metrics;
+    this.traffic = traffic;
     this.events = events;
     this.streams = streams;
     this.server = server;
@@ -62,26 +68,40 @@ public final class Console implements AutoCloseable {
   /**
    * Starts it.
    *
-   * @param name of the platform
+   * @param observer a client of the platform's bus that only listens; not open yet
+   * @param name of the platform, and of its site on the bus
    * @param port on loopback; 0: a free one
    * @param version of the software
    * @throws RefusalException when the port is taken
    */
-  public static Console start(MaestroPlatform platform, String name, int port, String version) {
+  public static Console start(
+      MaestroPlatform platform, Transport observer, String name, int port, String version) {
     AclQuestions questions = new AclQuestions(platform.desk());
     EventHub events = new EventHub(questions, platform.knowledge());
-    EventStreams streams = new EventStreams(events);
+    Traffic traffic = new Traffic(platform, name, observer);
+    EventStreams streams = new EventStreams();
     Preview preview = new Preview(platform.knowledge(), platform::presentMembers);
     Queries queries = new Queries(platform.knowledge());
     List<Operation> operations =
-        new Api(name, platform.speed(), questions, platform.knowledge(), preview::of, queries::of)
-            .operations();
+        new ArrayList<>(
+            new Api(
+                    name,
+                    platform.speed(),
+                    questions,
+                    platform.knowledge(),
+                    preview::of,
+                    queries::of)
+                .operations());
+    operations.addAll(traffic.operations());
     ObjectNode document = OpenApiDocument.of(operations, version);
     Health health = new Health(questions, platform::containers);
     Metrics metrics = new Metrics(questions, platform::containers);
     Javalin server =
         Javalin.create(
-            config -> configure(config, operations, document.toString(), streams, health, metrics));
+            config -> {
+              configure(config, operations, document.toString(), health, metrics);
+              streams(config.routes, streams, events, traffic);
+            });
     requireFree(port);
     try {
       server.start(HOST, port);
@@ -91,7 +111,8 @@ public final class Console implements AutoCloseable {
     platform.onStory(events::told);
     platform.onStory(metrics::told);
     events.start();
-    return new Console(events, streams, preview, queries, metrics, server);
+    traffic.begin();
+    return new Console(events, traffic, streams, preview, queries, metrics, server);
   }
 
   private static void requireFree(int port) {
@@ -109,7 +130,6 @@ public final class Console implements AutoCloseable {
       JavalinConfig config,
       List<Operation> operations,
       String document,
-      EventStreams streams,
       Health health,
       Metrics metrics) {
     config.startup.showJavalinBanner = false;
@@ -133,7 +153,6 @@ public final class Console implements AutoCloseable {
     config.routes.get("/health", health::tellHealth);
     config.routes.get("/ready", context -> context.future(() -> health.tellReadiness(context)));
     config.routes.get("/metrics", context -> context.future(() -> metrics.tell(context)));
-    config.routes.sse(Api.ROOT + "/events", streams::serve);
     config.routes.exception(
         RefusalException.class, (refusal, context) -> Problems.answer(context, refusal));
     config.routes.exception(
@@ -149,6 +168,14 @@ public final class Console implements AutoCloseable {
     config.routes.error(
         Problems.NOT_FOUND,
         context -> Problems.answer(context, Problems.NOT_FOUND, nothing(context)));
+  }
+
+  private static void streams(
+      RoutesConfig routes, EventStreams streams, EventHub events, Traffic traffic) {
+    routes.sse(Api.ROOT + "/events", client -> streams.serve(client, events));
+    routes.sse(Api.ROOT + "/events/bus", client -> streams.serve(client, traffic.busNews()));
+    routes.sse(
+        Api.ROOT + "/events/conversations", client -> streams.serve(client, traffic.mailNews()));
   }
 
   private static QueuedThreadPool threads() {
@@ -232,6 +259,7 @@ public final class Console implements AutoCloseable {
     preview.close();
     queries.close();
     events.close();
+    traffic.close();
     metrics.close();
   }
 }

@@ -33,14 +33,12 @@ import org.slf4j.LoggerFactory;
  * tenth of a second, so that a thousand changes are one event. As long as nobody listens nothing is
  * looked at. Its own thread does the work; any thread may tell it of something.
  */
-final class EventHub implements AutoCloseable {
+final class EventHub implements EventSource, AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(EventHub.class);
   private static final long GATHERED_MILLIS = 100;
 
   /** Agents come and go, and facts grow too old, without a word; so often it is looked for. */
   private static final long LOOK_MILLIS = 1_000;
-
-  private static final int MOST_LISTENERS = 64;
 
   private final Questions questions;
   private final KnowledgeBase knowledge;
@@ -56,7 +54,7 @@ final class EventHub implements AutoCloseable {
   private final AtomicBoolean goalsAreNew = new AtomicBoolean(true);
 
   // All below is the thread's own.
-  private final Set<EventQueue> listeners = new HashSet<>();
+  private final Listeners listeners = new Listeners();
   private Map<String, Belief> facts = Map.of();
   private Optional<JsonNode> home = Optional.empty();
   private Optional<JsonNode> goals = Optional.empty();
@@ -77,19 +75,11 @@ final class EventHub implements AutoCloseable {
     return thread.scheduleWithFixedDelay(() -> guarded(work), pause, pause, TimeUnit.MILLISECONDS);
   }
 
-  /**
-   * Somebody listens from now on, or, when there are too many already, is let go.
-   *
-   * @param then told when all that is so is on its way
-   */
-  void listen(EventQueue listener, Runnable then) {
+  @Override
+  public void listen(EventQueue listener, Runnable then) {
     later(
         () -> {
-          if (listeners.size() < MOST_LISTENERS) {
-            admit(listener);
-          } else {
-            listener.end();
-          }
+          admit(listener);
           then.run();
         });
   }
@@ -98,21 +88,24 @@ final class EventHub implements AutoCloseable {
     if (listeners.isEmpty()) {
       refresh();
     }
-    listeners.add(listener);
+    if (!listeners.admit(listener)) {
+      return;
+    }
     home.ifPresent(document -> listener.add("home", document));
     listener.add("facts", changes(facts, Set.of(), knowledge.snapshot(), true));
     goals.ifPresent(document -> listener.add("goals", document));
     agents.ifPresent(document -> listener.add("agents", document));
   }
 
-  void leave(EventQueue listener) {
-    later(() -> listeners.remove(listener));
+  @Override
+  public void leave(EventQueue listener) {
+    later(() -> listeners.leave(listener));
   }
 
   /** A sentence of a story; any thread may bring it. */
   void told(StoryEntry entry) {
     goalsAreNew.set(true);
-    later(() -> publish("story", StoryDocument.of(entry)));
+    later(() -> listeners.tell("story", StoryDocument.of(entry)));
   }
 
   /** After the end nobody is told anything. */
@@ -150,7 +143,7 @@ final class EventHub implements AutoCloseable {
           .thenAcceptAsync(
               document -> {
                 goals = Optional.of(document);
-                publish("goals", document);
+                listeners.tell("goals", document);
               },
               thread)
           .exceptionally(
@@ -171,12 +164,12 @@ final class EventHub implements AutoCloseable {
     gone.removeAll(now.keySet());
     facts = now;
     if (!changed.isEmpty() || !gone.isEmpty()) {
-      publish("facts", changes(changed, gone, snapshot, false));
+      listeners.tell("facts", changes(changed, gone, snapshot, false));
     }
     JsonNode drawn = HomeDocument.of(knowledge.home());
     if (!Optional.of(drawn).equals(home)) {
       home = Optional.of(drawn);
-      publish("home", drawn);
+      listeners.tell("home", drawn);
     }
   }
 
@@ -206,7 +199,7 @@ final class EventHub implements AutoCloseable {
               if (agents
                   .filter(before -> withoutAges(before).equals(withoutAges(document)))
                   .isEmpty()) {
-                publish("agents", document);
+                listeners.tell("agents", document);
               }
               agents = Optional.of(document);
             },
@@ -218,14 +211,6 @@ final class EventHub implements AutoCloseable {
     JsonNode copy = document.deepCopy();
     copy.path("agents").forEach(row -> ((ObjectNode) row).remove("age_s"));
     return copy;
-  }
-
-  private void publish(String event, JsonNode document) {
-    for (EventQueue listener : new ArrayList<>(listeners)) {
-      if (!listener.add(event, document)) {
-        listeners.remove(listener);
-      }
-    }
   }
 
   /** Who has thrown once is asked again all the same. */

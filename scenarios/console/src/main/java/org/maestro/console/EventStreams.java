@@ -15,7 +15,6 @@ final class EventStreams implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(EventStreams.class);
   private static final int END_SECONDS = 2;
 
-  private final EventHub events;
   private final ExecutorService threads =
       Executors.newCachedThreadPool(
           task -> {
@@ -24,12 +23,8 @@ final class EventStreams implements AutoCloseable {
             return thread;
           });
 
-  EventStreams(EventHub events) {
-    this.events = events;
-  }
-
-  /** Tells the client what happens, until either side ends it. */
-  void serve(SseClient client) {
+  /** Tells the client what happens there, until either side ends it. */
+  void serve(SseClient client, EventSource events) {
     EventQueue queue = new EventQueue();
     client.keepAlive();
     client.onClose(

@@ -370,7 +370,13 @@ class ConsoleTest {
   void aPortThatIsTakenIsASentence() throws IOException {
     try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
       assertThatThrownBy(
-              () -> Console.start(home.site().platform(), "second", taken.getLocalPort(), "1"))
+              () ->
+                  Console.start(
+                      home.site().platform(),
+                      home.site().observer(),
+                      "second",
+                      taken.getLocalPort(),
+                      "1"))
           .isInstanceOf(RefusalException.class)
           .hasMessageContaining("Port " + taken.getLocalPort() + " is in use");
     }

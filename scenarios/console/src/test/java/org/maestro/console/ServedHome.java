@@ -47,7 +47,7 @@ final class ServedHome implements AutoCloseable {
                 .scene(SceneLoader.load("bob-dark", stream("/scenes/bob-dark.ttl"), home))
                 .build(),
             SPEED);
-    return new ServedHome(site, Console.start(site.platform(), "served", 0, "1.2.3"));
+    return new ServedHome(site, Console.start(site.platform(), site.observer(), "served", 0, "1.2.3"));
   }
 
   private static InputStream stream(String name) {

@@ -1,9 +1,9 @@
 package org.maestro.launch;
 
 import java.util.Optional;
+import org.maestro.assembly.LocalSite;
 import org.maestro.console.Console;
 import org.maestro.console.questions.RefusalException;
-import org.maestro.platform.MaestroPlatform;
 import picocli.CommandLine.Option;
 
 /** The option that says where a platform serves its console. */
@@ -59,22 +59,22 @@ final class ConsoleOptions {
   }
 
   /** Starts it, unless there is to be none. */
-  Optional<Console> start(MaestroPlatform platform, String name, boolean secured) {
+  Optional<Console> start(LocalSite site, String name, boolean secured) {
     if (secured || isOff()) {
       return Optional.empty();
     }
     if (wanted.isPresent()) {
-      return Optional.of(on(platform, name, port(wanted.get())));
+      return Optional.of(on(site, name, port(wanted.get())));
     }
     try {
-      return Optional.of(on(platform, name, USUAL_PORT));
+      return Optional.of(on(site, name, USUAL_PORT));
     } catch (RefusalException e) {
-      return Optional.of(on(platform, name, 0));
+      return Optional.of(on(site, name, 0));
     }
   }
 
-  private static Console on(MaestroPlatform platform, String name, int port) {
-    return Console.start(platform, name, port, Version.number());
+  private static Console on(LocalSite site, String name, int port) {
+    return Console.start(site.platform(), site.observer(), name, port, Version.number());
   }
 
   /** Where it is, or why there is none. */

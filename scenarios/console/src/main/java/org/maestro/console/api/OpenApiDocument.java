@@ -45,7 +45,25 @@ public final class OpenApiDocument {
       operation.body().ifPresent(name -> schemas.put(name, Schemas.named(name)));
       operation.answer().ifPresent(name -> schemas.put(name, Schemas.named(name)));
     }
-    events(paths);
+    events(
+        paths,
+        "/events",
+        "events",
+        "What happens, as server-sent events: first all that is so (home, facts, goals,"
+            + " agents), then what changes, and each sentence of each story.");
+    events(
+        paths,
+        "/events/bus",
+        "busEvents",
+        "The messages of the bus, as server-sent events of the name bus, each a document as that"
+            + " of /bus: first all that are kept, then those that come.");
+    events(
+        paths,
+        "/events/conversations",
+        "conversationEvents",
+        "The conversations between agents, as server-sent events of the name conversations, each a"
+            + " document as that of /conversations: first all, then those in which something is"
+            + " said.");
     document.putObject("components").putObject("schemas").setAll(schemas);
     return document;
   }
@@ -100,16 +118,10 @@ public final class OpenApiDocument {
         .put("$ref", "#/components/schemas/" + schema);
   }
 
-  /** It has no end, which an operation of the table has. */
-  private static void events(ObjectNode paths) {
+  /** They have no end, which operations of the table have. */
+  private static void events(ObjectNode paths, String path, String id, String summary) {
     ObjectNode get =
-        at(paths, "/events")
-            .putObject("get")
-            .put("operationId", "events")
-            .put(
-                "summary",
-                "What happens, as server-sent events: first all that is so (home, facts, goals,"
-                    + " agents), then what changes, and each sentence of each story.");
+        at(paths, path).putObject("get").put("operationId", id).put("summary", summary);
     ObjectNode responses = get.putObject("responses");
     responses
         .putObject("200")

@@ -1,0 +1,38 @@
+package org.maestro.platform.jade;
+
+import jade.core.AID;
+import jade.lang.acl.ACLMessage;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * A message from one agent to another, as FIPA-ACL has it; to several agents it is several.
+ *
+ * @param performative in small letters, such as {@code accept-proposal}
+ * @param sender its whole name, with its platform
+ * @param receiver the same
+ */
+public record SentMessage(
+    String performative,
+    String sender,
+    String receiver,
+    Optional<String> conversation,
+    Optional<String> protocol,
+    String content) {
+
+  static SentMessage of(AID sender, ACLMessage message, AID receiver) {
+    return new SentMessage(
+        ACLMessage.getPerformative(message.getPerformative()).toLowerCase(Locale.ROOT),
+        sender.getName(),
+        receiver.getName(),
+        Optional.ofNullable(message.getConversationId()),
+        Optional.ofNullable(message.getProtocol()),
+        Objects.requireNonNullElse(message.getContent(), ""));
+  }
+
+  /** The same with another content. */
+  public SentMessage withContent(String other) {
+    return new SentMessage(performative, sender, receiver, conversation, protocol, other);
+  }
+}

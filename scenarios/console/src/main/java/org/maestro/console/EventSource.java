@@ -1,0 +1,13 @@
+package org.maestro.console;
+
+/** What happens, for who listens. Any thread may call. */
+interface EventSource {
+  /**
+   * Somebody listens from now on, or, when there are too many already, is let go.
+   *
+   * @param then told when all that is so is on its way
+   */
+  void listen(EventQueue listener, Runnable then);
+
+  void leave(EventQueue listener);
+}

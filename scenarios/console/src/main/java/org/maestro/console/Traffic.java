@@ -1,0 +1,82 @@
+package org.maestro.console;
+
+import java.util.List;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import org.maestro.agents.content.Words;
+import org.maestro.console.api.Operation;
+import org.maestro.console.api.TrafficOperations;
+import org.maestro.console.traffic.BusTraffic;
+import org.maestro.console.traffic.MailTraffic;
+import org.maestro.platform.MaestroPlatform;
+import org.maestro.platform.jade.SentMessage;
+import org.maestro.rats.transport.Transport;
+
+/** What goes over the bus and between agents, for who looks at it. */
+final class Traffic implements AutoCloseable {
+  /** How the console asks, all the time, for the goals and agents that it shows. */
+  private static final String HOW_THINGS_STAND = Words.print(Words.content("query-ref"));
+
+  private final MaestroPlatform platform;
+  private final BusTraffic bus;
+  private final MailTraffic mail;
+  private final ScheduledExecutorService thread =
+      Executors.newSingleThreadScheduledExecutor(
+          task -> {
+            Thread named = new Thread(task, "console-traffic");
+            named.setDaemon(true);
+            return named;
+          });
+  private final Broadcast busNews;
+  private final Broadcast mailNews;
+  private Runnable endOfMail = () -> {};
+
+  /**
+   * @param name of the platform, and of its site on the bus
+   * @param transport of a client that only listens; not open yet
+   */
+  Traffic(MaestroPlatform platform, String name, Transport transport) {
+    this.platform = platform;
+    String desk = "desk@" + name;
+    this.bus = new BusTraffic(transport, name, platform::now);
+    this.mail =
+        new MailTraffic(
+            name,
+            message -> isOfConsole(message, desk),
+            platform::now,
+            platform::containersElsewhere);
+    this.busNews = new Broadcast("bus", bus, thread);
+    this.mailNews = new Broadcast("conversations", mail, thread);
+  }
+
+  private static boolean isOfConsole(SentMessage message, String desk) {
+    return message.sender().equals(desk) && message.content().equals(HOW_THINGS_STAND);
+  }
+
+  List<Operation> operations() {
+    return TrafficOperations.of(bus, mail);
+  }
+
+  EventSource busNews() {
+    return busNews;
+  }
+
+  EventSource mailNews() {
+    return mailNews;
+  }
+
+  /** From now on it is listened to. */
+  void begin() {
+    endOfMail = platform.onMail(mail::sent);
+    bus.listen();
+    busNews.begin();
+    mailNews.begin();
+  }
+
+  @Override
+  public void close() {
+    endOfMail.run();
+    thread.shutdownNow();
+    bus.close();
+  }
+}
