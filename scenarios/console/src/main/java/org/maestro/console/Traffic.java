@@ -3,6 +3,7 @@ package org.maestro.console;
 import java.util.List;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
+import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
 import org.maestro.console.api.Operation;
 import org.maestro.console.api.TrafficOperations;
@@ -37,20 +38,24 @@ final class Traffic implements AutoCloseable {
    */
   Traffic(MaestroPlatform platform, String name, Transport transport) {
     this.platform = platform;
-    String desk = "desk@" + name;
     this.bus = new BusTraffic(transport, name, platform::now);
     this.mail =
         new MailTraffic(
             name,
-            message -> isOfConsole(message, desk),
+            message -> isOfConsole(message, name),
             platform::now,
             platform::containersElsewhere);
     this.busNews = new Broadcast("bus", bus, thread);
     this.mailNews = new Broadcast("conversations", mail, thread);
   }
 
-  private static boolean isOfConsole(SentMessage message, String desk) {
-    return message.sender().equals(desk) && message.content().equals(HOW_THINGS_STAND);
+  /** The desk's question, and the search of the yellow pages that it makes the supervisor do. */
+  private static boolean isOfConsole(SentMessage message, String platform) {
+    return message.sender().equals("desk@" + platform)
+            && message.content().equals(HOW_THINGS_STAND)
+        || message.sender().equals(AgentNames.SUPERVISOR + "@" + platform)
+            && message.receiver().equals("df@" + platform)
+            && message.content().contains("(search ");
   }
 
   List<Operation> operations() {

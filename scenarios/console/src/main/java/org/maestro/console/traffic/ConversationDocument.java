@@ -9,7 +9,7 @@ import org.maestro.text.VisibleText;
 
 /** The documents of conversations; agents of the own platform go by their local names. */
 final class ConversationDocument {
-  private static final int MOST_OF_SUBJECT = 160;
+  private static final int MOST_OF_SUBJECT = 400;
 
   private final String own;
 

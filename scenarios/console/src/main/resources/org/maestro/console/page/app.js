@@ -8,8 +8,14 @@ import { drawGoals, startGoals } from "./goals.js";
 import { drawDetail } from "./detail.js";
 import { drawMembers, startMembers } from "./members.js";
 import { drawKnowledge, startKnowledge } from "./knowledge.js";
+import { drawBus, drawBusMessage, startBus } from "./bus.js";
+import { drawConversations, drawConversation, startConversations } from "./conversations.js";
 
-const VIEWS = { goals: drawGoals, members: drawMembers, knowledge: drawKnowledge };
+const VIEWS = {
+  goals: drawGoals, members: drawMembers, knowledge: drawKnowledge, bus: drawBus, conversations: drawConversations,
+};
+/** What is chosen in a view that shows nothing of the map, in full. */
+const DETAILS = { bus: drawBusMessage, conversations: drawConversation };
 const LINK = {
   connecting: "connecting",
   live: "live",
@@ -22,6 +28,7 @@ function drawFrame() {
     byId(name).hidden = name !== view;
     document.querySelector(`[data-view="${name}"]`).setAttribute("aria-pressed", String(name === view));
   }
+  document.querySelector("main").dataset.view = view;
   byId("home-name").textContent = state.home.label ?? "MAESTRO";
   byId("platform-name").textContent = state.platform ? `platform ${state.platform.platform}` : "";
   const link = byId("link");
@@ -30,11 +37,15 @@ function drawFrame() {
 }
 
 function drawAll() {
+  const { view } = selection();
   drawFrame();
   drawAlerts();
   drawMap();
-  VIEWS[selection().view]();
-  drawDetail();
+  VIEWS[view]();
+  if (!(view in DETAILS)) {
+    delete byId("detail").dataset.shows;
+  }
+  (DETAILS[view] ?? drawDetail)();
 }
 
 function theme(name) {
@@ -62,6 +73,8 @@ startAlerts();
 startGoals();
 startMembers();
 startKnowledge();
+startBus();
+startConversations();
 onChange(drawAll);
 onSelect(drawAll);
 // Ages go on.

@@ -85,6 +85,8 @@ export const ask = {
   removeAgent: (agent) => request(`/agents/${encodeURIComponent(agent)}`, { method: "DELETE" }),
   cancel: (goal) => request(`/goals/${encodeURIComponent(goal)}`, { method: "DELETE" }),
   stop: () => request("/safe-state", { method: "POST" }),
+  busMessage: (number) => request(`/bus/${number}`),
+  conversation: (id) => request(`/conversations/${encodeURIComponent(id)}`),
 };
 
 /** Ages go on while nothing is told. */
@@ -143,10 +145,47 @@ const TAKEN = {
   },
 };
 
-let events = null;
+/** A browser keeps few connections to one address: a page that nobody sees leaves its own to others. Returns what ends it. */
+function whileSeen(open, left = () => {}) {
+  let events = null;
+  const leave = () => {
+    events?.close();
+    events = null;
+    left();
+  };
+  const follow = () => {
+    if (document.hidden) {
+      leave();
+    } else {
+      events ??= open();
+    }
+  };
+  const told = [[document, "visibilitychange", follow], [window, "pagehide", leave], [window, "pageshow", follow]];
+  told.forEach(([from, name, listener]) => from.addEventListener(name, listener));
+  follow();
+  return () => {
+    told.forEach(([from, name, listener]) => from.removeEventListener(name, listener));
+    events?.close();
+  };
+}
 
-function listen() {
-  events = new EventSource(`${ROOT}/events`);
+/** Hears one stream of its own for as long as somebody looks at it; what is returned ends that. */
+export function listen(name, heard) {
+  return whileSeen(() => {
+    const events = new EventSource(`${ROOT}/events/${name}`);
+    let isFirst = true;
+    events.addEventListener("open", () => { isFirst = true; });
+    events.addEventListener(name, (event) => {
+      heard(JSON.parse(event.data), isFirst);
+      isFirst = false;
+      changed();
+    });
+    return events;
+  });
+}
+
+function hearAll() {
+  const events = new EventSource(`${ROOT}/events`);
   events.addEventListener("open", () => {
     state.live = "live";
     request("/platform").then((platform) => { state.platform = platform; changed(); }).catch(() => {});
@@ -167,28 +206,14 @@ function listen() {
     const entry = JSON.parse(event.data);
     storyListeners.forEach((listener) => listener(entry));
   });
+  return events;
 }
 
-function leave() {
-  events?.close();
-  events = null;
-  state.live = "connecting";
-  changed();
-}
-
-/** A browser keeps few connections to one address: a page that nobody sees leaves its own to others. */
 export function connect() {
-  const follow = () => {
-    if (document.hidden) {
-      leave();
-    } else if (events === null) {
-      listen();
-    }
-  };
-  document.addEventListener("visibilitychange", follow);
-  addEventListener("pagehide", leave);
-  addEventListener("pageshow", follow);
-  follow();
+  whileSeen(hearAll, () => {
+    state.live = "connecting";
+    changed();
+  });
 }
 
 /** What is known under a word, of these things in this order. */

@@ -1,5 +1,5 @@
-/** What is looked at: one thing or goal, and one view; it stands in the address, to be sent on. */
-const VIEWS = ["goals", "members", "knowledge"];
+/** What is looked at: one view, and what is chosen in it; it stands in the address, to be sent on. */
+const VIEWS = ["goals", "members", "knowledge", "bus", "conversations"];
 const listeners = new Set();
 
 export function selection() {
@@ -9,6 +9,9 @@ export function selection() {
     goal: parameters.get("goal"),
     thing: parameters.get("thing"),
     fact: parameters.get("fact"),
+    message: parameters.get("message"),
+    conversation: parameters.get("conversation"),
+    said: parameters.get("said"),
   };
 }
 
