@@ -138,7 +138,9 @@ public record Topics(String site) {
     return after(topic, root()).flatMap(MessageKind::at);
   }
 
-  /** Whom a topic {@code result/{to}/{member}} or {@code progress/{to}/{member}} names; else empty. */
+  /**
+   * Whom a topic {@code result/{to}/{member}} or {@code progress/{to}/{member}} names; else empty.
+   */
   public Optional<String> receiverOf(String topic) {
     return after(topic, root() + "result/")
         .or(() -> after(topic, root() + "progress/"))

@@ -51,8 +51,7 @@ final class Traffic implements AutoCloseable {
 
   /** The desk's question, and the search of the yellow pages that it makes the supervisor do. */
   private static boolean isOfConsole(SentMessage message, String platform) {
-    return message.sender().equals("desk@" + platform)
-            && message.content().equals(HOW_THINGS_STAND)
+    return message.sender().equals("desk@" + platform) && message.content().equals(HOW_THINGS_STAND)
         || message.sender().equals(AgentNames.SUPERVISOR + "@" + platform)
             && message.receiver().equals("df@" + platform)
             && message.content().contains("(search ");

@@ -4,10 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.Objects;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -256,7 +253,7 @@ class ConsolePageTest {
           browser.go(home.uri() + "/#view=" + view);
           browser.theme(theme);
           browser.waitForText("#plan", "room A");
-          assertThat(faults()).as("%s, %d, %s", theme, width, view).isEmpty();
+          assertThat(Accessibility.faults(browser)).as("%s, %d, %s", theme, width, view).isEmpty();
           assertThat(browser.run("return document.documentElement.scrollWidth <= innerWidth"))
               .as("nothing is cut off at %d", width)
               .isEqualTo(true);
@@ -268,16 +265,5 @@ class ConsolePageTest {
     assertThat(browser.run("return document.documentElement.scrollHeight <= innerHeight"))
         .as("one screen without scrolling")
         .isEqualTo(true);
-  }
-
-  private static List<?> faults() throws IOException {
-    try (InputStream axe = ConsolePageTest.class.getResourceAsStream("/axe.min.js")) {
-      browser.run(new String(Objects.requireNonNull(axe).readAllBytes(), StandardCharsets.UTF_8));
-    }
-    return (List<?>)
-        browser.runAsync(
-            "const done = arguments[0];"
-                + " axe.run().then(found => done(found.violations.map(fault =>"
-                + " fault.id + ': ' + fault.nodes.map(node => node.html).join(' '))));");
   }
 }

@@ -5,10 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import com.fasterxml.jackson.databind.node.ObjectNode;
-import com.networknt.schema.JsonSchemaFactory;
-import com.networknt.schema.SpecVersion;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
@@ -438,15 +434,7 @@ class ConsoleTest {
   }
 
   private static void assertValid(JsonNode document, String name) throws Exception {
-    JsonNode api = home.get("/openapi.json").document();
-    ObjectNode schema = JsonNodeFactory.instance.objectNode();
-    schema.put("$ref", "#/components/schemas/" + name).set("components", api.path("components"));
-    assertThat(
-            JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012)
-                .getSchema(schema)
-                .validate(document))
-        .as("%s: %s", name, document)
-        .isEmpty();
+    home.assertValid(document, name);
   }
 
   /** With headers that clients of Java do not send. */

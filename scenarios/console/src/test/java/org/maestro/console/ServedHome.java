@@ -1,7 +1,12 @@
 package org.maestro.console;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import com.networknt.schema.JsonSchemaFactory;
+import com.networknt.schema.SpecVersion;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -47,7 +52,8 @@ final class ServedHome implements AutoCloseable {
                 .scene(SceneLoader.load("bob-dark", stream("/scenes/bob-dark.ttl"), home))
                 .build(),
             SPEED);
-    return new ServedHome(site, Console.start(site.platform(), site.observer(), "served", 0, "1.2.3"));
+    return new ServedHome(
+        site, Console.start(site.platform(), site.observer(), "served", 0, "1.2.3"));
   }
 
   private static InputStream stream(String name) {
@@ -105,6 +111,20 @@ final class ServedHome implements AutoCloseable {
         .document()
         .path("id")
         .asText();
+  }
+
+  /** Makes sure that an answer is as the OpenAPI document says. */
+  void assertValid(JsonNode answer, String name) throws IOException, InterruptedException {
+    ObjectNode schema = MAPPER.createObjectNode();
+    schema
+        .put("$ref", "#/components/schemas/" + name)
+        .set("components", get("/openapi.json").document().path("components"));
+    assertThat(
+            JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012)
+                .getSchema(schema)
+                .validate(answer))
+        .as("%s: %s", name, answer)
+        .isEmpty();
   }
 
   @Override

@@ -65,8 +65,7 @@ record Conversation(String id, List<Ring.Kept<Mail>> messages) {
     String initiator = first().sender();
     for (Ring.Kept<Mail> kept : messages) {
       SentMessage message = kept.what().message();
-      String partner =
-          message.sender().equals(initiator) ? message.receiver() : message.sender();
+      String partner = message.sender().equals(initiator) ? message.receiver() : message.sender();
       lastByPartner.put(partner, message.performative());
     }
     if (lastByPartner.values().stream().anyMatch("cancel"::equals)) {
@@ -78,9 +77,7 @@ record Conversation(String id, List<Ring.Kept<Mail>> messages) {
     if (lastByPartner.values().stream().anyMatch(FAILURES::contains)) {
       return State.FAILED;
     }
-    return lastByPartner.values().stream().allMatch("refuse"::equals)
-        ? State.REFUSED
-        : State.DONE;
+    return lastByPartner.values().stream().allMatch("refuse"::equals) ? State.REFUSED : State.DONE;
   }
 
   /** Who has subscribed to something is informed again and again. */

@@ -25,8 +25,7 @@ final class ConversationDocument {
             .text("conversation", conversation.first().conversation().map(VisibleText::line))
             .text("protocol", conversation.protocol().map(VisibleText::line))
             .text("state", conversation.state().name().toLowerCase(Locale.ROOT))
-            .text(
-                "subject", ShownText.cut(shown(conversation.first().content()), MOST_OF_SUBJECT))
+            .text("subject", ShownText.cut(shown(conversation.first().content()), MOST_OF_SUBJECT))
             .words("participants", conversation.participants().stream().map(this::named).toList())
             .number("messages", OptionalInt.of(conversation.messages().size()));
     ObjectNode said = row.node().putObject("performatives");

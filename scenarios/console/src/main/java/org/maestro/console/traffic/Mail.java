@@ -13,5 +13,4 @@ import org.maestro.platform.jade.SentMessage;
  * @param at wall time
  * @param since simulated time since the platform's clock began
  */
-record Mail(
-    String conversation, SentMessage message, int characters, Instant at, Duration since) {}
+record Mail(String conversation, SentMessage message, int characters, Instant at, Duration since) {}

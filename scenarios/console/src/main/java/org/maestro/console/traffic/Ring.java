@@ -5,7 +5,9 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 
-/** The latest of what went by, numbered from 1, up to a number and a weight. Any thread may use it. */
+/**
+ * The latest of what went by, numbered from 1, up to a number and a weight. Any thread may use it.
+ */
 final class Ring<T> {
   /** One that is kept. */
   record Kept<T>(long number, T what, long weight) {}
