@@ -1,5 +1,6 @@
 package org.maestro.console;
 
+import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
@@ -33,8 +34,9 @@ final class Broadcast implements EventSource {
     this.thread = thread;
   }
 
-  void begin() {
-    thread.scheduleWithFixedDelay(
+  /** Returns what goes on until it is cancelled, or the thread is ended. */
+  Future<?> begin() {
+    return thread.scheduleWithFixedDelay(
         this::guarded, GATHERED_MILLIS, GATHERED_MILLIS, TimeUnit.MILLISECONDS);
   }
 

@@ -2,6 +2,7 @@ package org.maestro.console;
 
 import java.util.List;
 import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
@@ -31,6 +32,7 @@ final class Traffic implements AutoCloseable {
   private final Broadcast busNews;
   private final Broadcast mailNews;
   private Runnable endOfMail = () -> {};
+  private List<Future<?>> rounds = List.of();
 
   /**
    * @param name of the platform, and of its site on the bus
@@ -73,13 +75,13 @@ final class Traffic implements AutoCloseable {
   void begin() {
     endOfMail = platform.onMail(mail::sent);
     bus.listen();
-    busNews.begin();
-    mailNews.begin();
+    rounds = List.of(busNews.begin(), mailNews.begin());
   }
 
   @Override
   public void close() {
     endOfMail.run();
+    rounds.forEach(round -> round.cancel(false));
     thread.shutdownNow();
     bus.close();
   }

@@ -119,7 +119,7 @@ public final class ConsoleBench {
   }
 
   private static Console console(LocalSite site) {
-    return Console.start(site.platform(), SITE, 0, "bench");
+    return Console.start(site.platform(), site.observer(), SITE, 0, "bench");
   }
 
   private void add(String name, double value, String unit) {
