@@ -179,7 +179,7 @@ abstract class LinkContract extends FormerLivesContract {
 
   @Test
   void makesEveryMemberSafe() {
-    join("anna", "home");
+    join(new TestDevice("anna", clock()).gripping(300), "home");
     join("berta", "home");
     RatsLink link = connect("cca", "home");
     await(() -> usable(link, "anna") && usable(link, "berta"));

@@ -26,12 +26,19 @@ public final class TestDevice {
   boolean gripNeverLetsGo;
   boolean gripBreaksOnExit;
   boolean gripFindsItselfJammed;
+  private int gripSeconds = 2;
   private final Clock clock;
   private final String id;
 
   public TestDevice(String id, Clock clock) {
     this.id = id;
     this.clock = clock;
+  }
+
+  /** Has {@code grip} take so long. */
+  public TestDevice gripping(int seconds) {
+    gripSeconds = seconds;
+    return this;
   }
 
   public MemberProfile profile() {
@@ -123,7 +130,7 @@ public final class TestDevice {
         return;
       }
       execution.progress(0.5);
-      timed("grip", 2).start(execution);
+      timed("grip", gripSeconds).start(execution);
     };
   }
 
