@@ -110,7 +110,18 @@ public final class PositionKeeping {
             position ->
                 sightings().of(thing).stream()
                     .filter(this::isWorthWriting)
-                    .forEach(fact -> draft.follow(fact, position)));
+                    .forEach(fact -> draft.follow(fact, oldest(fact, position))));
+  }
+
+  /**
+   * What it rests on and was told longest ago: who sees one of two things anew has not seen that
+   * the other is still beside it.
+   */
+  private Held oldest(Fact fact, Held position) {
+    return FactReader.atom(fact).arguments().stream()
+        .map(thing -> draft.believed(new StateVariable(Declarations.POSITION, List.of(thing))))
+        .flatMap(Optional::stream)
+        .reduce(position, (a, b) -> b.since().isBefore(a.since()) ? b : a);
   }
 
   /**
