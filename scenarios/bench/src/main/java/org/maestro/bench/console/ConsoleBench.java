@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import org.maestro.assembly.LocalSite;
+import org.maestro.assembly.SiteException;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.bench.BenchReport;
 import org.maestro.bench.Quantile;
@@ -43,7 +44,7 @@ public final class ConsoleBench {
 
   /**
    * @param home Bob's: the lamp and the goals are his
-   * @param devices of the building, about
+   * @param devices of the building, about; one that does not get ready is left out
    * @param open how long the page is kept open to see what grows
    * @param progress told what is being done
    */
@@ -60,7 +61,11 @@ public final class ConsoleBench {
     try (Chromium chromium = Chromium.start()) {
       SeenPage page = new SeenPage(chromium.page());
       inAHome(page);
-      inABuilding(page);
+      try {
+        inABuilding(page);
+      } catch (SiteException e) {
+        progress.accept("Ended here: " + e.getMessage());
+      }
     }
     return new BenchReport("console", BenchReport.thisMachine(), rows);
   }
