@@ -8,6 +8,8 @@ import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * The witness of what the agents in the containers that one platform has in this process send, and
@@ -15,6 +17,8 @@ import java.util.stream.Collectors;
  * call.
  */
 public final class MailWitness {
+  private static final Logger LOG = LoggerFactory.getLogger(MailWitness.class);
+
   /** Where a container's profile holds the one that it shares with others. */
   static final String KEY = "maestro-mail-witness";
 
@@ -49,8 +53,13 @@ public final class MailWitness {
 
   void sent(AID sender, ACLMessage message, AID receiver) {
     if (!listeners.isEmpty()) {
-      SentMessage told = SentMessage.of(sender, message, receiver);
-      listeners.forEach(listener -> listener.accept(told));
+      try {
+        SentMessage told = SentMessage.of(sender, message, receiver);
+        listeners.forEach(listener -> listener.accept(told));
+      } catch (RuntimeException e) {
+        // Who only looks on keeps no message from its receiver.
+        LOG.error("A message of {} could not be shown", sender, e);
+      }
     }
   }
 

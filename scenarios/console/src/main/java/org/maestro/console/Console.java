@@ -76,6 +76,7 @@ public final class Console implements AutoCloseable {
    */
   public static Console start(
       MaestroPlatform platform, Transport observer, String name, int port, String version) {
+    requireFree(port);
     AclQuestions questions = new AclQuestions(platform.desk());
     EventHub events = new EventHub(questions, platform.knowledge());
     Traffic traffic = new Traffic(platform, name, observer);
@@ -102,7 +103,6 @@ public final class Console implements AutoCloseable {
               configure(config, operations, document.toString(), health, metrics);
               streams(config.routes, streams, events, traffic);
             });
-    requireFree(port);
     try {
       server.start(HOST, port);
     } catch (JavalinException e) {

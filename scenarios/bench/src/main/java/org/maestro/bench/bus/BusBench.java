@@ -15,6 +15,7 @@ import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.maestro.bench.BenchReport;
+import org.maestro.bench.Quantile;
 import org.maestro.rats.broker.EmbeddedBroker;
 import org.maestro.rats.member.RatsMember;
 import org.maestro.rats.protocol.Call;
@@ -128,14 +129,9 @@ public final class BusBench {
       String name, List<Long> ours, List<Long> theirs, double share) {
     return new BenchReport.Row(
         name,
-        quantile(ours, share) / NANOS_IN_MILLI,
+        Quantile.of(ours, share) / NANOS_IN_MILLI,
         "ms",
-        OptionalDouble.of(quantile(theirs, share) / NANOS_IN_MILLI));
-  }
-
-  static double quantile(List<Long> nanos, double share) {
-    long[] sorted = nanos.stream().mapToLong(Long::longValue).sorted().toArray();
-    return sorted[(int) Math.min(sorted.length - 1, Math.floor(share * sorted.length))];
+        OptionalDouble.of(Quantile.of(theirs, share) / NANOS_IN_MILLI));
   }
 
   private static List<Long> sequential(BusParty party, int calls) {

@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.concurrent.Semaphore;
 import org.maestro.bench.BenchReport;
 import org.maestro.bench.LargeHome;
+import org.maestro.bench.Quantile;
 import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
@@ -92,7 +93,7 @@ public final class PricesAsked implements AutoCloseable {
     return new BenchReport.Row(
         "a robot's prices for ways to %d places, %s (demanded: %.0f)"
             .formatted(PLACES, name, DEMANDED_MILLIS),
-        BusBench.quantile(nanos, share) / NANOS_IN_MILLI,
+        Quantile.of(nanos, share) / NANOS_IN_MILLI,
         "ms",
         OptionalDouble.of(DEMANDED_MILLIS));
   }

@@ -216,14 +216,18 @@ export function connect() {
   });
 }
 
-/** What is known under a word, of these things in this order. */
+/** What is known under a word, of these things in this order; that it is so stands above that it is not so elsewhere. */
 export function known(word, ...things) {
+  let denied = null;
   for (const fact of factsByWord.get(word)?.get(things[0])?.values() ?? []) {
     if (fact.arguments.length >= things.length && things.every((thing, i) => fact.arguments[i] === thing)) {
-      return fact;
+      if (fact.value !== false) {
+        return fact;
+      }
+      denied ??= fact;
     }
   }
-  return null;
+  return denied;
 }
 
 /** The same, or what was known last; that it is so still, nobody says. */
