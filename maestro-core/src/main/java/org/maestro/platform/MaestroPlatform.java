@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.GroupAgent;
@@ -255,6 +256,21 @@ public final class MaestroPlatform implements AutoCloseable {
   /** Whether the containers of the platform give signs of life; empty on a stepped clock. */
   public SortedMap<String, Condition> containers() {
     return agents.containers();
+  }
+
+  /** Why goals cannot be taken on or pursued now, as far as this process has seen. */
+  public List<String> impediments() {
+    return Stream.of(
+            services
+                .link()
+                .absence()
+                .map(
+                    reason ->
+                        "There is no connection to the bus (%s); what needs a device waits."
+                            .formatted(reason)),
+            memory.impediment())
+        .flatMap(Optional::stream)
+        .toList();
   }
 
   /** Agents that stand for members or groups. */

@@ -59,6 +59,11 @@ final class PlatformMemory implements AutoCloseable {
     return goals;
   }
 
+  /** Why what has to be written down first is not done now. */
+  Optional<String> impediment() {
+    return journal.flatMap(JournalFile::impediment);
+  }
+
   Optional<StoryFile> stories() {
     return stories;
   }

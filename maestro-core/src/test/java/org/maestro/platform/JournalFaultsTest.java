@@ -17,6 +17,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
+import org.awaitility.Awaitility;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -108,6 +109,9 @@ class JournalFaultsTest {
       int before = refusals.size();
       journal.accept(goal(id), () -> accepted.add(id), refusals::add);
       assertThat(accepted.contains(id)).as(id).isNotEqualTo(refusals.size() > before);
+      assertThat(journal.impediment().isPresent())
+          .as("who asks is told why goals are refused")
+          .isEqualTo(refusals.size() > before);
     }
 
     private void healed() throws IOException {
@@ -196,9 +200,12 @@ class JournalFaultsTest {
         journal.accept(goal("G3"), () -> heard.add("accepted"), heard::add);
         assertThat(heard.poll(20, TimeUnit.SECONDS)).contains("has not taken it within 0.2 s");
         assertThat(heard.poll(20, TimeUnit.SECONDS)).contains("has not taken it within 0.2 s");
+        assertThat(Awaitility.await().until(journal::impediment, Optional::isPresent).orElseThrow())
+            .contains(directory.toString(), "has not taken it within 0.2 s");
         disk.heal();
         journal.afterwards(() -> heard.add("written"));
         assertThat(heard.poll(20, TimeUnit.SECONDS)).isEqualTo("written");
+        Awaitility.await().until(() -> journal.impediment().isEmpty());
       }
       try (JournalFile journal = JournalFile.open(directory, clock, "level"::equals)) {
         assertThat(goals(journal.recovery())).containsExactly("G1");

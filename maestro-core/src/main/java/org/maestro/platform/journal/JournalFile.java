@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.ThreadPoolExecutor;
@@ -57,6 +58,12 @@ public final class JournalFile implements Journal, AutoCloseable {
 
   /** The writing thread's. */
   private boolean failing;
+
+  /** Set by the writing thread. */
+  private volatile Optional<String> failure = Optional.empty();
+
+  /** Wall time at which what is being written was begun to be; set by the writing thread. */
+  private volatile OptionalLong writingSinceNanos = OptionalLong.empty();
 
   /**
    * An item in the queue of the journal: an entry, an action that waits for those before it, or a
@@ -175,6 +182,24 @@ public final class JournalFile implements Journal, AutoCloseable {
     return disk.recovery();
   }
 
+  /** Why goals are not taken on now; empty when they are, as far as was tried. */
+  public Optional<String> impediment() {
+    OptionalLong since = writingSinceNanos;
+    boolean stalls =
+        since.isPresent() && System.nanoTime() - since.getAsLong() > patience.toNanos();
+    return (stalls ? Optional.of(late()) : failure)
+        .map(
+            because ->
+                "The journal in %s cannot be written: %s. Goals are refused until it can."
+                    .formatted(directory, because));
+  }
+
+  private String late() {
+    return "the disk has not taken it within "
+        + JournalCodec.seconds(patience).stripTrailingZeros().toPlainString()
+        + " s";
+  }
+
   @Override
   public void write(JournalEntry entry) {
     if (added(new Entry(new Dated(clock.now(), entry)))) {
@@ -199,14 +224,10 @@ public final class JournalFile implements Journal, AutoCloseable {
     threads.ifPresentOrElse(
         own -> {
           flushSoon(own);
-          String late =
-              "the disk has not taken it within "
-                  + JournalCodec.seconds(patience).stripTrailingZeros().toPlainString()
-                  + " s";
           Future<?> unusedAsWhatIsAnsweredIsNotRefused =
               own.watch()
                   .schedule(
-                      () -> admission.refuse(late), patience.toMillis(), TimeUnit.MILLISECONDS);
+                      () -> admission.refuse(late()), patience.toMillis(), TimeUnit.MILLISECONDS);
         },
         this::flush);
   }
@@ -234,6 +255,7 @@ public final class JournalFile implements Journal, AutoCloseable {
       unwritten.addAll(pending);
       pending = new ArrayList<>();
     }
+    writingSinceNanos = OptionalLong.of(System.nanoTime());
     try {
       if (failing) {
         writeWhatWaited();
@@ -249,6 +271,8 @@ public final class JournalFile implements Journal, AutoCloseable {
       failed(Objects.requireNonNullElse(e.getMessage(), e.toString()));
     } catch (RuntimeException e) {
       LOG.error("The journal in {} could not be written", directory, e);
+    } finally {
+      writingSinceNanos = OptionalLong.empty();
     }
   }
 
@@ -259,6 +283,7 @@ public final class JournalFile implements Journal, AutoCloseable {
     write(waited);
     unwritten = new ArrayList<>(admissions);
     failing = false;
+    failure = Optional.empty();
     LOG.warn("The journal in {} can be written again.", directory);
     waited.forEach(this::written);
   }
@@ -299,6 +324,7 @@ public final class JournalFile implements Journal, AutoCloseable {
           because);
     }
     failing = true;
+    failure = Optional.of(because);
     List<Item> tried = unwritten;
     unwritten = new ArrayList<>(tried.stream().filter(i -> !(i instanceof Admission)).toList());
     for (Item item : tried) {

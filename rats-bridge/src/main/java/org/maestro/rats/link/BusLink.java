@@ -59,6 +59,7 @@ public final class BusLink implements RatsLink {
   private final AtomicBoolean closed = new AtomicBoolean();
   private Optional<Clock.Timer> doubtEnds = Optional.empty();
   private boolean wasConnected;
+  private volatile Optional<String> absence = Optional.of("it was not reached yet");
 
   private BusLink(
       String controller, Topics topics, Transport transport, Clock clock, boolean ofAll) {
@@ -115,6 +116,11 @@ public final class BusLink implements RatsLink {
   @Override
   public String controller() {
     return controller;
+  }
+
+  @Override
+  public Optional<String> absence() {
+    return absence;
   }
 
   @Override
@@ -264,12 +270,14 @@ public final class BusLink implements RatsLink {
         new Transport.ConnectionListener() {
           @Override
           public void connected() {
+            absence = Optional.empty();
             perform(BusLink.this::connected);
           }
 
           @Override
           public void lost(String reason) {
             LOG.debug("{} lost the bus: {}", controller, reason);
+            absence = Optional.of(reason);
             perform(BusLink.this::lost);
           }
         });

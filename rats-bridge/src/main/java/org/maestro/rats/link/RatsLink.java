@@ -25,6 +25,9 @@ public interface RatsLink extends AutoCloseable {
   /** Its id as a caller: a member knows calls again only of the same caller. */
   String controller();
 
+  /** Why there is no connection to the bus now; empty while there is one. */
+  Optional<String> absence();
+
   /** Members whose status was ever seen on this site and not cleared, latest first known. */
   Collection<Member> members();
 

@@ -222,7 +222,9 @@ abstract class LinkContract extends FormerLivesContract {
     Listener watching = new Listener();
     link.call("anna", "watch", Map.of("object", "x"), seconds(600), Optional.empty(), watching);
     await(() -> watching.observations.size() >= 1);
+    assertThat(link.absence()).isEmpty();
     stopBroker();
+    await(() -> link.absence().isPresent());
     Listener refused = new Listener();
     await(
         () -> {
@@ -238,6 +240,7 @@ abstract class LinkContract extends FormerLivesContract {
     berta.die();
     restartBroker();
     await(() -> member(link, "berta").phase() == MemberStatus.Phase.LOST);
+    assertThat(link.absence()).isEmpty();
     await(() -> usable(link, "anna"));
     int before = watching.observations.size();
     await(() -> willWasTold || watching.observations.size() > before);

@@ -78,7 +78,8 @@ public final class Console implements AutoCloseable {
       MaestroPlatform platform, Transport observer, String name, int port, String version) {
     requireFree(port);
     AclQuestions questions = new AclQuestions(platform.desk());
-    EventHub events = new EventHub(questions, platform.knowledge());
+    Health health = new Health(questions, platform::containers, platform::impediments);
+    EventHub events = new EventHub(questions, platform.knowledge(), health::document);
     Traffic traffic = new Traffic(platform, name, observer);
     EventStreams streams = new EventStreams();
     Preview preview = new Preview(platform.knowledge(), platform::presentMembers);
@@ -95,7 +96,6 @@ public final class Console implements AutoCloseable {
                 .operations());
     operations.addAll(traffic.operations());
     ObjectNode document = OpenApiDocument.of(operations, version);
-    Health health = new Health(questions, platform::containers);
     Metrics metrics = new Metrics(questions, platform::containers);
     Javalin server =
         Javalin.create(

@@ -17,6 +17,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Supplier;
 import org.maestro.console.documents.FactsDocument;
 import org.maestro.console.documents.HomeDocument;
 import org.maestro.console.documents.StoryDocument;
@@ -42,6 +43,7 @@ final class EventHub implements EventSource, AutoCloseable {
 
   private final Questions questions;
   private final KnowledgeBase knowledge;
+  private final Supplier<JsonNode> health;
   private final ScheduledExecutorService thread =
       Executors.newSingleThreadScheduledExecutor(
           task -> {
@@ -59,10 +61,15 @@ final class EventHub implements EventSource, AutoCloseable {
   private Optional<JsonNode> home = Optional.empty();
   private Optional<JsonNode> goals = Optional.empty();
   private Optional<JsonNode> agents = Optional.empty();
+  private Optional<JsonNode> condition = Optional.empty();
 
-  EventHub(Questions questions, KnowledgeBase knowledge) {
+  /**
+   * @param health how the platform does; quickly told
+   */
+  EventHub(Questions questions, KnowledgeBase knowledge, Supplier<JsonNode> health) {
     this.questions = questions;
     this.knowledge = knowledge;
+    this.health = health;
   }
 
   void start() {
@@ -95,6 +102,7 @@ final class EventHub implements EventSource, AutoCloseable {
     listener.add("facts", changes(facts, Set.of(), knowledge.snapshot(), true));
     goals.ifPresent(document -> listener.add("goals", document));
     agents.ifPresent(document -> listener.add("agents", document));
+    condition.ifPresent(document -> listener.add("health", document));
   }
 
   @Override
@@ -121,6 +129,7 @@ final class EventHub implements EventSource, AutoCloseable {
     home = Optional.of(HomeDocument.of(knowledge.home()));
     facts = byFact(knowledge.snapshot());
     goalsAreNew.set(true);
+    condition = Optional.of(health.get());
     askForAgents();
   }
 
@@ -186,6 +195,17 @@ final class EventHub implements EventSource, AutoCloseable {
   private void look() {
     factsAreNew.set(true);
     askForAgents();
+    if (!listeners.isEmpty()) {
+      tellHealth();
+    }
+  }
+
+  private void tellHealth() {
+    JsonNode now = health.get();
+    if (!Optional.of(now).equals(condition)) {
+      condition = Optional.of(now);
+      listeners.tell("health", now);
+    }
   }
 
   private void askForAgents() {

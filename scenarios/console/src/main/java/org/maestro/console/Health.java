@@ -3,6 +3,7 @@ package org.maestro.console;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import io.javalin.http.Context;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.SortedMap;
@@ -20,28 +21,40 @@ import org.maestro.console.questions.Questions;
 final class Health {
   private final Questions questions;
   private final Supplier<SortedMap<String, Condition>> containers;
+  private final Supplier<List<String>> impediments;
 
   /**
    * @param containers of the platform, and whether they give signs of life
+   * @param impediments why goals cannot be taken on or pursued now
    */
-  Health(Questions questions, Supplier<SortedMap<String, Condition>> containers) {
+  Health(
+      Questions questions,
+      Supplier<SortedMap<String, Condition>> containers,
+      Supplier<List<String>> impediments) {
     this.questions = questions;
     this.containers = containers;
+    this.impediments = impediments;
   }
 
-  /** Always answered with 200: whether something is amiss stands in the answer. */
-  void tellHealth(Context context) {
-    JsonMembers document = JsonMembers.empty();
+  /** How the platform does now, as far as this process has seen. */
+  JsonNode document() {
     SortedMap<String, Condition> now = containers.get();
-    boolean well = now.values().stream().allMatch(Condition.ALIVE::equals);
-    document.text("status", well ? "well" : "impaired");
+    List<String> reasons = impediments.get();
+    boolean well = reasons.isEmpty() && now.values().stream().allMatch(Condition.ALIVE::equals);
+    JsonMembers document =
+        JsonMembers.empty().text("status", well ? "well" : "impaired").words("reasons", reasons);
     ArrayNode array = document.node().putArray("containers");
     now.forEach(
         (name, condition) ->
             JsonMembers.in(array)
                 .text("container", name)
                 .text("condition", condition.name().toLowerCase(Locale.ROOT)));
-    answer(context, 200, document.node());
+    return document.node();
+  }
+
+  /** Always answered with 200: whether something is amiss stands in the answer. */
+  void tellHealth(Context context) {
+    answer(context, 200, document());
   }
 
   /** Answered with 200 when goals are taken, and with 503 and the reason when not. */
@@ -50,14 +63,15 @@ final class Health {
         .goals()
         .handle(
             (goals, failure) -> {
-              boolean ready = failure == null;
+              List<String> reasons = new ArrayList<>(impediments.get());
+              if (failure != null) {
+                reasons.add(0, Problems.sentence(failure));
+              }
+              boolean ready = reasons.isEmpty();
               answer(
                   context,
                   ready ? 200 : Problems.OUTSIDE,
-                  JsonMembers.empty()
-                      .truth("ready", ready)
-                      .words("reasons", ready ? List.of() : List.of(Problems.sentence(failure)))
-                      .node());
+                  JsonMembers.empty().truth("ready", ready).words("reasons", reasons).node());
               return null;
             });
   }

@@ -247,43 +247,6 @@ class ConsoleTest {
   }
 
   @Test
-  void whoWatchesOverProcessesIsToldHowThisOneDoes() throws IOException {
-    assertThat(raw("GET /health", "Host: localhost"))
-        .startsWith("HTTP/1.1 200 ")
-        .contains("\"status\":\"well\"")
-        .contains("{\"container\":\"lights\",\"condition\":\"alive\"}");
-    assertThat(raw("GET /ready", "Host: localhost"))
-        .startsWith("HTTP/1.1 200 ")
-        .contains("{\"ready\":true,\"reasons\":[]}");
-
-    home.site().platform().endAgent("CCA");
-    await(() -> raw("GET /ready", "Host: localhost").startsWith("HTTP/1.1 503 "));
-    assertThat(raw("GET /ready", "Host: localhost"))
-        .contains("There is no central coordination agent (CCA) now");
-    new HttpQuestions(home.uri()).revive().join();
-    await(() -> raw("GET /ready", "Host: localhost").startsWith("HTTP/1.1 200 "));
-  }
-
-  @Test
-  void whoGathersFiguresIsToldWhatHappensHere() throws Exception {
-    home.state("(>= (illuminance zone-a) 40)");
-
-    await(() -> figures().contains("maestro_goals{state=\"achieved\"}"));
-
-    assertThat(figures())
-        .contains("maestro_members{phase=\"ready\"} ")
-        .contains("maestro_containers{condition=\"alive\"} ")
-        .contains("maestro_story_entries_total{kind=\"goal\"} ")
-        .contains("maestro_goal_duration_seconds_count ")
-        .contains("maestro_console_requests_seconds_count{operation=\"stateGoal\",status=\"201\"}")
-        .contains("jvm_memory_used_bytes{area=\"heap\"");
-  }
-
-  private String figures() throws IOException {
-    return raw("GET /metrics", "Host: localhost");
-  }
-
-  @Test
   void thePageIsOfOurFilesAlone() throws IOException {
     String page = raw("GET /", "Host: localhost");
 

@@ -16,6 +16,7 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.util.Objects;
+import java.util.function.Consumer;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.console.api.Api;
@@ -45,13 +46,21 @@ final class ServedHome implements AutoCloseable {
   }
 
   static ServedHome start() {
+    return start(settings -> {});
+  }
+
+  /** The same on a broker of one's own. */
+  static ServedHome startOn(URI broker) {
+    return start(settings -> settings.broker(broker));
+  }
+
+  private static ServedHome start(Consumer<SiteSettings.Builder> more) {
     Home home = new HomeLoader().load(resource("/homes/bob.ttl"), "bob.ttl");
-    LocalSite site =
-        LocalSite.paced(
-            SiteSettings.of("served", home)
-                .scene(SceneLoader.load("bob-dark", stream("/scenes/bob-dark.ttl"), home))
-                .build(),
-            SPEED);
+    SiteSettings.Builder settings =
+        SiteSettings.of("served", home)
+            .scene(SceneLoader.load("bob-dark", stream("/scenes/bob-dark.ttl"), home));
+    more.accept(settings);
+    LocalSite site = LocalSite.paced(settings.build(), SPEED);
     return new ServedHome(
         site, Console.start(site.platform(), site.observer(), "served", 0, "1.2.3"));
   }
@@ -74,6 +83,12 @@ final class ServedHome implements AutoCloseable {
 
   URI uri() {
     return console.uri();
+  }
+
+  /** What is answered outside of the API, whatever it is. */
+  HttpResponse<String> whole(String path) throws IOException, InterruptedException {
+    return client.send(
+        HttpRequest.newBuilder(uri().resolve(path)).build(), HttpResponse.BodyHandlers.ofString());
   }
 
   Answer get(String path) throws IOException, InterruptedException {

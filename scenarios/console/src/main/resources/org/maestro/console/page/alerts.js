@@ -1,4 +1,4 @@
-/** What a person should look at: who is lost, who is refused, which goals have failed lately. */
+/** What a person should look at: what keeps the platform from its work, who is lost or refused, which goals have failed lately. */
 import { make, byId, redraw, seconds } from "./dom.js";
 import { state, age } from "./feed.js";
 import { select } from "./selection.js";
@@ -9,7 +9,10 @@ const LATELY = 600;
 function alerts() {
   const members = state.agents.filter((agent) => agent.members.length > 0 && (agent.phase !== "ready" || agent.why));
   const failed = state.goals.filter((goal) => goal.state === "failed" && age(goal) < LATELY);
+  const silent = state.health.containers.filter(({ condition }) => condition !== "alive");
   return [
+    ...state.health.reasons.map((reason) => ({ text: reason })),
+    ...silent.map(({ container, condition }) => ({ text: `The container ${container} is ${condition}.` })),
     ...members.map((agent) => ({
       name: agent.members.join(" "),
       text: agent.why ? `is refused: ${agent.why}` : `is ${agent.phase}, for ${seconds(age(agent))}`,
@@ -32,7 +35,7 @@ export function drawAlerts() {
   list.hidden = all.length === 0 || button.getAttribute("aria-expanded") !== "true";
   if (!list.hidden) {
     redraw(list, all.map(({ name, text, choose }) => make("li", {},
-      make("button", { class: "row", type: "button", onclick: choose }, name), ` ${text}`)));
+      choose ? [make("button", { class: "row", type: "button", onclick: choose }, name), ` ${text}`] : text)));
   }
 }
 

@@ -12,6 +12,7 @@ export const state = {
   agents: [],
   agentByMember: new Map(),
   words: [],
+  health: { reasons: [], containers: [] },
   live: "connecting",
 };
 
@@ -139,6 +140,7 @@ const TAKEN = {
     news.facts.forEach((fact) => learn(dated(fact)));
   },
   goals: (news) => { state.goals = news.goals.map(dated); },
+  health: (news) => { state.health = news; },
   agents: (news) => {
     state.agents = news.agents.map(dated);
     state.agentByMember = new Map(state.agents.flatMap((agent) => agent.members.map((member) => [member, agent])));
