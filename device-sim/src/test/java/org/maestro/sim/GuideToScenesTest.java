@@ -1,6 +1,7 @@
 package org.maestro.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowable;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -14,6 +15,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.maestro.ontology.home.Home;
 import org.maestro.sim.scene.Deed;
 import org.maestro.sim.scene.Scene;
@@ -54,5 +56,25 @@ class GuideToScenesTest {
     for (Deed deed : Deed.values()) {
       assertThat(guide).contains("`" + deed.name().toLowerCase(Locale.ROOT));
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"<#Bob>", "<>"})
+  void namesEveryWord(String subject) throws IOException {
+    String scene =
+        """
+        @base <https://w3id.org/maestro/home/bob> .
+        @prefix scene: <https://w3id.org/maestro/scene#> .
+        <> scene:latitude 49 ; scene:dayOfYear 81 ; scene:solarTime "09:30" .
+        %s scene:xxxxxxxx 1 .
+        """
+            .formatted(subject);
+    ByteArrayInputStream text = new ByteArrayInputStream(scene.getBytes(StandardCharsets.UTF_8));
+    String refused = catchThrowable(() -> SceneLoader.load("words", text, BOB)).getMessage();
+    String known = refused.substring(refused.indexOf("known are ") + "known are ".length());
+
+    assertThat(known.replace(".", "").split(", "))
+        .hasSizeGreaterThan(5)
+        .allSatisfy(word -> assertThat(guide()).contains("`" + word + "`"));
   }
 }
