@@ -19,7 +19,8 @@ final class Kinds {
 
   private static final Pattern JAVADOC =
       Pattern.compile(
-          "/\\*\\*(.*?)\\*/\\s*(?:public )?(?:final )?class (\\w+Exception)", Pattern.DOTALL);
+          "/\\*\\*((?:(?!\\*/).)*)\\*/\\s*(?:@\\w+\\S*\\s+)*(?:[a-z]+ )*class (\\w+Exception)",
+          Pattern.DOTALL);
   private static final List<String> LATER = List.of(FAULTS, FAILURES, LOG, PARTS);
 
   private final Map<String, String> meanings =
@@ -55,13 +56,16 @@ final class Kinds {
 
   private static String firstSentence(String javadoc) {
     String text = javadoc.replaceAll("\\n\\s*\\*", " ").replaceAll("\\s+", " ").strip();
-    return text.replaceAll("\\.( .*)?$", "");
+    return text.replaceAll("(\\.|; the message (is|says)|; names)( .*)?$", "");
   }
 
-  /** For people: the error type, if it is one, and what it means. */
+  /** For people: the error type, if it is one of the code, and what it means. */
   String heading(String kind) {
-    String meaning = meanings.getOrDefault(kind, "Told by the system or a library");
-    return LATER.contains(kind) ? meaning + ":" : "`%s`: %s:".formatted(kind, meaning);
+    String meaning =
+        meanings.getOrDefault(kind, "Other errors, some of them handed on to a library");
+    return LATER.contains(kind) || !meanings.containsKey(kind)
+        ? meaning + ":"
+        : "`%s`: %s:".formatted(kind, meaning);
   }
 
   /** Error types of the code come first, those of libraries last. */

@@ -84,7 +84,7 @@ final class TroubleshootingPage {
 
   private String list(List<Message> said) {
     Map<String, SortedSet<String>> texts =
-        new TreeMap<>(Comparator.comparingInt(kinds::rank).thenComparing(kind -> kind));
+        new TreeMap<>(Comparator.comparingInt(kinds::rank).thenComparing(kinds::heading));
     for (Message message : said) {
       texts.computeIfAbsent(message.kind(), kind -> new TreeSet<>()).add(item(message.text()));
     }

@@ -11,6 +11,8 @@ import java.util.SortedSet;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The page of messages has every message of the code, as it stands there now. */
 class TroubleshootingTest {
@@ -71,5 +73,19 @@ class TroubleshootingTest {
             "The queue of … is full; try later",
             "There is no Java here; install a JDK 17 or newer, or set JAVA_HOME to one.")
         .hasSizeGreaterThan(900);
+  }
+
+  /** Each kind of mistake that {@code check} is known to tell is found here by who got it. */
+  @ParameterizedTest
+  @ValueSource(strings = {"homes", "scenes", "descriptions"})
+  void findsEveryKnownMistake(String file) throws IOException {
+    List<String> told =
+        Files.readAllLines(Path.of("src/test/resources/mistakes", file + ".txt")).stream()
+            .filter(line -> line.startsWith("fault ") || line.startsWith("warning "))
+            .toList();
+
+    assertThat(told)
+        .hasSizeGreaterThan(10)
+        .allMatch(line -> messages.stream().anyMatch(message -> message.isIn(line)));
   }
 }

@@ -8,13 +8,10 @@ import com.sun.source.tree.IdentifierTree;
 import com.sun.source.tree.LiteralTree;
 import com.sun.source.tree.MemberSelectTree;
 import com.sun.source.tree.MethodInvocationTree;
-import com.sun.source.tree.MethodTree;
 import com.sun.source.tree.NewClassTree;
 import com.sun.source.tree.Tree;
-import com.sun.source.tree.VariableTree;
 import com.sun.source.util.TreeScanner;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -65,7 +62,10 @@ final class UnitMessages {
           "doubt");
 
   /** Of these the latter is what to do about the former. */
-  private static final Set<String> WITH_CURE = Set.of("fault", "warn", "told", "Fault", "unmet");
+  private static final Set<String> WITH_CURE = Set.of("fault", "warn", "told", "Fault");
+
+  /** What is wrong is handed to these as functions. */
+  private static final Set<String> TOLD = Set.of("fault", "problems");
 
   /** Classes that only make parts of such sentences, for others. */
   private static final Set<String> PARTS =
@@ -92,10 +92,11 @@ final class UnitMessages {
   private final CompilationUnitTree unit;
   private final String where;
   private final Map<String, Message> found = new HashMap<>();
-  private final Map<String, List<Tree>> declared = new HashMap<>();
+  private final Map<String, List<Tree>> declared;
 
   UnitMessages(CompilationUnitTree unit) {
     this.unit = unit;
+    this.declared = Declarations.of(unit);
     String file = Path.of(unit.getSourceFile().getName()).getFileName().toString();
     this.where =
         (unit.getPackageName() + "." + file.replace(".java", ""))
@@ -103,7 +104,6 @@ final class UnitMessages {
   }
 
   SortedSet<Message> found() {
-    new Declarations().scan(unit, null);
     if (PARTS.contains(where)) {
       new Texts(Kinds.PARTS).scan(unit, null);
     } else {
@@ -114,29 +114,6 @@ final class UnitMessages {
 
   private void add(String kind, String text) {
     found.putIfAbsent(text, new Message(where, kind, text));
-  }
-
-  /** The methods and variables of the file, by name. */
-  private final class Declarations extends TreeScanner<Void, Void> {
-    @Override
-    public Void visitMethod(MethodTree method, Void nothing) {
-      if (method.getBody() != null) {
-        declared
-            .computeIfAbsent(method.getName().toString(), name -> new ArrayList<>())
-            .add(method.getBody());
-      }
-      return super.visitMethod(method, nothing);
-    }
-
-    @Override
-    public Void visitVariable(VariableTree variable, Void nothing) {
-      if (variable.getInitializer() != null) {
-        declared
-            .computeIfAbsent(variable.getName().toString(), name -> new ArrayList<>())
-            .add(variable.getInitializer());
-      }
-      return super.visitVariable(variable, nothing);
-    }
   }
 
   /** Where something is told. */
@@ -172,6 +149,8 @@ final class UnitMessages {
         new Texts(of).scan(call.getArguments(), null);
       } else if (name.equals("super") && where.endsWith("Exception")) {
         new Texts(where.substring(where.lastIndexOf('.') + 1)).scan(call.getArguments(), null);
+      } else if (TOLD.contains(of)) {
+        tell(Kinds.FAULTS, "fault", call.getArguments());
       } else if (TELL.contains(name)) {
         tell(WITH_CURE.contains(name) ? Kinds.FAULTS : Kinds.FAILURES, name, call.getArguments());
       }

@@ -50,8 +50,10 @@ final class Wording {
         .strip();
   }
 
-  /** Three words at least: fewer are a name, a key, or too little to be looked for. */
+  /** Three words at least, what is filled in among them: fewer are a name, a key, or too little. */
   static boolean says(String text) {
-    return !text.startsWith("(") && WORD.matcher(text).results().count() >= 3;
+    return !text.startsWith("(")
+        && text.split(" ").length >= 3
+        && WORD.matcher(text).results().count() >= 2;
   }
 }
