@@ -16,12 +16,13 @@ final class Kinds {
   static final String FAILURES = "refusals and failures";
   static final String LOG = "the log";
   static final String PARTS = "parts";
+  static final String SENTENCES = "sentences";
 
   private static final Pattern JAVADOC =
       Pattern.compile(
           "/\\*\\*((?:(?!\\*/).)*)\\*/\\s*(?:@\\w+\\S*\\s+)*(?:[a-z]+ )*class (\\w+Exception)",
           Pattern.DOTALL);
-  private static final List<String> LATER = List.of(FAULTS, FAILURES, LOG, PARTS);
+  private static final List<String> LATER = List.of(FAULTS, FAILURES, LOG, PARTS, SENTENCES);
 
   private final Map<String, String> meanings =
       new HashMap<>(
@@ -32,6 +33,8 @@ final class Kinds {
               "Refusals and failures, alone or as the reason in a longer sentence",
               LOG,
               "Warnings and errors in the log",
+              SENTENCES,
+              "Said or answered otherwise",
               PARTS,
               "Parts of longer sentences",
               "IllegalArgumentException",

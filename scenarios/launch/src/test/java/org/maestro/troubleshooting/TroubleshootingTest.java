@@ -71,6 +71,7 @@ class TroubleshootingTest {
             "is no known class; …",
             "The journal in … can be written again.",
             "The queue of … is full; try later",
+            "The goal is not taken on, because the journal in … cannot be written: …. See to it, and state the goal again.",
             "There is no Java here; install a JDK 17 or newer, or set JAVA_HOME to one.")
         .hasSizeGreaterThan(900);
   }

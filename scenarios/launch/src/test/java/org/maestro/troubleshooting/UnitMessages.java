@@ -89,6 +89,14 @@ final class UnitMessages {
           "rats.protocol.Rule",
           "rats.protocol.Fields");
 
+  /** What these say is no answer to anybody: descriptions for programs, and stories. */
+  private static final Set<String> NO_MESSAGES =
+      Set.of(
+          "console.api.Api",
+          "console.api.OpenApiDocument",
+          "console.Metrics",
+          "coordination.story");
+
   private final CompilationUnitTree unit;
   private final String where;
   private final Map<String, Message> found = new HashMap<>();
@@ -108,6 +116,9 @@ final class UnitMessages {
       new Texts(Kinds.PARTS).scan(unit, null);
     } else {
       new Tellings().scan(unit, null);
+      if (NO_MESSAGES.stream().noneMatch((where + ".")::startsWith)) {
+        new Sentences().scan(unit, null);
+      }
     }
     return new TreeSet<>(found.values());
   }
@@ -173,8 +184,29 @@ final class UnitMessages {
     }
   }
 
+  /** Whole sentences that are told in whatever way, but as news in the log. */
+  private final class Sentences extends Texts {
+    private Sentences() {
+      super(Kinds.SENTENCES);
+    }
+
+    @Override
+    void add(String text) {
+      if (Wording.isSentence(text)) {
+        super.add(text);
+      }
+    }
+
+    @Override
+    public Void visitMethodInvocation(MethodInvocationTree call, Void nothing) {
+      return call.getMethodSelect().toString().startsWith("LOG.")
+          ? null
+          : super.visitMethodInvocation(call, nothing);
+    }
+  }
+
   /** All texts below a place, and what the file's methods and variables named there say. */
-  private final class Texts extends TreeScanner<Void, Void> {
+  private class Texts extends TreeScanner<Void, Void> {
     private final String kind;
     private final Set<String> followed = new HashSet<>();
 
@@ -185,6 +217,10 @@ final class UnitMessages {
     @Override
     public Void visitAnnotation(AnnotationTree annotation, Void nothing) {
       return null;
+    }
+
+    void add(String text) {
+      UnitMessages.this.add(kind, text);
     }
 
     /** It is told by itself. */
@@ -201,7 +237,7 @@ final class UnitMessages {
       if (text.isEmpty()) {
         return super.visitBinary(sum, nothing);
       }
-      add(kind, text.get());
+      add(text.get());
       operands(sum);
       return null;
     }
@@ -218,7 +254,7 @@ final class UnitMessages {
 
     @Override
     public Void visitLiteral(LiteralTree literal, Void nothing) {
-      Wording.of(literal).ifPresent(text -> add(kind, text));
+      Wording.of(literal).ifPresent(this::add);
       return null;
     }
 

@@ -12,6 +12,10 @@ import java.util.regex.Pattern;
 final class Wording {
   private static final Pattern FILLED_IN =
       Pattern.compile("%(\\d+\\$)?[-0-9.,]*[a-zA-MO-Z]|\\{}|…");
+
+  /** What is longer is a file that is written. */
+  private static final int LONGEST = 400;
+
   private static final Pattern WORD = Pattern.compile("\\p{L}{2,}");
 
   private Wording() {}
@@ -55,5 +59,13 @@ final class Wording {
     return !text.startsWith("(")
         && text.split(" ").length >= 3
         && WORD.matcher(text).results().count() >= 2;
+  }
+
+  /** Whether it can stand by itself: with a full stop, or with its cure behind a semicolon. */
+  static boolean isSentence(String text) {
+    return text.matches("[\\p{Lu}…\"].*")
+        && (text.endsWith(".") || text.contains("; "))
+        && text.length() < LONGEST
+        && text.split(" ").length >= 5;
   }
 }
