@@ -67,6 +67,7 @@ final class DescribedPrices implements ContractNet {
   /** Who does not answer is known not to at once. */
   @Override
   public void exactPrices(
+      String goalId,
       String member,
       String feature,
       List<Map<String, Argument>> sets,

@@ -301,16 +301,17 @@ public final class ActionExecution {
 
     @Override
     public void learnt(Map<String, Term> outputs) {
+      List<Content.Argument> arguments = new ArrayList<>();
+      arguments.add(Words.named("member", Words.name(member)));
+      arguments.add(Words.named("feature", Words.name(order.feature().name())));
+      order.goal().ifPresent(goal -> arguments.add(Words.named("goal", Words.name(goal))));
+      arguments.add(Words.terms("bindings", order.bindings()));
+      arguments.add(Words.terms("outputs", outputs));
       agent.send(
           agent.message(
               ACLMessage.INFORM,
               agent.getAID(AgentNames.KNOWLEDGE),
-              Words.content(
-                  "inform",
-                  Words.named("member", Words.name(member)),
-                  Words.named("feature", Words.name(order.feature().name())),
-                  Words.terms("bindings", order.bindings()),
-                  Words.terms("outputs", outputs))));
+              new Content("inform", arguments)));
     }
 
     /** Of who is at it for long only: those who wait need no other sign. */

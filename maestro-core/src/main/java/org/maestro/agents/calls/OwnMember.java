@@ -40,6 +40,7 @@ public final class OwnMember implements ContractNet, ActionDispatcher {
 
   @Override
   public void exactPrices(
+      String goalId,
       String asked,
       String feature,
       List<Map<String, Argument>> sets,

@@ -67,6 +67,7 @@ public final class AclContractNet implements ContractNet {
 
   @Override
   public void exactPrices(
+      String goalId,
       String member,
       String feature,
       List<Map<String, Argument>> sets,
@@ -78,6 +79,7 @@ public final class AclContractNet implements ContractNet {
     }
     List<Content.Argument> arguments =
         new ArrayList<>(Orders.member(member, receiver.get().getLocalName()));
+    arguments.add(Words.named("goal", Words.name(goalId)));
     arguments.add(Words.named("feature", Words.name(feature)));
     sets.forEach(set -> arguments.add(Orders.parameters("set", set)));
     ACLMessage question =

@@ -48,10 +48,11 @@ public final class PermittedContractNet implements ContractNet {
 
   @Override
   public void exactPrices(
+      String goalId,
       String member,
       String feature,
       List<Map<String, Argument>> sets,
       Consumer<List<Quote>> answer) {
-    contractNet.exactPrices(member, feature, sets, answer);
+    contractNet.exactPrices(goalId, member, feature, sets, answer);
   }
 }

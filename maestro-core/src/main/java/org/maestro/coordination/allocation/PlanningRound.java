@@ -153,7 +153,7 @@ public final class PlanningRound {
     Map<String, List<String>> candidates = candidates(ports.knowledge().home());
     candidates.keySet().removeAll(without);
     this.proposals = new CandidateProposals(candidates, roster);
-    this.inquiry = new PriceInquiry(ports, exactPrices, priceQuestions, facts);
+    this.inquiry = new PriceInquiry(subject.goalId(), ports, exactPrices, priceQuestions, facts);
   }
 
   public void start() {

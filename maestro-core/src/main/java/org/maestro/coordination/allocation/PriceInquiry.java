@@ -33,6 +33,7 @@ final class PriceInquiry {
 
   private static final double SAME_PRICE = 1e-9;
 
+  private final String goalId;
   private final Ports ports;
   private final ExactPrices exactPrices;
   private final PriceQuestions priceQuestions;
@@ -45,10 +46,12 @@ final class PriceInquiry {
   private int lastChances;
 
   PriceInquiry(
+      String goalId,
       Ports ports,
       ExactPrices exactPrices,
       PriceQuestions priceQuestions,
       Supplier<? extends Facts> facts) {
+    this.goalId = goalId;
     this.ports = ports;
     this.exactPrices = exactPrices;
     this.priceQuestions = priceQuestions;
@@ -100,6 +103,7 @@ final class PriceInquiry {
             ports
                 .contractNet()
                 .exactPrices(
+                    goalId,
                     memberAndFeature.get(0),
                     memberAndFeature.get(1),
                     prices.stream()

@@ -13,8 +13,13 @@ public interface ContractNet {
 
   void callForPrices(CallForPrices call, Consumer<Round> closed);
 
-  /** Asks one member what parameter sets would cost exactly; as many answers as sets, in order. */
+  /**
+   * Asks one member what parameter sets would cost exactly; as many answers as sets, in order.
+   *
+   * @param goalId for which it is asked
+   */
   void exactPrices(
+      String goalId,
       String member,
       String feature,
       List<Map<String, Argument>> sets,

@@ -40,6 +40,7 @@ final class LinkContractNet implements ContractNet {
 
   @Override
   public void exactPrices(
+      String goalId,
       String member,
       String feature,
       List<Map<String, Argument>> sets,

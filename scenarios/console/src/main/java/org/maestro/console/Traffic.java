@@ -8,13 +8,17 @@ import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
 import org.maestro.console.api.Operation;
 import org.maestro.console.api.TrafficOperations;
+import org.maestro.console.trace.Traces;
 import org.maestro.console.traffic.BusTraffic;
 import org.maestro.console.traffic.MailTraffic;
 import org.maestro.platform.MaestroPlatform;
 import org.maestro.platform.jade.SentMessage;
 import org.maestro.rats.transport.Transport;
 
-/** What goes over the bus and between agents, for who looks at it. */
+/**
+ * What goes over the bus and between agents, and what of it was for which goal, for who looks at
+ * it.
+ */
 final class Traffic implements AutoCloseable {
   /** How the console asks, all the time, for the goals and agents that it shows. */
   private static final String HOW_THINGS_STAND = Words.print(Words.content("query-ref"));
@@ -22,6 +26,7 @@ final class Traffic implements AutoCloseable {
   private final MaestroPlatform platform;
   private final BusTraffic bus;
   private final MailTraffic mail;
+  private final Traces traces;
   private final ScheduledExecutorService thread =
       Executors.newSingleThreadScheduledExecutor(
           task -> {
@@ -40,7 +45,8 @@ final class Traffic implements AutoCloseable {
    */
   Traffic(MaestroPlatform platform, String name, Transport transport) {
     this.platform = platform;
-    this.bus = new BusTraffic(transport, name, platform::now);
+    this.traces = new Traces(name, name, platform::now);
+    this.bus = new BusTraffic(transport, name, platform::now, traces::heard);
     this.mail =
         new MailTraffic(
             name,
@@ -60,7 +66,7 @@ final class Traffic implements AutoCloseable {
   }
 
   List<Operation> operations() {
-    return TrafficOperations.of(bus, mail);
+    return TrafficOperations.of(bus, mail, traces);
   }
 
   EventSource busNews() {
@@ -73,7 +79,14 @@ final class Traffic implements AutoCloseable {
 
   /** From now on it is listened to. */
   void begin() {
-    endOfMail = platform.onMail(mail::sent);
+    platform.onStory(traces::told);
+    Runnable endOfConversations = platform.onMail(mail::sent);
+    Runnable endOfTraces = platform.onMail(traces::sent);
+    endOfMail =
+        () -> {
+          endOfConversations.run();
+          endOfTraces.run();
+        };
     bus.listen();
     rounds = List.of(busNews.begin(), mailNews.begin());
   }

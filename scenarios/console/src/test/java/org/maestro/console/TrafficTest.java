@@ -19,6 +19,8 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
 import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterAll;
@@ -105,6 +107,56 @@ class TrafficTest {
     JsonNode whole = home.get("/bus/" + unknown.path("number").asText()).document();
     home.assertValid(whole, "bus-message");
     assertThat(whole.path("payload").asText()).hasSize(10_000);
+  }
+
+  /** One id runs through the goal, what its agents agree on, the calls and their results. */
+  @Test
+  void aGoalIsTracedFromItsStoryToTheResultsOfItsCalls() throws Exception {
+    String goal = home.get("/goals").document().at("/goals/0/id").asText();
+    JsonNode document =
+        Awaitility.await()
+            .atMost(LIMIT)
+            .until(
+                () -> home.get("/goals/" + goal + "/trace").document(),
+                trace ->
+                    ofKind(trace, "story end").findAny().isPresent()
+                        && callsOf(trace, "bus result").equals(callsOf(trace, "bus call")));
+
+    home.assertValid(document, "trace");
+    for (String kind :
+        List.of(
+            "story plan",
+            "agents cfp",
+            "agents propose",
+            "agents accept-proposal",
+            "agents agree",
+            "agents inform",
+            "bus progress",
+            "bus observation")) {
+      assertThat(ofKind(document, kind)).as(kind).isNotEmpty();
+    }
+    assertThat(callsOf(document, "bus call"))
+        .as("a pick, a move, a place at least")
+        .hasSizeGreaterThan(2);
+    assertThat(
+            ofKind(document, "bus call")
+                .filter(call -> !call.path("text").asText().startsWith("$cancel ")))
+        .as("each call was ordered")
+        .allMatch(call -> callsOf(document, "agents request").contains(call.path("call").asText()));
+    assertThat(home.get("/goals/G999/trace").problem()).contains("There is no trace of G999");
+  }
+
+  private static Stream<JsonNode> ofKind(JsonNode trace, String kind) {
+    return StreamSupport.stream(trace.path("trace").spliterator(), false)
+        .filter(
+            entry ->
+                (entry.path("layer").asText() + " " + entry.path("kind").asText()).equals(kind));
+  }
+
+  private static Set<String> callsOf(JsonNode trace, String kind) {
+    return ofKind(trace, kind)
+        .map(entry -> entry.path("call").asText())
+        .collect(Collectors.toSet());
   }
 
   /** What the devices and the platform themselves say is as the documents have it. */
@@ -211,6 +263,8 @@ class TrafficTest {
       assertThat(Accessibility.faults(browser)).isEmpty();
 
       browser.click("[data-view=bus]");
+      // The list shows the latest alone.
+      say("call/stranger", WRONG);
       browser.waitForText("#bus-list", SENTENCE);
       browser.click("#bus-wrong");
       browser.waitForText("#bus-list tr.wrong", SENTENCE);

@@ -35,6 +35,7 @@ import picocli.CommandLine.Spec;
       WordsCommand.class,
       SlCommand.class,
       WhyCommand.class,
+      TraceCommand.class,
       CancelCommand.class,
       StopCommand.class,
       ReviveCommand.class,

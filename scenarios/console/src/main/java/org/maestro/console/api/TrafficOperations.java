@@ -8,14 +8,18 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.maestro.console.api.Operation.Parameter;
 import org.maestro.console.questions.RefusalException;
+import org.maestro.console.trace.Traces;
 import org.maestro.console.traffic.BusTraffic;
 import org.maestro.console.traffic.MailTraffic;
 
-/** The operations that tell what goes over the bus and between agents. */
+/**
+ * The operations that tell what goes over the bus and between agents, and what of it was for a
+ * goal.
+ */
 public final class TrafficOperations {
   private TrafficOperations() {}
 
-  public static List<Operation> of(BusTraffic bus, MailTraffic mail) {
+  public static List<Operation> of(BusTraffic bus, MailTraffic mail, Traces traces) {
     return List.of(
         get(
             "/bus",
@@ -52,7 +56,19 @@ public final class TrafficOperations {
                         "There is no conversation "
                             + request.parameter("conversation")
                             + ", or not any more; GET /conversations lists those there are."))
-            .with(Parameter.path("conversation", "A conversation's id, such as C1.")));
+            .with(Parameter.path("conversation", "A conversation's id, such as C1.")),
+        get(
+                "/goals/{goal}/trace",
+                "trace",
+                "What was said for a goal in its story, between agents and on the bus.",
+                "trace",
+                request ->
+                    found(
+                        traces.trace(request.parameter("goal")),
+                        "There is no trace of "
+                            + request.parameter("goal")
+                            + ", or not any more; those of the latest hundred goals since the platform's start are kept."))
+            .with(Parameter.path("goal", "A goal's id, such as G1.")));
   }
 
   private static Optional<Long> number(String text) {

@@ -71,6 +71,11 @@ public final class HttpQuestions implements Questions {
   }
 
   @Override
+  public CompletableFuture<JsonNode> trace(String goal) {
+    return get("/goals/" + encoded(goal) + "/trace");
+  }
+
+  @Override
   public CompletableFuture<Void> cancel(String goal) {
     return request("DELETE", "/goals/" + encoded(goal), Optional.empty()).thenAccept(nothing -> {});
   }

@@ -101,6 +101,14 @@ public final class AclQuestions implements Questions {
   }
 
   @Override
+  public CompletableFuture<JsonNode> trace(String goal) {
+    return CompletableFuture.failedFuture(
+        RefusalException.outside(
+            "What is said for a goal is kept by the console, which does not answer here; run the platform with one (without --console off), or ask for the story: ./maestro why "
+                + goal));
+  }
+
+  @Override
   public CompletableFuture<Void> cancel(String goal) {
     return ask(
             ACLMessage.REQUEST,

@@ -34,6 +34,12 @@ public interface Questions {
    */
   CompletableFuture<JsonNode> story(String goal, OptionalInt plan, OptionalInt step);
 
+  /**
+   * What was said for a goal in its story, between agents and on the bus. The console alone has
+   * seen that.
+   */
+  CompletableFuture<JsonNode> trace(String goal);
+
   /** Gives a goal up. */
   CompletableFuture<Void> cancel(String goal);
 

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.maestro.console.documents.JsonMembers;
+import org.maestro.console.documents.ShownText;
 import org.maestro.rats.protocol.CallAddress;
 import org.maestro.rats.protocol.Complaints;
 import org.maestro.rats.protocol.MessageCheck;

@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.console.documents.JsonMembers;
 import org.maestro.rats.protocol.MessageCheck;
@@ -26,6 +27,7 @@ public final class BusTraffic implements Source, AutoCloseable {
   private final Transport transport;
   private final String all;
   private final Supplier<Duration> now;
+  private final Consumer<Message> also;
   private final MessageCheck check;
   private final BusMessageDocument documents;
   private final Ring<BusMessage> ring = new Ring<>(MOST_MESSAGES, MOST_BYTES);
@@ -34,10 +36,13 @@ public final class BusTraffic implements Source, AutoCloseable {
   /**
    * @param transport not open yet; closed with this
    * @param now simulated time since the platform's clock began
+   * @param also is told each message as it comes
    */
-  public BusTraffic(Transport transport, String site, Supplier<Duration> now) {
+  public BusTraffic(
+      Transport transport, String site, Supplier<Duration> now, Consumer<Message> also) {
     this.transport = transport;
     this.now = now;
+    this.also = also;
     Topics topics = new Topics(site);
     this.all = topics.everything();
     this.check = new MessageCheck(topics);
@@ -80,6 +85,7 @@ public final class BusTraffic implements Source, AutoCloseable {
             Instant.now(),
             now.get()),
         fits ? payload.length : MOST_CHARACTERS);
+    also.accept(message);
   }
 
   @Override

@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Locale;
 import java.util.OptionalInt;
 import org.maestro.console.documents.JsonMembers;
+import org.maestro.console.documents.ShownText;
 import org.maestro.text.VisibleText;
 
 /** The documents of conversations; agents of the own platform go by their local names. */

@@ -15,6 +15,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.maestro.console.documents.JsonMembers;
+import org.maestro.console.documents.ShownText;
 import org.maestro.platform.jade.SentMessage;
 import org.maestro.rats.bounded.BoundedMap;
 

@@ -1,4 +1,4 @@
-package org.maestro.console.traffic;
+package org.maestro.console.documents;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,11 +1,10 @@
-package org.maestro.console.traffic;
+package org.maestro.console.documents;
 
 import java.util.regex.Pattern;
-import org.maestro.console.documents.JsonMembers;
 import org.maestro.text.VisibleText;
 
 /** Text that others wrote, as it is shown: without secrets, without what would be obeyed. */
-final class ShownText {
+public final class ShownText {
   private static final String MASK = "•••";
 
   /** As JSON, as MAESTRO-SL, and as {@code name=value}. */
@@ -18,7 +17,7 @@ final class ShownText {
   private ShownText() {}
 
   /** In full. */
-  static String of(String text) {
+  public static String of(String text) {
     return VisibleText.lines(
         SECRET
             .matcher(text)
@@ -31,13 +30,13 @@ final class ShownText {
   }
 
   /** Adds a text under a name, and whether it is shortened to a number of characters. */
-  static void add(JsonMembers row, String name, String text, int most) {
+  public static void add(JsonMembers row, String name, String text, int most) {
     String shown = of(text);
     row.node().put(name, cut(shown, most));
     row.truth("shortened", shown.length() > most);
   }
 
-  static String cut(String text, int most) {
+  public static String cut(String text, int most) {
     if (text.length() <= most) {
       return text;
     }
