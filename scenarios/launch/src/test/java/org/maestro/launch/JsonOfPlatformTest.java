@@ -59,6 +59,8 @@ class JsonOfPlatformTest {
           .contains("Main-Container", "robots");
       assertThat(document("why", 0, "why", "G1").path("story").findValuesAsText("kind"))
           .contains("goal", "plan", "end");
+      assertThat(document("trace", 0, "trace", "G1").path("trace").findValuesAsText("layer"))
+          .contains("story", "agents", "bus");
       assertThat(document("words", 0, "words").path("words").findValuesAsText("unit"))
           .contains("lux");
     }
