@@ -33,6 +33,7 @@ import org.maestro.platform.jade.MainContainer;
 import org.maestro.platform.jade.PlatformStartException;
 import org.maestro.platform.jade.Premises;
 import org.maestro.platform.jade.SentMessage;
+import org.maestro.rats.link.RatsLink;
 import org.maestro.rats.time.Clock;
 
 /**
@@ -271,6 +272,11 @@ public final class MaestroPlatform implements AutoCloseable {
             memory.impediment())
         .flatMap(Optional::stream)
         .toList();
+  }
+
+  /** Members that were heard of on the bus, and not cleared. */
+  public Collection<RatsLink.Member> members() {
+    return services.link().members();
   }
 
   /** Agents that stand for members or groups. */

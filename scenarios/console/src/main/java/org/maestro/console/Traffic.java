@@ -10,9 +10,12 @@ import org.maestro.console.api.Operation;
 import org.maestro.console.api.TrafficOperations;
 import org.maestro.console.trace.Traces;
 import org.maestro.console.traffic.BusTraffic;
+import org.maestro.console.traffic.CallMessages;
 import org.maestro.console.traffic.MailTraffic;
+import org.maestro.console.traffic.RoundTrips;
 import org.maestro.platform.MaestroPlatform;
 import org.maestro.platform.jade.SentMessage;
+import org.maestro.rats.transport.Message;
 import org.maestro.rats.transport.Transport;
 
 /**
@@ -26,7 +29,9 @@ final class Traffic implements AutoCloseable {
   private final MaestroPlatform platform;
   private final BusTraffic bus;
   private final MailTraffic mail;
+  private final CallMessages calls;
   private final Traces traces;
+  private final RoundTrips roundTrips = new RoundTrips();
   private final ScheduledExecutorService thread =
       Executors.newSingleThreadScheduledExecutor(
           task -> {
@@ -45,8 +50,9 @@ final class Traffic implements AutoCloseable {
    */
   Traffic(MaestroPlatform platform, String name, Transport transport) {
     this.platform = platform;
-    this.traces = new Traces(name, name, platform::now);
-    this.bus = new BusTraffic(transport, name, platform::now, traces::heard);
+    this.calls = new CallMessages(name);
+    this.traces = new Traces(name, platform::now);
+    this.bus = new BusTraffic(transport, name, platform::now, this::heard);
     this.mail =
         new MailTraffic(
             name,
@@ -63,6 +69,21 @@ final class Traffic implements AutoCloseable {
         || message.sender().equals(AgentNames.SUPERVISOR + "@" + platform)
             && message.receiver().equals("df@" + platform)
             && message.content().contains("(search ");
+  }
+
+  private void heard(Message message) {
+    calls
+        .read(message)
+        .ifPresent(
+            said -> {
+              traces.heard(said);
+              roundTrips.heard(said, System.nanoTime());
+            });
+  }
+
+  /** How soon members have answered calls. */
+  RoundTrips roundTrips() {
+    return roundTrips;
   }
 
   List<Operation> operations() {

@@ -64,15 +64,15 @@ public record Operation(
   public record Parameter(
       String name, boolean inPath, String type, boolean required, String description) {
 
-    static Parameter path(String name, String description) {
+    public static Parameter path(String name, String description) {
       return new Parameter(name, true, "string", true, description);
     }
 
-    static Parameter query(String name, String description) {
+    public static Parameter query(String name, String description) {
       return new Parameter(name, false, "string", true, description);
     }
 
-    static Parameter number(String name, String description) {
+    public static Parameter number(String name, String description) {
       return new Parameter(name, false, "integer", false, description);
     }
   }
@@ -94,19 +94,21 @@ public record Operation(
     return action.answer(request);
   }
 
-  static Operation get(String path, String id, String summary, String answer, Action action) {
+  public static Operation get(
+      String path, String id, String summary, String answer, Action action) {
     return asking(Method.GET, path, id, summary, answer, action);
   }
 
   /** What has something to answer. */
-  static Operation asking(
+  public static Operation asking(
       Method method, String path, String id, String summary, String answer, Action action) {
     return new Operation(
         method, path, id, summary, List.of(), Optional.empty(), OK, Optional.of(answer), action);
   }
 
   /** An order, which has no content to answer. */
-  static Operation order(Method method, String path, String id, String summary, Action action) {
+  public static Operation order(
+      Method method, String path, String id, String summary, Action action) {
     return new Operation(
         method,
         path,
@@ -119,16 +121,16 @@ public record Operation(
         action);
   }
 
-  Operation with(Parameter... more) {
+  public Operation with(Parameter... more) {
     return new Operation(method, path, id, summary, List.of(more), body, status, answer, action);
   }
 
-  Operation taking(String schema) {
+  public Operation taking(String schema) {
     return new Operation(
         method, path, id, summary, parameters, Optional.of(schema), status, answer, action);
   }
 
-  Operation answering(int good, String schema) {
+  public Operation answering(int good, String schema) {
     return new Operation(
         method, path, id, summary, parameters, body, good, Optional.of(schema), action);
   }

@@ -11,10 +11,10 @@ import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.maestro.console.documents.ShownText;
+import org.maestro.console.traffic.CallMessages;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.platform.jade.SentMessage;
 import org.maestro.rats.bounded.BoundedMap;
-import org.maestro.rats.transport.Message;
 
 /**
  * The traces of the latest goals. A goal's id is the id of its trace: stories and calls have it as
@@ -34,7 +34,6 @@ public final class Traces {
 
   private final String own;
   private final Supplier<Duration> now;
-  private final TracedCalls calls;
 
   // All below is guarded by this.
   private final Map<String, GoalTrace> traces = BoundedMap.ofLatelyUsed(MOST_GOALS);
@@ -44,13 +43,11 @@ public final class Traces {
 
   /**
    * @param platform its name
-   * @param site on the bus
    * @param now simulated time since the platform's clock began
    */
-  public Traces(String platform, String site, Supplier<Duration> now) {
+  public Traces(String platform, Supplier<Duration> now) {
     this.own = "@" + platform;
     this.now = now;
-    this.calls = new TracedCalls(site);
   }
 
   /** A sentence of a story. */
@@ -104,12 +101,8 @@ public final class Traces {
     }
   }
 
-  /** A message of the bus, as it was published. */
-  public void heard(Message message) {
-    calls.read(message).ifPresent(this::heard);
-  }
-
-  private synchronized void heard(TracedCalls.Said said) {
+  /** A message of the bus that belongs to a call. */
+  public synchronized void heard(CallMessages.Said said) {
     said.goal().ifPresent(goal -> goalOfCall.put(said.call(), goal));
     String goal = goalOfCall.get(said.about());
     if (goal == null) {

@@ -9,13 +9,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.maestro.console.traffic.CallMessages;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.platform.jade.SentMessage;
 import org.maestro.rats.transport.Message;
 
 class TracesTest {
   private Duration now = Duration.ZERO;
-  private final Traces traces = new Traces("home", "home", () -> now);
+  private final CallMessages calls = new CallMessages("home");
+  private final Traces traces = new Traces("home", () -> now);
 
   private void story(String goal, String text) {
     traces.told(new StoryEntry(goal, now, StoryEntry.Kind.STEP, text));
@@ -33,8 +35,9 @@ class TracesTest {
   }
 
   private void heard(String topic, String json) {
-    traces.heard(
-        new Message("rats/1/home/" + topic, json.getBytes(UTF_8), false, Optional.empty()));
+    calls
+        .read(new Message("rats/1/home/" + topic, json.getBytes(UTF_8), false, Optional.empty()))
+        .ifPresent(traces::heard);
   }
 
   private List<String> trace(String goal) {

@@ -1,4 +1,4 @@
-package org.maestro.console.trace;
+package org.maestro.console.traffic;
 
 import java.util.Locale;
 import java.util.Map;
@@ -16,13 +16,13 @@ import org.maestro.rats.protocol.WireFormat;
 import org.maestro.rats.transport.Message;
 
 /** The messages of one site's bus that belong to a call: what they say, of which call. */
-final class TracedCalls {
+public final class CallMessages {
   private static final int PERCENT = 100;
 
   private final Topics topics;
   private final WireFormat wire = new WireFormat();
 
-  TracedCalls(String site) {
+  public CallMessages(String site) {
     this.topics = new Topics(site);
   }
 
@@ -34,7 +34,7 @@ final class TracedCalls {
    * @param goal that the call itself names
    * @param isOneOfMany whether others of its kind follow
    */
-  record Said(
+  public record Said(
       String kind,
       String call,
       String about,
@@ -45,7 +45,7 @@ final class TracedCalls {
       boolean isOneOfMany) {}
 
   /** Empty for all that belongs to no call, or is not understood. */
-  Optional<Said> read(Message message) {
+  public Optional<Said> read(Message message) {
     if (message.payload().length > WireFormat.MOST_BYTES) {
       return Optional.empty();
     }

@@ -1,0 +1,122 @@
+package org.maestro.console.members;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import org.maestro.console.api.Operation;
+import org.maestro.console.questions.RefusalException;
+import org.maestro.console.traffic.RoundTrips;
+import org.maestro.ontology.home.Device;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.platform.AgentRow;
+import org.maestro.platform.MaestroPlatform;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.sl.Term;
+
+/** The operations on members one by one. */
+public final class MemberOperations {
+  private static final int CREATED = 201;
+  private static final double USUAL_SECONDS = 60;
+
+  private final MaestroPlatform platform;
+  private final RoundTrips roundTrips;
+  private final CallsByHand calls;
+
+  /**
+   * @param roundTrips of calls to members
+   */
+  public MemberOperations(MaestroPlatform platform, RoundTrips roundTrips) {
+    this.platform = platform;
+    this.roundTrips = roundTrips;
+    this.calls = new CallsByHand(platform.desk(), this::agentOf, platform.speed());
+  }
+
+  private Optional<String> agentOf(String member) {
+    return platform.agents().stream()
+        .filter(row -> row.members().contains(member))
+        .map(AgentRow::agent)
+        .findFirst();
+  }
+
+  public List<Operation> operations() {
+    Operation.Parameter member = Operation.Parameter.path("member", "A member's name on the bus.");
+    return List.of(
+        Operation.get(
+                "/members/{member}",
+                "member",
+                "A member: what it is at, what waits, and which of its features can be called now.",
+                "member",
+                request -> member(request.parameter("member")))
+            .with(member),
+        Operation.asking(
+                Operation.Method.POST,
+                "/members/{member}/calls",
+                "callMember",
+                "Calls a feature of a member by hand; it serves no goal, and its agent may refuse.",
+                "call",
+                this::call)
+            .with(member)
+            .taking("call-request")
+            .answering(CREATED, "call"),
+        Operation.get(
+                "/calls/{call}",
+                "call",
+                "What has become of a call by hand.",
+                "call",
+                request ->
+                    calls
+                        .call(request.parameter("call"))
+                        .map(CompletableFuture::completedFuture)
+                        .orElseGet(
+                            () ->
+                                refused(
+                                    "There is no call %s, or not any more; the latest two hundred are kept."
+                                        .formatted(request.parameter("call")))))
+            .with(Operation.Parameter.path("call", "The id of a call by hand, such as M1.")));
+  }
+
+  private Optional<Device> described(String member) {
+    return Optional.ofNullable(platform.knowledge().home().devices().get(member));
+  }
+
+  private CompletableFuture<JsonNode> member(String name) {
+    Optional<RatsLink.Member> heard =
+        platform.members().stream().filter(one -> one.id().equals(name)).findFirst();
+    Optional<Device> device = described(name);
+    return heard.isEmpty() && device.isEmpty()
+        ? refused("There is no member %s; GET /agents lists those there are.".formatted(name))
+        : CompletableFuture.completedFuture(
+            MemberDocument.of(name, device, heard, roundTrips.median(name)));
+  }
+
+  private CompletableFuture<JsonNode> call(Operation.Request request) {
+    String member = request.parameter("member");
+    String name = request.body().path("feature").asText();
+    List<FeatureType> features = described(member).map(Device::features).orElse(List.of());
+    Optional<FeatureType> feature =
+        features.stream().filter(one -> one.name().equals(name)).findFirst();
+    if (feature.isEmpty()) {
+      return refused(
+          features.isEmpty()
+              ? "Nothing is known that %s can do.".formatted(member)
+              : "%s has no feature %s; it has %s."
+                  .formatted(
+                      member,
+                      name,
+                      String.join(
+                          ", ", features.stream().map(FeatureType::name).sorted().toList())));
+    }
+    Map<String, Term> parameters =
+        HandedValues.read(feature.get(), request.body().path("parameters"));
+    double seconds = request.body().path("timeout_s").asDouble(USUAL_SECONDS);
+    return calls.begin(
+        member, name, parameters, Duration.ofMillis(Math.max(1, (long) (seconds * 1000))));
+  }
+
+  private static CompletableFuture<JsonNode> refused(String sentence) {
+    return CompletableFuture.failedFuture(RefusalException.badInput(sentence));
+  }
+}
