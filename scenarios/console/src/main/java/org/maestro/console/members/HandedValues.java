@@ -61,7 +61,7 @@ final class HandedValues {
     if (given.isTextual()) {
       String text = given.asText();
       boolean named = !parameter.oneOf().isEmpty() || parameter.hasChoice();
-      return named && Term.isName(text) ? new Term.Name(text) : new Term.Text(text);
+      return named && Term.Variable.isName(text) ? new Term.Name(text) : new Term.Text(text);
     }
     throw RefusalException.badInput(
         "The parameter %s is a number, a truth, a text, or an array of numbers; it is %s."
