@@ -22,6 +22,7 @@ import org.maestro.coordination.api.HeldNews;
 import org.maestro.coordination.api.InvalidGoalException;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Latest;
+import org.maestro.coordination.api.PlanRecord;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Roster;
@@ -39,6 +40,7 @@ import org.maestro.coordination.recovery.JournaledDispatcher;
 import org.maestro.coordination.recovery.RecoveryBarrier;
 import org.maestro.coordination.story.Decision;
 import org.maestro.coordination.story.Decisions;
+import org.maestro.coordination.story.PlanRecords;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Source;
 import org.maestro.planning.api.Step;
@@ -71,6 +73,8 @@ public final class Coordinator {
   private final String prefix;
   private final Latest<Decisions> explained =
       new Latest<>(MOST_BYTES_OF_EXPLAINED, Decisions::bytes);
+  private final Latest<PlanRecords> planned =
+      new Latest<>(MOST_BYTES_OF_EXPLAINED, PlanRecords::bytes);
   private int lastNumber;
 
   /** The coordinator of a whole platform; its goals are G1, G2 ... */
@@ -198,7 +202,9 @@ public final class Coordinator {
     String id = goal.outcome().id();
     ended.put(id, goal);
     dispatcher.over(id);
-    explained.put(id, pursuits.remove(id).decisions());
+    ActiveGoal over = pursuits.remove(id);
+    explained.put(id, over.decisions());
+    planned.put(id, over.plans());
   }
 
   /** The same, and of held goals only the end is wanted to be known. */
@@ -418,6 +424,18 @@ public final class Coordinator {
                         decision.get().choice(ports.planner(), chosen.get()),
                         ports.knowledge().home()),
             told);
+  }
+
+  /**
+   * The goal's latest plans, oldest first, and what has become of their steps; of a goal that is
+   * held those that were made lately to bring it about. None where none is kept.
+   */
+  public List<PlanRecord> plans(String goalId) {
+    return Optional.ofNullable(pursuits.get(goalId))
+        .map(ActiveGoal::plans)
+        .or(() -> planned.find(goalId))
+        .map(PlanRecords::all)
+        .orElse(List.of());
   }
 
   public boolean isPresent(String member) {

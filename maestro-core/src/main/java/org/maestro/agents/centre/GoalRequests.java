@@ -36,6 +36,7 @@ public final class GoalRequests {
   private final Coordinator coordinator;
   private final ToldStories stories;
   private final Endings endings;
+  private final PlanRequests plans;
   private final GoalsOfOthers others = new GoalsOfOthers();
   private final Map<String, Formula> takenUp = new HashMap<>();
 
@@ -46,6 +47,7 @@ public final class GoalRequests {
     this.coordinator = coordinator;
     this.stories = stories;
     this.endings = new Endings(agent::reply);
+    this.plans = new PlanRequests(agent, coordinator);
   }
 
   /** Goals of who was the central agent before are asked for here from now on. */
@@ -238,8 +240,21 @@ public final class GoalRequests {
     }
   }
 
-  /** The goals, or with {@code (query-ref waits)} the wait-for graph. */
+  /**
+   * The goals, or with {@code (query-ref waits)} the wait-for graph, or what is asked of one's
+   * plans.
+   */
   public void list(ACLMessage message, Words words) {
+    Optional<String> planned = PlanRequests.goal(words);
+    if (planned.isPresent()) {
+      String id = planned.get();
+      if (stories.goals().contains(id) || coordinator.hasGoal(id)) {
+        plans.answer(message, words, id);
+      } else {
+        agent.refuse(message, ACLMessage.REFUSE, noSuchGoal(id));
+      }
+      return;
+    }
     List<Content> lines = new ArrayList<>();
     if (words.terms().contains(new Term.Name("waits"))) {
       coordinator.waits().forEach(wait -> lines.add(GoalWords.wait(wait)));

@@ -26,6 +26,7 @@ import org.maestro.coordination.story.Decisions;
 import org.maestro.coordination.story.GoalLife;
 import org.maestro.coordination.story.GoalPhase;
 import org.maestro.coordination.story.GoalStory;
+import org.maestro.coordination.story.PlanRecords;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.planning.api.Plan;
@@ -220,6 +221,11 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
   @Override
   public Decisions decisions() {
     return planning.decisions();
+  }
+
+  @Override
+  public PlanRecords plans() {
+    return parts.story().plans();
   }
 
   @Override

@@ -155,7 +155,11 @@ final class GoalPlanning {
     parts
         .story()
         .bids(
-            round.tender().bids(), round.tender().notCalled(), round.questions(), round.unpriced());
+            round.tender().bids(),
+            round.tender().notCalled(),
+            round.questions(),
+            round.unpriced(),
+            round.answers());
     Optional<String> why = planAgain.or(() -> changedMeanwhile(round.result()));
     planAgain = Optional.empty();
     if (why.isPresent() && !isStillGood(round.result())) {

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.maestro.coordination.api.BidRecord;
 import org.maestro.coordination.api.CallArguments;
 import org.maestro.coordination.api.CallForPrices;
 import org.maestro.coordination.api.Ports;
@@ -93,6 +94,13 @@ public final class PlanningRound {
       int questions,
       List<String> unpriced,
       PlanningTask task) {
+
+    /** What came of asking each member, step by step. */
+    public List<BidRecord> answers() {
+      List<Step> steps =
+          result instanceof PlanningResult.Found found ? found.plan().steps() : List.of();
+      return new AnswersToCalls(task, steps).of(tender);
+    }
 
     /** A sentence about those who might have helped, and named no price. */
     public Optional<String> notCountedOn() {

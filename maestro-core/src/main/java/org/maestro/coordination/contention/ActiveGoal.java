@@ -8,6 +8,7 @@ import org.maestro.coordination.api.Takeover;
 import org.maestro.coordination.facts.FactFilter;
 import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.coordination.story.Decisions;
+import org.maestro.coordination.story.PlanRecords;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.sl.Change;
@@ -37,6 +38,9 @@ public interface ActiveGoal {
 
   /** The plans that were adopted lately to bring it about, with all that they were chosen from. */
   Decisions decisions();
+
+  /** The latest plans, and what became of their steps. */
+  PlanRecords plans();
 
   int priority();
 

@@ -10,6 +10,7 @@ import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.coordination.story.Decisions;
+import org.maestro.coordination.story.PlanRecords;
 import org.maestro.sl.Formula;
 
 /**
@@ -25,6 +26,7 @@ final class HeldWork {
   private final Runnable over;
   private Optional<Work> current = Optional.empty();
   private Decisions decisions = new Decisions();
+  private PlanRecords plans;
 
   private enum Purpose {
     BRINGING_ABOUT,
@@ -35,14 +37,22 @@ final class HeldWork {
 
   /**
    * @param held whose work it is; it stands for the goal again when the work is over
+   * @param plans what stands for its plans before there is any
    * @param over told each time that work is over, whatever comes after it
    */
-  HeldWork(Wish wish, ActiveGoals activeGoals, Reaching reaching, ActiveGoal held, Runnable over) {
+  HeldWork(
+      Wish wish,
+      ActiveGoals activeGoals,
+      Reaching reaching,
+      ActiveGoal held,
+      PlanRecords plans,
+      Runnable over) {
     this.wish = wish;
     this.activeGoals = activeGoals;
     this.reaching = reaching;
     this.held = held;
     this.over = over;
+    this.plans = plans;
   }
 
   Optional<ActiveGoal> current() {
@@ -69,6 +79,11 @@ final class HeldWork {
   /** Of what is done now, or was done last. */
   Decisions decisions() {
     return decisions;
+  }
+
+  /** Of the same. */
+  PlanRecords plans() {
+    return plans;
   }
 
   double seconds(ToDoubleFunction<ActiveGoal> question) {
@@ -98,6 +113,7 @@ final class HeldWork {
             once, with, outcome -> activeGoals.run(() -> ended(begun[0], outcome, then)));
     current = Optional.of(new Work(begun[0], purpose));
     decisions = begun[0].decisions();
+    plans = begun[0].plans();
     return begun[0];
   }
 

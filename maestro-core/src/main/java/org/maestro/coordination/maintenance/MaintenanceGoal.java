@@ -26,6 +26,7 @@ import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.coordination.story.Decisions;
 import org.maestro.coordination.story.GoalLife;
 import org.maestro.coordination.story.GoalPhase;
+import org.maestro.coordination.story.PlanRecords;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.sl.Change;
@@ -77,7 +78,8 @@ public final class MaintenanceGoal implements ActiveGoal {
     this.settings = new OwnSettings(wish.id(), ports.journal());
     this.attempts = new AttemptJournal(wish.id(), ports.journal());
     this.working = working();
-    this.work = new HeldWork(wish, activeGoals, reaching, this, attempts::over);
+    this.work =
+        new HeldWork(wish, activeGoals, reaching, this, story.goal().plans(), attempts::over);
     this.holding = new Holding(condition.closed(), life, story, ports.clock(), news);
     this.suspension = new Suspension(wish.id(), activeGoals, holding, story.goal());
     this.saving =
@@ -221,6 +223,11 @@ public final class MaintenanceGoal implements ActiveGoal {
   @Override
   public Decisions decisions() {
     return work.decisions();
+  }
+
+  @Override
+  public PlanRecords plans() {
+    return work.plans();
   }
 
   @Override

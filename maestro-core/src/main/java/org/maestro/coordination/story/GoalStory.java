@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.maestro.coordination.api.BidRecord;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.JournalEntry;
@@ -41,12 +42,19 @@ public final class GoalStory {
   private final Clock clock;
   private final KnowledgeBase knowledge;
   private final ProposalSentences bids = new ProposalSentences();
+  private final PlanRecords plans;
 
   public GoalStory(String goalId, Story story, Clock clock, KnowledgeBase knowledge) {
     this.goalId = goalId;
     this.story = story;
     this.clock = clock;
     this.knowledge = knowledge;
+    this.plans = new PlanRecords(clock);
+  }
+
+  /** What it has told of plans and their steps, as data. */
+  public PlanRecords plans() {
+    return plans;
   }
 
   public void submitted(GoalRequest request) {
@@ -147,6 +155,7 @@ public final class GoalStory {
   }
 
   public void planning(int number, Optional<String> why) {
+    plans.planning(number, why);
     why.ifPresent(reason -> tell(StoryEntry.Kind.REPLAN, "Plan again, because " + reason + "."));
   }
 
@@ -159,11 +168,21 @@ public final class GoalStory {
                 step.member(), step.number(), sentence(step), Sentences.withoutFullStop(reason)));
   }
 
-  public void bids(List<Proposal> called, int notCalled, int questions, List<String> unpriced) {
+  /**
+   * @param answers the same answers, set against the plan
+   */
+  public void bids(
+      List<Proposal> called,
+      int notCalled,
+      int questions,
+      List<String> unpriced,
+      List<BidRecord> answers) {
+    plans.answered(answers, notCalled);
     tell(StoryEntry.Kind.BIDS, bids.of(called, notCalled, questions, unpriced));
   }
 
   public void plan(int number, Plan plan, boolean confirming) {
+    plans.adopted(plan, confirming, sentences());
     if (plan.steps().isEmpty()) {
       return;
     }
@@ -190,6 +209,7 @@ public final class GoalStory {
   }
 
   public void begun(Step step, int steps) {
+    plans.begun(step);
     tell(
         StoryEntry.Kind.STEP,
         "Step " + step.number() + " of " + steps + ": " + sentences().step(step) + ".");
@@ -214,6 +234,7 @@ public final class GoalStory {
   }
 
   public void askedAgain(Step step) {
+    plans.begun(step);
     tell(
         StoryEntry.Kind.STEP,
         "%s is asked what became of step %d, which is no second time: %s."
@@ -221,6 +242,7 @@ public final class GoalStory {
   }
 
   public void done(Step step, KnowledgeBase.Change change) {
+    plans.done(step);
     tell(StoryEntry.Kind.DONE, step.member() + " reports: " + news().report(change) + ".");
   }
 
@@ -234,10 +256,12 @@ public final class GoalStory {
   }
 
   public void failed(Step step, String problem, KnowledgeBase.Change change) {
+    String said = Sentences.said(step.member(), problem);
+    plans.failed(step, said);
     tell(
         StoryEntry.Kind.FAILED,
         "That failed: "
-            + Sentences.said(step.member(), problem)
+            + said
             + (change.facts().isEmpty() ? "" : " (so " + news().all(change) + ")")
             + ".");
   }
@@ -264,6 +288,7 @@ public final class GoalStory {
   }
 
   public void cancelled(Step step) {
+    plans.calledOff(step);
     tell(StoryEntry.Kind.STEP, "No longer wanted: " + sentences().step(step) + ".");
   }
 
@@ -313,6 +338,7 @@ public final class GoalStory {
   }
 
   void ended(GoalOutcome outcome) {
+    plans.over();
     String binding =
         outcome.binding().isEmpty() ? "" : " (" + sentences().binding(outcome.binding()) + ")";
     tell(

@@ -26,6 +26,7 @@ import org.maestro.console.api.Api;
 import org.maestro.console.api.OpenApiDocument;
 import org.maestro.console.api.Operation;
 import org.maestro.console.members.MemberOperations;
+import org.maestro.console.api.PlanOperations;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.console.questions.RefusalException;
 import org.maestro.platform.MaestroPlatform;
@@ -95,6 +96,7 @@ public final class Console implements AutoCloseable {
                     preview::of,
                     queries::of)
                 .operations());
+    operations.addAll(PlanOperations.of(questions, platform::now));
     operations.addAll(traffic.operations());
     operations.addAll(new MemberOperations(platform, traffic.roundTrips()).operations());
     ObjectNode document = OpenApiDocument.of(operations, version);

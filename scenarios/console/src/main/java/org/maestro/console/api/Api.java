@@ -32,7 +32,7 @@ public final class Api {
   public static final String ROOT = "/api/v1";
 
   private static final int CREATED = 201;
-  private static final Parameter GOAL = Parameter.path("goal", "A goal's id, such as G1.");
+  static final Parameter GOAL = Parameter.path("goal", "A goal's id, such as G1.");
 
   private static final Parameter AGENT = Parameter.path("agent", "An agent's name.");
 
@@ -265,21 +265,13 @@ public final class Api {
   }
 
   private CompletableFuture<JsonNode> story(Request request) {
-    OptionalInt step = number(request, "step");
-    OptionalInt plan = number(request, "plan");
+    OptionalInt step = request.number("step");
+    OptionalInt plan = request.number("plan");
     if (plan.isPresent() && step.isEmpty()) {
       return CompletableFuture.failedFuture(
           RefusalException.badInput("plan says of which plan the step is; add step."));
     }
     return questions.story(request.parameter("goal"), plan, step);
-  }
-
-  private static OptionalInt number(Request request, String name) {
-    return request
-        .perhaps(name)
-        .map(Integer::parseInt)
-        .map(OptionalInt::of)
-        .orElseGet(OptionalInt::empty);
   }
 
   private static CompletableFuture<JsonNode> answer(JsonNode document) {

@@ -3,6 +3,7 @@ package org.maestro.console.api;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.regex.Pattern;
 
@@ -43,6 +44,14 @@ public record Operation(
 
     /** The value of one that may be left away. */
     Optional<String> perhaps(String name);
+
+    /** The same of a whole number. */
+    default OptionalInt number(String name) {
+      return perhaps(name)
+          .map(Integer::parseInt)
+          .map(OptionalInt::of)
+          .orElseGet(OptionalInt::empty);
+    }
 
     /** What was sent, an object as the schema says; an empty one where there is none. */
     JsonNode body();

@@ -1,6 +1,7 @@
 package org.maestro.console.questions;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -15,9 +16,11 @@ import org.maestro.agents.content.GoalWords;
 import org.maestro.agents.content.Words;
 import org.maestro.console.documents.AgentsDocument;
 import org.maestro.console.documents.AnswersDocument;
+import org.maestro.console.documents.BidsDocument;
 import org.maestro.console.documents.ContainersDocument;
 import org.maestro.console.documents.GoalsDocument;
 import org.maestro.console.documents.JsonMembers;
+import org.maestro.console.documents.PlansDocument;
 import org.maestro.console.documents.StoryDocument;
 import org.maestro.console.documents.WordsDocument;
 import org.maestro.sl.Content;
@@ -98,6 +101,28 @@ public final class AclQuestions implements Questions {
     step.ifPresent(number -> arguments.add(Words.named("step", Words.number(number))));
     return ask(ACLMessage.REQUEST, AgentNames.COORDINATOR, new Content("explain", arguments))
         .thenApply(lines -> StoryDocument.of(goal, lines.stream().map(Reply::story).toList()));
+  }
+
+  /** The plans that were made for a goal, and what has become of their steps. */
+  public CompletableFuture<ObjectNode> plans(String goal) {
+    return ask(
+            ACLMessage.QUERY_REF,
+            AgentNames.COORDINATOR,
+            Words.content("query-ref", Words.named("plans", Words.name(goal))))
+        .thenApply(lines -> PlansDocument.of(goal, lines));
+  }
+
+  /**
+   * Who was asked when a plan was made, and what was answered.
+   *
+   * @param plan its number; empty: the latest
+   */
+  public CompletableFuture<JsonNode> bids(String goal, OptionalInt plan) {
+    List<Content.Argument> arguments = new ArrayList<>();
+    arguments.add(Words.named("bids", Words.name(goal)));
+    plan.ifPresent(number -> arguments.add(Words.named("plan", Words.number(number))));
+    return ask(ACLMessage.QUERY_REF, AgentNames.COORDINATOR, new Content("query-ref", arguments))
+        .thenApply(lines -> BidsDocument.of(goal, plan, lines));
   }
 
   @Override
