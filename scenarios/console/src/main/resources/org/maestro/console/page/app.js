@@ -6,6 +6,7 @@ import { drawAlerts, startAlerts } from "./alerts.js";
 import { drawMap } from "./map.js";
 import { drawGoals, startGoals } from "./goals.js";
 import { drawDetail } from "./detail.js";
+import { isCourse } from "./course.js";
 import { drawMembers, startMembers } from "./members.js";
 import { drawKnowledge, startKnowledge } from "./knowledge.js";
 import { drawBus, drawBusMessage, startBus } from "./bus.js";
@@ -28,7 +29,9 @@ function drawFrame() {
     byId(name).hidden = name !== view;
     document.querySelector(`[data-view="${name}"]`).setAttribute("aria-pressed", String(name === view));
   }
-  document.querySelector("main").dataset.view = view;
+  const main = document.querySelector("main");
+  main.dataset.view = view;
+  main.toggleAttribute("data-wide", isCourse());
   byId("home-name").textContent = state.home.label ?? "MAESTRO";
   byId("platform-name").textContent = state.platform ? `platform ${state.platform.platform}` : "";
   const link = byId("link");

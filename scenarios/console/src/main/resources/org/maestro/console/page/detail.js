@@ -3,6 +3,7 @@ import { make, byId, table, redraw, seconds } from "./dom.js";
 import { state, age, ask, onStory } from "./feed.js";
 import { select, selection } from "./selection.js";
 import { isOver, stateOf } from "./goals.js";
+import { drawCourse, startCourse, tabs } from "./course.js";
 
 let story = { goal: null, entries: [], problem: null };
 
@@ -38,19 +39,24 @@ function line(entry, from) {
     make("span", { class: entry.kind }, entry.text));
 }
 
-function goalDetail(id) {
-  const goal = state.goals.find((one) => one.id === id);
-  const from = story.entries[0]?.at_s ?? 0;
-  const head = make("h2", {},
-    make("code", {}, `${id} ${goal?.goal ?? ""}`), goal ? stateOf(goal) : null, make("span", { class: "grow" }),
+const goalOf = (id) => state.goals.find((one) => one.id === id);
+
+function goalHead(id) {
+  const goal = goalOf(id);
+  return [make("h2", {},
+    make("code", {}, `${id} ${goal?.goal ?? ""}`), goal ? stateOf(goal) : null, tabs(), make("span", { class: "grow" }),
     goal && isOver(goal) && goal.state !== "achieved"
       ? make("button", { type: "button", onclick: () => ask.state(goal.goal, goal.priority).then(({ id: again }) => select({ goal: again }), (failure) => { story.problem = failure.message; drawDetail(); }) }, "State again")
       : null,
     goal && !isOver(goal)
       ? make("button", { type: "button", onclick: () => ask.cancel(id).catch((failure) => { story.problem = failure.message; drawDetail(); }) }, "Cancel goal")
-      : null);
-  return [head,
-    story.problem ? make("p", { class: "problem", role: "alert" }, story.problem) : null,
+      : null),
+  story.problem ? make("p", { class: "problem", role: "alert" }, story.problem) : null];
+}
+
+function goalDetail(id) {
+  const from = story.entries[0]?.at_s ?? 0;
+  return [...goalHead(id),
     make("ol", { class: "story" }, story.entries.map((entry) => line(entry, from)))];
 }
 
@@ -133,9 +139,14 @@ export function drawDetail() {
   if (fact && past.fact !== fact) {
     readPast(fact);
   }
+  if (drawCourse()) {
+    return;
+  }
   const wasAtEnd = detail.scrollTop + detail.clientHeight >= detail.scrollHeight - 20;
   const top = detail.scrollTop;
   redraw(detail, goal ? goalDetail(goal) : thing ? thingDetail(thing) : fact ? factDetail(fact)
     : make("p", { class: "empty" }, "Choose a goal for its story, something on the map for what is known of it, or a fact for who said it."));
   detail.scrollTop = goal && wasAtEnd ? detail.scrollHeight : top;
 }
+
+startCourse(goalHead, (id) => { const goal = goalOf(id); return goal !== undefined && isOver(goal); });

@@ -74,6 +74,9 @@ function send(method, path, body) {
 
 export const ask = {
   story: (goal) => request(`/goals/${encodeURIComponent(goal)}/story`),
+  plans: (goal) => request(`/goals/${encodeURIComponent(goal)}/plans`),
+  bids: (goal, plan) => request(`/goals/${encodeURIComponent(goal)}/bids?plan=${plan}`),
+  why: (goal, plan, step) => request(`/goals/${encodeURIComponent(goal)}/story?plan=${plan}&step=${step}`),
   know: (question) => request(`/knowledge?question=${encodeURIComponent(question)}`),
   history: (fact) => request(`/knowledge/history?fact=${encodeURIComponent(fact)}`),
   query: (query) => send("POST", "/queries", { query }),

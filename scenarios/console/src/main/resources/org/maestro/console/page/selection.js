@@ -1,5 +1,7 @@
 /** What is looked at: one view, and what is chosen in it; it stands in the address, to be sent on. */
 const VIEWS = ["goals", "members", "knowledge", "bus", "conversations"];
+/** What of a goal. */
+export const SHOWN = ["story", "plan", "time", "bids"];
 const listeners = new Set();
 
 export function selection() {
@@ -12,6 +14,9 @@ export function selection() {
     message: parameters.get("message"),
     conversation: parameters.get("conversation"),
     said: parameters.get("said"),
+    show: SHOWN.includes(parameters.get("show")) ? parameters.get("show") : "story",
+    plan: parameters.get("plan"),
+    step: parameters.get("step"),
   };
 }
 
@@ -19,7 +24,9 @@ export function selection() {
 const CHOSEN = ["goal", "thing", "fact"];
 
 export function select(change) {
-  const next = { ...selection(), ...change };
+  const now = selection();
+  const isOther = "goal" in change && change.goal !== now.goal;
+  const next = { ...now, ...(isOther ? { plan: null, step: null } : {}), ...change };
   if (CHOSEN.some((kind) => change[kind])) {
     CHOSEN.filter((kind) => !change[kind]).forEach((kind) => { next[kind] = null; });
   }
