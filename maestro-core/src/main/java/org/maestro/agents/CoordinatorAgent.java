@@ -36,7 +36,7 @@ import org.slf4j.LoggerFactory;
 /**
  * The Central Coordination Agent (Three-layered architecture, 3.3.3; M76): takes goals by FIPA
  * request, and is the coordinator's voice and ear. It answers {@code initCNP}, {@code cancel},
- * {@code explain}, {@code subscribe} and {@code query-ref} about goals.
+ * {@code explain}, {@code subscribe} and {@code query-ref} about goals and their plans.
  */
 public final class CoordinatorAgent extends MaestroAgent implements AgentLifeListener {
   private static final long serialVersionUID = 1L;

@@ -4,23 +4,27 @@ import { longTable } from "./list.js";
 import { doer } from "./plans.js";
 
 const ANSWERS = {
-  exact: ["✓", "good", "names a price for just this"],
-  stated: ["✓", "good", "has stated a price"],
-  "at-least": ["✓", "good", "costs at least so much"],
-  refused: ["✗", "bad", "refused"],
-  "not-asked": ["–", "", "was not asked"],
+  exact: "names a price for just this",
+  stated: "has stated a price",
+  "at-least": "costs at least so much",
+  refused: "✗ refused",
+  "not-asked": "– was not asked",
 };
+const PRICED = new Set(["exact", "stated", "at-least"]);
 
-const answer = (bid) => `${ANSWERS[bid.answer][2]}${bid.reason ? `: ${bid.reason}` : ""}`;
+function answer({ answer: kind, cost, reason }) {
+  return `${ANSWERS[kind]}${PRICED.has(kind) && cost === null ? ", by a formula" : ""}${reason ? `: ${reason}` : ""}`;
+}
+
 const number = (value) => (value === null ? "–" : String(Math.round(value * 100) / 100));
 const last = Number.MAX_VALUE;
 const stepOf = (bid) => (bid.step ? `${bid.step.number} ${bid.step.text}` : "– in no step");
 
 const COLUMNS = [
-  { name: "Step", text: stepOf, value: (bid) => bid.step?.number ?? null, cell: (bid) => make("button", { class: "row", type: "button" }, stepOf(bid)) },
+  { name: "Step", text: stepOf, value: (bid) => bid.step?.number ?? null, cell: (bid) => (bid.step ? make("button", { class: "row", type: "button" }, stepOf(bid)) : make("span", { class: "quiet" }, stepOf(bid))) },
   { name: "Feature", className: "wide", text: (bid) => bid.feature },
   { name: "Asked", text: (bid) => doer(bid.member) },
-  { name: "Answer", text: answer, cell: (bid) => make("span", { class: `answer ${ANSWERS[bid.answer][1]}`, "data-sign": ANSWERS[bid.answer][0] }, answer(bid)) },
+  { name: "Answer", text: answer, cell: (bid) => make("span", { class: bid.answer === "refused" ? "refused" : null }, answer(bid)) },
   { name: "Price", className: "number", text: (bid) => number(bid.cost), value: (bid) => bid.cost },
   { name: "Time (s)", className: "number wide", text: (bid) => number(bid.duration_s), value: (bid) => bid.duration_s },
   { name: "Chosen", className: "state", text: (bid) => (bid.chosen ? "✓ chosen" : "–") },

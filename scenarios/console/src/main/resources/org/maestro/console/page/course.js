@@ -52,7 +52,13 @@ const chosenStep = (plan) => plan?.steps.find((step) => String(step.number) === 
 
 const LEGEND = "Seconds of the platform's clock. ✓ done, ▶ under way, ✗ failed, – called off; hatched: to come, as it is planned now.";
 
-function drawWhich(plans, plan) {
+/** What was tried after the plan that is shown as the latest. */
+function afterwards(goal, plans, plan) {
+  const last = plans.at(-1);
+  return last === plan || selection().plan ? "" : ` ${isOver(goal) ? "No plan came of" : "Being made:"} ${last.number}${last.cause ? `, because ${last.cause}` : ""}.`;
+}
+
+function drawWhich(goal, plans, plan) {
   which.hidden = !plan;
   choosing.hidden = selection().show === "time";
   if (!plan || choosing.hidden) {
@@ -66,6 +72,7 @@ function drawWhich(plans, plan) {
     + (plan.made_s === null ? "" : `It costs ${Math.round(plan.cost * 100) / 100}, and was to take ${plan.duration_s.toFixed(1)} s`
       + `${plan.purpose === "see" ? ", to see that the goal is reached" : ""}.`)
     + (plan.not_asked > 0 ? ` ${plan.not_asked} others describe higher prices, and were not asked.` : "")
+    + afterwards(goal, plans, plan)
     + (selection().show === "bids" ? " A member is asked for a feature; why one of a lower price did not get a step, that step tells under Plan." : "");
   about.title = about.textContent;
 }
@@ -194,7 +201,7 @@ export function drawCourse() {
   const plan = chosenPlan();
   const time = now();
   redraw(head, courseHead(goal));
-  drawWhich(read.plans ?? [], plan);
+  drawWhich(goal, read.plans ?? [], plan);
   drawBody(goal, read, plan, time);
   const looks = [goal, show, number, step, read.plans === null].join(" ");
   if (looks !== drawn) {
