@@ -14,6 +14,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.URI;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,9 +25,11 @@ import java.util.stream.Collectors;
 import org.eclipse.jetty.util.thread.QueuedThreadPool;
 import org.maestro.console.api.Api;
 import org.maestro.console.api.OpenApiDocument;
+import org.maestro.console.api.HistoryOperations;
 import org.maestro.console.api.Operation;
 import org.maestro.console.members.MemberOperations;
 import org.maestro.console.api.PlanOperations;
+import org.maestro.console.history.History;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.console.questions.RefusalException;
 import org.maestro.platform.MaestroPlatform;
@@ -42,29 +45,21 @@ public final class Console implements AutoCloseable {
   private static final int MOST_THREADS = 24;
   private static final int FEWEST_THREADS = 4;
 
-  private final EventHub events;
-  private final Traffic traffic;
-  private final EventStreams streams;
-  private final Preview preview;
-  private final Queries queries;
-  private final Metrics metrics;
-  private final Javalin server;
+  /** Of the version in the POM; where there is no such directory, no server starts. */
+  private static final String CHARTS = "/META-INF/resources/webjars/uplot/1.6.30/dist";
 
-  private Console(
-      EventHub events,
-      Traffic traffic,
-      EventStreams streams,
-      Preview preview,
-      Queries queries,
-      Metrics metrics,
-      Javalin server) {
-    this.preview = preview;
-    this.queries = queries;
-    this.metrics = metrics;
-    this.traffic = traffic;
-    this.events = events;
-    this.streams = streams;
+
+  private static final Duration MEASURED = Duration.ofSeconds(10);
+
+  private final Javalin server;
+  private final List<Runnable> ends;
+
+  /**
+   * @param ends of its parts, in the order in which they are to end
+   */
+  private Console(Javalin server, List<Runnable> ends) {
     this.server = server;
+    this.ends = ends;
   }
 
   /**
@@ -73,19 +68,33 @@ public final class Console implements AutoCloseable {
    * @param observer a client of the platform's bus that only listens; not open yet
    * @param name of the platform, and of its site on the bus
    * @param port on loopback; 0: a free one
+   * @param data a directory in which the past is kept; empty: it ends with the process
    * @param version of the software
    * @throws RefusalException when the port is taken
    */
   public static Console start(
-      MaestroPlatform platform, Transport observer, String name, int port, String version) {
+      MaestroPlatform platform,
+      Transport observer,
+      String name,
+      int port,
+      Optional<Path> data,
+      String version) {
     requireFree(port);
     AclQuestions questions = new AclQuestions(platform.desk());
     Health health = new Health(questions, platform::containers, platform::impediments);
-    EventHub events = new EventHub(questions, platform.knowledge(), health::document);
+    History history =
+        new History(
+            data.map(directory -> directory.resolve("console")), platform::now, platform.speed());
+    EventHub events =
+        new EventHub(
+            questions, platform.knowledge(), health::document, history::agentsAnswered);
+    Recording recording = new Recording(events, history, MEASURED);
     Traffic traffic = new Traffic(platform, name, observer);
     EventStreams streams = new EventStreams();
     Preview preview = new Preview(platform.knowledge(), platform::presentMembers);
     Queries queries = new Queries(platform.knowledge());
+    OneByOne lookingBack =
+        new OneByOne("console-past", "Others look back just now; ask again in a while.");
     List<Operation> operations =
         new ArrayList<>(
             new Api(
@@ -99,8 +108,9 @@ public final class Console implements AutoCloseable {
     operations.addAll(PlanOperations.of(questions, platform::now));
     operations.addAll(traffic.operations());
     operations.addAll(new MemberOperations(platform, traffic.roundTrips()).operations());
+    operations.addAll(new HistoryOperations(history, lookingBack::work).operations());
     ObjectNode document = OpenApiDocument.of(operations, version);
-    Metrics metrics = new Metrics(questions, platform::containers);
+    Metrics metrics = new Metrics(questions, platform::containers, history::apiAnswered);
     Javalin server =
         Javalin.create(
             config -> {
@@ -116,7 +126,19 @@ public final class Console implements AutoCloseable {
     platform.onStory(metrics::told);
     events.start();
     traffic.begin();
-    return new Console(events, traffic, streams, preview, queries, metrics, server);
+    recording.begin();
+    return new Console(
+        server,
+        List.of(
+            streams::close,
+            server::stop,
+            preview::close,
+            queries::close,
+            lookingBack::close,
+            recording::close,
+            events::close,
+            traffic::close,
+            metrics::close));
   }
 
   private static void requireFree(int port) {
@@ -144,6 +166,12 @@ public final class Console implements AutoCloseable {
     config.jetty.threadPool = threads();
     config.jetty.modifyHttpConfiguration(http -> http.setSendServerVersion(false));
     config.staticFiles.add("/org/maestro/console/page", Location.CLASSPATH);
+    config.staticFiles.add(
+        files -> {
+          files.hostedPath = "/uplot";
+          files.directory = CHARTS;
+          files.location = Location.CLASSPATH;
+        });
     config.routes.before(Console::admit);
     for (Operation operation : operations) {
       config.routes.addHttpHandler(
@@ -258,12 +286,6 @@ public final class Console implements AutoCloseable {
 
   @Override
   public void close() {
-    streams.close();
-    server.stop();
-    preview.close();
-    queries.close();
-    events.close();
-    traffic.close();
-    metrics.close();
+    ends.forEach(Runnable::run);
   }
 }

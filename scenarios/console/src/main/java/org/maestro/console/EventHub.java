@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -17,6 +18,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.console.documents.FactsDocument;
 import org.maestro.console.documents.HomeDocument;
@@ -26,6 +28,7 @@ import org.maestro.coordination.api.StoryEntry;
 import org.maestro.knowledge.api.Belief;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Snapshot;
+import org.maestro.ontology.home.Home;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -44,6 +47,7 @@ final class EventHub implements EventSource, AutoCloseable {
   private final Questions questions;
   private final KnowledgeBase knowledge;
   private final Supplier<JsonNode> health;
+  private final Consumer<Duration> answered;
   private final ScheduledExecutorService thread =
       Executors.newSingleThreadScheduledExecutor(
           task -> {
@@ -58,6 +62,7 @@ final class EventHub implements EventSource, AutoCloseable {
   // All below is the thread's own.
   private final Listeners listeners = new Listeners();
   private Map<String, Belief> facts = Map.of();
+  private Optional<Home> drawn = Optional.empty();
   private Optional<JsonNode> home = Optional.empty();
   private Optional<JsonNode> goals = Optional.empty();
   private Optional<JsonNode> agents = Optional.empty();
@@ -65,11 +70,17 @@ final class EventHub implements EventSource, AutoCloseable {
 
   /**
    * @param health how the platform does; quickly told
+   * @param answered told how long agents take to answer
    */
-  EventHub(Questions questions, KnowledgeBase knowledge, Supplier<JsonNode> health) {
+  EventHub(
+      Questions questions,
+      KnowledgeBase knowledge,
+      Supplier<JsonNode> health,
+      Consumer<Duration> answered) {
     this.questions = questions;
     this.knowledge = knowledge;
     this.health = health;
+    this.answered = answered;
   }
 
   void start() {
@@ -126,7 +137,8 @@ final class EventHub implements EventSource, AutoCloseable {
   }
 
   private void refresh() {
-    home = Optional.of(HomeDocument.of(knowledge.home()));
+    drawn = Optional.of(knowledge.home());
+    home = drawn.map(HomeDocument::of);
     facts = byFact(knowledge.snapshot());
     goalsAreNew.set(true);
     condition = Optional.of(health.get());
@@ -175,10 +187,19 @@ final class EventHub implements EventSource, AutoCloseable {
     if (!changed.isEmpty() || !gone.isEmpty()) {
       listeners.tell("facts", changes(changed, gone, snapshot, false));
     }
-    JsonNode drawn = HomeDocument.of(knowledge.home());
-    if (!Optional.of(drawn).equals(home)) {
-      home = Optional.of(drawn);
-      listeners.tell("home", drawn);
+    tellHome(knowledge.home());
+  }
+
+  /** A home is another one when something in it is. */
+  private void tellHome(Home now) {
+    if (drawn.filter(before -> before == now).isPresent()) {
+      return;
+    }
+    drawn = Optional.of(now);
+    JsonNode document = HomeDocument.of(now);
+    if (!Optional.of(document).equals(home)) {
+      home = Optional.of(document);
+      listeners.tell("home", document);
     }
   }
 
@@ -212,10 +233,12 @@ final class EventHub implements EventSource, AutoCloseable {
     if (listeners.isEmpty() && agents.isPresent()) {
       return;
     }
+    long asked = System.nanoTime();
     questions
         .agents()
         .thenAcceptAsync(
             document -> {
+              answered.accept(Duration.ofNanos(System.nanoTime() - asked));
               if (agents
                   .filter(before -> withoutAges(before).equals(withoutAges(document)))
                   .isEmpty()) {

@@ -1,6 +1,7 @@
 package org.maestro.console;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -13,8 +14,6 @@ import java.util.concurrent.TimeUnit;
 final class EventQueue {
   /** Some minutes of a busy home. */
   private static final int MOST_WAITING = 2_000;
-
-  private static final long BREATH_SECONDS = 10;
 
   /** What is told, under its name. */
   record Event(String name, String document) {}
@@ -30,9 +29,9 @@ final class EventQueue {
     return !over;
   }
 
-  /** The next one; empty when nothing has happened for a while. */
-  Optional<Event> next() throws InterruptedException {
-    return Optional.ofNullable(waiting.poll(BREATH_SECONDS, TimeUnit.SECONDS));
+  /** The next one; empty when nothing has happened for so long. */
+  Optional<Event> next(Duration patience) throws InterruptedException {
+    return Optional.ofNullable(waiting.poll(patience.toNanos(), TimeUnit.NANOSECONDS));
   }
 
   void end() {

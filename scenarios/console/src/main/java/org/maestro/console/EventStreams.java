@@ -1,6 +1,7 @@
 package org.maestro.console;
 
 import io.javalin.http.sse.SseClient;
+import java.time.Duration;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
@@ -14,6 +15,7 @@ import org.slf4j.LoggerFactory;
 final class EventStreams implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(EventStreams.class);
   private static final int END_SECONDS = 2;
+  private static final Duration BREATH = Duration.ofSeconds(10);
 
   private final ExecutorService threads =
       Executors.newCachedThreadPool(
@@ -42,7 +44,7 @@ final class EventStreams implements AutoCloseable {
       }
       while (!queue.isOver() && !client.terminated()) {
         queue
-            .next()
+            .next(BREATH)
             .ifPresentOrElse(
                 event -> client.sendEvent(event.name(), event.document()),
                 // Only who is written to is found to be gone.

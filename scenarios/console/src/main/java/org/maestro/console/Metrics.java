@@ -21,6 +21,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
@@ -46,15 +47,21 @@ final class Metrics implements AutoCloseable {
   private final Map<String, Duration> begun = new ConcurrentHashMap<>();
   private final Questions questions;
   private final Supplier<? extends Map<String, Condition>> containers;
+  private final Consumer<Duration> answered;
   private final MultiGauge goalsByState;
   private final MultiGauge membersByPhase;
   private final MultiGauge containersByCondition;
 
   /**
    * @param containers of the platform, and whether they give signs of life
+   * @param answered told how long the API takes to answer
    */
-  Metrics(Questions questions, Supplier<? extends Map<String, Condition>> containers) {
+  Metrics(
+      Questions questions,
+      Supplier<? extends Map<String, Condition>> containers,
+      Consumer<Duration> answered) {
     this.questions = questions;
+    this.answered = answered;
     this.containers = containers;
     this.goalsByState = gauge("maestro.goals", "The goals that are listed, by their state.");
     this.membersByPhase = gauge("maestro.members", "The members, by their phase on the bus.");
@@ -101,6 +108,7 @@ final class Metrics implements AutoCloseable {
         .tags("operation", operation, "status", String.valueOf(status))
         .register(registry)
         .record(after);
+    answered.accept(after);
   }
 
   /** What cannot be asked now, as there is no coordinator, is left out. */

@@ -335,6 +335,7 @@ class ConsoleTest {
                       home.site().observer(),
                       "second",
                       taken.getLocalPort(),
+                      Optional.empty(),
                       "1"))
           .isInstanceOf(RefusalException.class)
           .hasMessageContaining("Port " + taken.getLocalPort() + " is in use");

@@ -3,6 +3,7 @@ package org.maestro.console;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import java.time.Duration;
 import org.junit.jupiter.api.Test;
 
 /** Who listens and does not take what is told is let go, and holds nothing of others up. */
@@ -17,7 +18,7 @@ class EventQueueTest {
     }
 
     for (int i = 0; i < 3; i++) {
-      assertThat(queue.next()).contains(new EventQueue.Event("story", String.valueOf(i)));
+      assertThat(queue.next(Duration.ZERO)).contains(new EventQueue.Event("story", String.valueOf(i)));
     }
     assertThat(queue.isOver()).isFalse();
   }

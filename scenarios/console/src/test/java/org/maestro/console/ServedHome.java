@@ -15,7 +15,9 @@ import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
@@ -46,15 +48,20 @@ final class ServedHome implements AutoCloseable {
   }
 
   static ServedHome start() {
-    return start(settings -> {});
+    return start(settings -> {}, Optional.empty());
   }
 
   /** The same on a broker of one's own. */
   static ServedHome startOn(URI broker) {
-    return start(settings -> settings.broker(broker));
+    return start(settings -> settings.broker(broker), Optional.empty());
   }
 
-  private static ServedHome start(Consumer<SiteSettings.Builder> more) {
+  /** The same with a directory in which its past is kept. */
+  static ServedHome startWith(Path data) {
+    return start(settings -> {}, Optional.of(data));
+  }
+
+  private static ServedHome start(Consumer<SiteSettings.Builder> more, Optional<Path> data) {
     Home home = new HomeLoader().load(resource("/homes/bob.ttl"), "bob.ttl");
     SiteSettings.Builder settings =
         SiteSettings.of("served", home)
@@ -62,7 +69,7 @@ final class ServedHome implements AutoCloseable {
     more.accept(settings);
     LocalSite site = LocalSite.paced(settings.build(), SPEED);
     return new ServedHome(
-        site, Console.start(site.platform(), site.observer(), "served", 0, "1.2.3"));
+        site, Console.start(site.platform(), site.observer(), "served", 0, data, "1.2.3"));
   }
 
   private static InputStream stream(String name) {

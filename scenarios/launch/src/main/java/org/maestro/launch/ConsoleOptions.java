@@ -1,5 +1,6 @@
 package org.maestro.launch;
 
+import java.nio.file.Path;
 import java.util.Optional;
 import org.maestro.assembly.LocalSite;
 import org.maestro.console.Console;
@@ -58,23 +59,27 @@ final class ConsoleOptions {
     return wanted.filter(OFF::equals).isPresent();
   }
 
-  /** Starts it, unless there is to be none. */
-  Optional<Console> start(LocalSite site, String name, boolean secured) {
+  /**
+   * Starts it, unless there is to be none.
+   *
+   * @param data where the platform keeps what is to outlive it
+   */
+  Optional<Console> start(LocalSite site, String name, boolean secured, Optional<Path> data) {
     if (secured || isOff()) {
       return Optional.empty();
     }
     if (wanted.isPresent()) {
-      return Optional.of(on(site, name, port(wanted.get())));
+      return Optional.of(on(site, name, port(wanted.get()), data));
     }
     try {
-      return Optional.of(on(site, name, USUAL_PORT));
+      return Optional.of(on(site, name, USUAL_PORT, data));
     } catch (RefusalException e) {
-      return Optional.of(on(site, name, 0));
+      return Optional.of(on(site, name, 0, data));
     }
   }
 
-  private static Console on(LocalSite site, String name, int port) {
-    return Console.start(site.platform(), site.observer(), name, port, Version.number());
+  private static Console on(LocalSite site, String name, int port, Optional<Path> data) {
+    return Console.start(site.platform(), site.observer(), name, port, data, Version.number());
   }
 
   /** Where it is, or why there is none. */

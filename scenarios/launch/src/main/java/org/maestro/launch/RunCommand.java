@@ -201,7 +201,7 @@ final class RunCommand implements Callable<Integer> {
 
   private Optional<Console> serve(LocalSite site) {
     try {
-      return console.start(site, name, security.isAsked());
+      return console.start(site, name, security.isAsked(), data);
     } catch (RefusalException e) {
       site.close();
       throw e;

@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Locale;
 import java.util.function.Consumer;
 import org.maestro.assembly.LocalSite;
@@ -124,7 +125,7 @@ public final class ConsoleBench {
   }
 
   private static Console console(LocalSite site) {
-    return Console.start(site.platform(), site.observer(), SITE, 0, "bench");
+    return Console.start(site.platform(), site.observer(), SITE, 0, Optional.empty(), "bench");
   }
 
   private void add(String name, double value, String unit) {

@@ -1,23 +1,27 @@
 /** What the platform tells: the latest of everything, and who wants to know. */
 const ROOT = "/api/v1";
 
-export const state = {
-  platform: null,
-  home: { things: [] },
-  thingByName: new Map(),
-  facts: new Map(),
-  /** What was known last under a word of a thing, and is not any more: it was seen too long ago. */
-  former: new Map(),
-  goals: [],
-  agents: [],
-  agentByMember: new Map(),
-  words: [],
-  health: { reasons: [], containers: [] },
-  live: "connecting",
-};
+/** What is told of the home at one time, before anything is. */
+function nothing() {
+  return {
+    home: { things: [] },
+    thingByName: new Map(),
+    facts: new Map(),
+    /** What was known last under a word of a thing, and is not any more: it was seen too long ago. */
+    former: new Map(),
+    /** The facts under each word, by the first thing that they are about. */
+    factsByWord: new Map(),
+    goals: [],
+    agents: [],
+    agentByMember: new Map(),
+  };
+}
 
-/** The facts under each word, by the first thing that they are about. */
-const factsByWord = new Map();
+const now = { platform: null, words: [], live: "connecting", ...nothing() };
+
+/** What is shown: what is so now, or what was so at a time. */
+export let state = now;
+
 const listeners = new Set();
 const storyListeners = new Set();
 let waiting = false;
@@ -90,6 +94,10 @@ export const ask = {
   cancel: (goal) => request(`/goals/${encodeURIComponent(goal)}`, { method: "DELETE" }),
   stop: () => request("/safe-state", { method: "POST" }),
   busMessage: (number) => request(`/bus/${number}`),
+  kept: () => request("/history"),
+  past: (at) => request(`/history/state?at=${encodeURIComponent(at)}`),
+  happened: (from, to) => request(`/history/events?from=${encodeURIComponent(from)}&to=${encodeURIComponent(to)}`),
+  samples: (series, from, to) => request(`/history/samples?series=${encodeURIComponent(series.join(","))}&from=${from}&to=${to}`),
   conversation: (id) => request(`/conversations/${encodeURIComponent(id)}`),
 };
 
@@ -98,21 +106,24 @@ function dated(row) {
   return { ...row, heard: performance.now() };
 }
 
+/** Those of the past stand still. */
 export function age(row) {
-  return (row.age_s ?? 0) + ((performance.now() - row.heard) / 1000) * (state.platform?.speed ?? 1);
+  return (row.age_s ?? 0) + (row.heard === undefined ? 0 : ((performance.now() - row.heard) / 1000) * (now.platform?.speed ?? 1));
 }
 
-function forget(name) {
-  const fact = state.facts.get(name);
+function forget(told, name) {
+  const fact = told.facts.get(name);
   if (fact) {
-    state.facts.delete(name);
-    factsByWord.get(fact.word).get(fact.arguments[0])?.delete(name);
+    told.facts.delete(name);
+    told.factsByWord.get(fact.word).get(fact.arguments[0])?.delete(name);
   }
   return fact;
 }
 
-function learn(fact) {
-  state.facts.set(fact.fact, fact);
+const lastKey = (fact) => `${fact.word} ${fact.arguments[0]}`;
+
+function learn({ facts, factsByWord }, fact) {
+  facts.set(fact.fact, fact);
   if (!factsByWord.has(fact.word)) {
     factsByWord.set(fact.word, new Map());
   }
@@ -123,32 +134,50 @@ function learn(fact) {
   byFirst.get(fact.arguments[0]).set(fact.fact, fact);
 }
 
+function takeHome(told, home) {
+  told.home = home;
+  told.thingByName = new Map(home.things.map((thing) => [thing.name, thing]));
+}
+
+function takeAgents(told, agents) {
+  told.agents = agents;
+  told.agentByMember = new Map(agents.flatMap((agent) => agent.members.map((member) => [member, agent])));
+}
+
 const TAKEN = {
-  home: (news) => {
-    state.home = news;
-    state.thingByName = new Map(news.things.map((thing) => [thing.name, thing]));
-  },
+  home: (news) => takeHome(now, news),
   facts: (news) => {
     if (news.all) {
-      state.facts.clear();
-      state.former.clear();
-      factsByWord.clear();
+      [now.facts, now.former, now.factsByWord].forEach((map) => map.clear());
     }
     news.gone.forEach((name) => {
-      const fact = forget(name);
+      const fact = forget(now, name);
       if (fact && fact.value !== false) {
-        state.former.set(`${fact.word} ${fact.arguments[0]}`, fact);
+        now.former.set(lastKey(fact), fact);
       }
     });
-    news.facts.forEach((fact) => learn(dated(fact)));
+    news.facts.forEach((fact) => learn(now, dated(fact)));
   },
-  goals: (news) => { state.goals = news.goals.map(dated); },
-  health: (news) => { state.health = news; },
-  agents: (news) => {
-    state.agents = news.agents.map(dated);
-    state.agentByMember = new Map(state.agents.flatMap((agent) => agent.members.map((member) => [member, agent])));
-  },
+  goals: (news) => { now.goals = news.goals.map(dated); },
+  agents: (news) => takeAgents(now, news.agents.map(dated)),
 };
+
+/** From now on what was so is shown, as it was told then; null: what is so now. */
+export function show(past) {
+  if (past === null) {
+    state = now;
+  } else {
+    // What has no past, such as the words of the home, is as it is now.
+    state = Object.assign(Object.create(now), nothing(), { goals: past.goals });
+    if (past.home !== null) {
+      takeHome(state, JSON.stringify(past.home) === JSON.stringify(now.home) ? now.home : past.home);
+    }
+    past.facts.forEach((fact) => learn(state, fact));
+    past.former.forEach((fact) => state.former.set(lastKey(fact), fact));
+    takeAgents(state, past.agents);
+  }
+  changed();
+}
 
 /** A browser keeps few connections to one address: a page that nobody sees leaves its own to others. Returns what ends it. */
 function whileSeen(open, left = () => {}) {
@@ -192,13 +221,13 @@ export function listen(name, heard) {
 function hearAll() {
   const events = new EventSource(`${ROOT}/events`);
   events.addEventListener("open", () => {
-    state.live = "live";
-    request("/platform").then((platform) => { state.platform = platform; changed(); }).catch(() => {});
-    request("/words").then((words) => { state.words = words.words; changed(); }).catch(() => {});
+    now.live = "live";
+    request("/platform").then((platform) => { now.platform = platform; changed(); }).catch(() => {});
+    request("/words").then((words) => { now.words = words.words; changed(); }).catch(() => {});
     changed();
   });
   events.addEventListener("error", () => {
-    state.live = "lost";
+    now.live = "lost";
     changed();
   });
   for (const [name, take] of Object.entries(TAKEN)) {
@@ -216,7 +245,7 @@ function hearAll() {
 
 export function connect() {
   whileSeen(hearAll, () => {
-    state.live = "connecting";
+    now.live = "connecting";
     changed();
   });
 }
@@ -224,7 +253,7 @@ export function connect() {
 /** What is known under a word, of these things in this order; that it is so stands above that it is not so elsewhere. */
 export function known(word, ...things) {
   let denied = null;
-  for (const fact of factsByWord.get(word)?.get(things[0])?.values() ?? []) {
+  for (const fact of state.factsByWord.get(word)?.get(things[0])?.values() ?? []) {
     if (fact.arguments.length >= things.length && things.every((thing, i) => fact.arguments[i] === thing)) {
       if (fact.value !== false) {
         return fact;

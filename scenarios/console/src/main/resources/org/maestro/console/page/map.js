@@ -5,7 +5,8 @@ import { select, selection } from "./selection.js";
 
 const MARGIN = 0.35;
 const TRAIL = 40;
-const trails = new Map();
+/** By what is shown: those of now are not those of a time. */
+const trailsOf = new WeakMap();
 
 function is(thing, name) {
   return thing.classes.includes(name);
@@ -205,6 +206,10 @@ function field(camera, rooms, unit) {
 }
 
 function follow(name, where) {
+  if (!trailsOf.has(state)) {
+    trailsOf.set(state, new Map());
+  }
+  const trails = trailsOf.get(state);
   const trail = trails.get(name) ?? [];
   const last = trail[trail.length - 1];
   if (!last || last[0] !== where.at[0] || last[1] !== where.at[1]) {

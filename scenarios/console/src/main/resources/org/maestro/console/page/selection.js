@@ -1,5 +1,5 @@
 /** What is looked at: one view, and what is chosen in it; it stands in the address, to be sent on. */
-const VIEWS = ["goals", "members", "knowledge", "bus", "conversations"];
+const VIEWS = ["goals", "members", "knowledge", "history", "bus", "conversations"];
 /** What of a goal. */
 export const SHOWN = ["story", "plan", "time", "bids"];
 const listeners = new Set();
@@ -17,13 +17,16 @@ export function selection() {
     show: SHOWN.includes(parameters.get("show")) ? parameters.get("show") : "story",
     plan: parameters.get("plan"),
     step: parameters.get("step"),
+    /** The instant that is shown; null for now. */
+    at: parameters.get("at"),
   };
 }
 
 /** One of these is looked at in full, at a time. */
 const CHOSEN = ["goal", "thing", "fact"];
 
-export function select(change) {
+/** What is passed over quickly, such as times, leaves no step to go back to. */
+export function select(change, { isPassing = false } = {}) {
   const now = selection();
   const isOther = "goal" in change && change.goal !== now.goal;
   const next = { ...now, ...(isOther ? { plan: null, step: null } : {}), ...change };
@@ -32,11 +35,20 @@ export function select(change) {
   }
   const parameters = new URLSearchParams();
   Object.entries(next).filter(([, value]) => value).forEach(([name, value]) => parameters.set(name, value));
-  location.hash = parameters.toString();
+  if (isPassing) {
+    history.replaceState(null, "", `#${parameters}`);
+    tell();
+  } else {
+    location.hash = parameters.toString();
+  }
+}
+
+function tell() {
+  listeners.forEach((listener) => listener());
 }
 
 export function onSelect(listener) {
   listeners.add(listener);
 }
 
-addEventListener("hashchange", () => listeners.forEach((listener) => listener()));
+addEventListener("hashchange", tell);

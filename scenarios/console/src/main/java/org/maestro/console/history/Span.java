@@ -1,0 +1,6 @@
+package org.maestro.console.history;
+
+import java.time.Instant;
+
+/** From one moment to another. */
+record Span(Instant from, Instant to) {}
