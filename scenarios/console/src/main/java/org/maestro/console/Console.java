@@ -46,7 +46,7 @@ public final class Console implements AutoCloseable {
   private static final int FEWEST_THREADS = 4;
 
   /** Of the version in the POM; where there is no such directory, no server starts. */
-  private static final String CHARTS = "/META-INF/resources/webjars/uplot/1.6.30/dist";
+  private static final String CHARTS = "/META-INF/resources/webjars/uplot/1.6.30";
 
 
   private static final Duration MEASURED = Duration.ofSeconds(10);
