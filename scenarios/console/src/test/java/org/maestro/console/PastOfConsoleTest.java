@@ -13,7 +13,6 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.awaitility.Awaitility;
@@ -33,7 +32,7 @@ class PastOfConsoleTest {
   void whatWasShownIsToldAgain() throws Exception {
     Instant then;
     List<Set<JsonNode>> shown;
-    try (ServedHome home = ServedHome.start(Optional.of(data))) {
+    try (ServedHome home = ServedHome.startWith(data)) {
       String first = home.state("(canSee ?who Bob)");
       await(() -> state(home, first).equals("achieved"));
       await(() -> live(home).equals(told(home, Instant.now())));
@@ -57,7 +56,7 @@ class PastOfConsoleTest {
       assertThat(happened(home, kept)).contains("rose joined", second + " begun");
       assertLightIsCharted(home, kept);
     }
-    try (ServedHome home = ServedHome.start(Optional.of(data))) {
+    try (ServedHome home = ServedHome.startWith(data)) {
       await(() -> told(home, Instant.now()).equals(live(home)));
 
       assertThat(told(home, then)).as("after a restart").isEqualTo(shown);

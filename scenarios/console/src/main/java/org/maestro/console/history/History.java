@@ -118,7 +118,7 @@ public final class History implements AutoCloseable {
   public JsonNode samples(List<String> series, Instant from, Instant to, int points) {
     long begin = from.toEpochMilli();
     long end = to.toEpochMilli();
-    long until = archive.span().map(span -> span.to().toEpochMilli()).orElse(begin);
+    long until = archive.span().map(span -> until(span.to()).toEpochMilli()).orElse(begin);
     JsonMembers document =
         JsonMembers.empty().text("from", from.toString()).text("to", to.toString());
     ArrayNode at = document.node().putArray("at");
@@ -136,6 +136,12 @@ public final class History implements AutoCloseable {
       values(row.node().putArray("high"), buckets, buckets::high);
     }
     return document.node();
+  }
+
+  /** As long as figures come, what was told last is so still. */
+  private Instant until(Instant last) {
+    Instant now = wall.instant();
+    return now.isBefore(last.plus(Archive.LONGEST_SILENCE)) ? now : last;
   }
 
   private static void values(ArrayNode array, Buckets buckets, IntToDoubleFunction value) {

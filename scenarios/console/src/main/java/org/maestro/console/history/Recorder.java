@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.List;
 import java.util.function.Supplier;
 
 /**
@@ -54,15 +55,15 @@ final class Recorder {
       case "facts" -> takeFacts(document);
       case "goals" -> {
         ObjectNode change = state.goals().change(document.path("goals"));
-        Happenings.ofGoals(change, state.goals(), speed)
-            .forEach(one -> add(Entry.Kind.HAPPENING, one));
+        List<ObjectNode> happened = Happenings.ofGoals(change, state.goals(), speed);
         addChange(Entry.Kind.GOALS, change);
+        happened.forEach(one -> add(Entry.Kind.HAPPENING, one));
       }
       case "agents" -> {
         ObjectNode change = state.agents().change(document.path("agents"));
-        Happenings.ofAgents(change, state.agents(), speed)
-            .forEach(one -> add(Entry.Kind.HAPPENING, one));
+        List<ObjectNode> happened = Happenings.ofAgents(change, state.agents(), speed);
         addChange(Entry.Kind.AGENTS, change);
+        happened.forEach(one -> add(Entry.Kind.HAPPENING, one));
       }
       case "story" ->
           Happenings.ofStory(document).ifPresent(one -> add(Entry.Kind.HAPPENING, one));

@@ -9,14 +9,16 @@ import { drawDetail } from "./detail.js";
 import { isCourse } from "./course.js";
 import { drawMembers, startMembers } from "./members.js";
 import { drawKnowledge, startKnowledge } from "./knowledge.js";
+import { drawPast, startPast } from "./past.js";
+import { drawHappened, drawHistory, startHistory } from "./history.js";
 import { drawBus, drawBusMessage, startBus } from "./bus.js";
 import { drawConversations, drawConversation, startConversations } from "./conversations.js";
 
 const VIEWS = {
-  goals: drawGoals, members: drawMembers, knowledge: drawKnowledge, bus: drawBus, conversations: drawConversations,
+  goals: drawGoals, members: drawMembers, knowledge: drawKnowledge, history: drawHistory, bus: drawBus, conversations: drawConversations,
 };
-/** What is chosen in a view that shows nothing of the map, in full. */
-const DETAILS = { bus: drawBusMessage, conversations: drawConversation };
+/** What stands beside a view that shows more than what is chosen on the map. */
+const DETAILS = { history: drawHappened, bus: drawBusMessage, conversations: drawConversation };
 const LINK = {
   connecting: "connecting",
   live: "live",
@@ -49,6 +51,7 @@ function drawAll() {
     delete byId("detail").dataset.shows;
   }
   (DETAILS[view] ?? drawDetail)();
+  drawPast();
 }
 
 function theme(name) {
@@ -76,6 +79,8 @@ startAlerts();
 startGoals();
 startMembers();
 startKnowledge();
+startHistory();
+startPast();
 startBus();
 startConversations();
 onChange(drawAll);

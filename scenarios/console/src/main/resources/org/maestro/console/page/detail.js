@@ -4,6 +4,7 @@ import { state, age, ask, onStory } from "./feed.js";
 import { select, selection } from "./selection.js";
 import { isOver, stateOf } from "./goals.js";
 import { drawCourse, startCourse, tabs } from "./course.js";
+import { acting, clockAt, isPast } from "./past.js";
 
 let story = { goal: null, entries: [], problem: null };
 
@@ -44,20 +45,21 @@ const goalOf = (id) => state.goals.find((one) => one.id === id);
 function goalHead(id) {
   const goal = goalOf(id);
   return [make("h2", {},
-    make("code", {}, `${id} ${goal?.goal ?? ""}`), goal ? stateOf(goal) : null, tabs(), make("span", { class: "grow" }),
+    make("code", {}, `${id} ${goal?.goal ?? ""}`), goal ? stateOf(goal) : null, isPast() ? null : tabs(), make("span", { class: "grow" }),
     goal && isOver(goal) && goal.state !== "achieved"
-      ? make("button", { type: "button", onclick: () => ask.state(goal.goal, goal.priority).then(({ id: again }) => select({ goal: again }), (failure) => { story.problem = failure.message; drawDetail(); }) }, "State again")
+      ? make("button", { type: "button", ...acting(), onclick: () => ask.state(goal.goal, goal.priority).then(({ id: again }) => select({ goal: again }), (failure) => { story.problem = failure.message; drawDetail(); }) }, "State again")
       : null,
     goal && !isOver(goal)
-      ? make("button", { type: "button", onclick: () => ask.cancel(id).catch((failure) => { story.problem = failure.message; drawDetail(); }) }, "Cancel goal")
+      ? make("button", { type: "button", ...acting(), onclick: () => ask.cancel(id).catch((failure) => { story.problem = failure.message; drawDetail(); }) }, "Cancel goal")
       : null),
   story.problem ? make("p", { class: "problem", role: "alert" }, story.problem) : null];
 }
 
 function goalDetail(id) {
   const from = story.entries[0]?.at_s ?? 0;
+  const until = isPast() ? clockAt(selection().at) : Infinity;
   return [...goalHead(id),
-    make("ol", { class: "story" }, story.entries.map((entry) => line(entry, from)))];
+    make("ol", { class: "story" }, story.entries.filter((entry) => entry.at_s <= until).map((entry) => line(entry, from)))];
 }
 
 function value(fact) {
@@ -121,7 +123,7 @@ const CLAIMS = [
 /** Who said what of it, the latest first. */
 function factDetail(fact) {
   return [
-    make("h2", {}, make("code", {}, fact), make("span", { class: "quiet" }, "who said what of it, the latest first"),
+    make("h2", {}, make("code", {}, fact), make("span", { class: "quiet" }, "who said what of it until now, the latest first"),
       make("span", { class: "grow" }), make("button", { type: "button", onclick: () => readPast(fact) }, "Ask again")),
     past.problem ? make("p", { class: "problem", role: "alert" }, past.problem) : null,
     past.claims === null ? make("p", { class: "empty" }, past.problem ? "" : "…")
@@ -139,7 +141,8 @@ export function drawDetail() {
   if (fact && past.fact !== fact) {
     readPast(fact);
   }
-  if (drawCourse()) {
+  // Plans and bids are told as they are now.
+  if (!isPast() && drawCourse()) {
     return;
   }
   const wasAtEnd = detail.scrollTop + detail.clientHeight >= detail.scrollHeight - 20;

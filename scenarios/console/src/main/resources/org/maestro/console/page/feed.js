@@ -17,7 +17,7 @@ function nothing() {
   };
 }
 
-const now = { platform: null, words: [], live: "connecting", ...nothing() };
+const now = { platform: null, words: [], health: { reasons: [], containers: [] }, live: "connecting", ...nothing() };
 
 /** What is shown: what is so now, or what was so at a time. */
 export let state = now;
@@ -159,6 +159,7 @@ const TAKEN = {
     news.facts.forEach((fact) => learn(now, dated(fact)));
   },
   goals: (news) => { now.goals = news.goals.map(dated); },
+  health: (news) => { now.health = news; },
   agents: (news) => takeAgents(now, news.agents.map(dated)),
 };
 
@@ -169,9 +170,8 @@ export function show(past) {
   } else {
     // What has no past, such as the words of the home, is as it is now.
     state = Object.assign(Object.create(now), nothing(), { goals: past.goals });
-    if (past.home !== null) {
-      takeHome(state, JSON.stringify(past.home) === JSON.stringify(now.home) ? now.home : past.home);
-    }
+    const isOther = past.home !== null && JSON.stringify(past.home) !== JSON.stringify(now.home);
+    takeHome(state, isOther ? past.home : now.home);
     past.facts.forEach((fact) => learn(state, fact));
     past.former.forEach((fact) => state.former.set(lastKey(fact), fact));
     takeAgents(state, past.agents);

@@ -73,6 +73,15 @@ class RecorderTest {
   }
 
   @Test
+  void whoGoesBackToAnEventSeesWhatCameOfIt() {
+    goal("submitted");
+
+    Instant stated = archive.happenings(START, START.plusSeconds(9)).get(0).at();
+    assertThat(archive.until(stated).orElseThrow().document(stated).at("/goals/0/state").asText())
+        .isEqualTo("submitted");
+  }
+
+  @Test
   void aGoalThatIsOlderThanTheRecordIsNotStatedAgain() {
     passed = Duration.ofSeconds(500);
     goal("running");
