@@ -24,12 +24,12 @@ import java.util.concurrent.CompletableFuture;
 import java.util.stream.Collectors;
 import org.eclipse.jetty.util.thread.QueuedThreadPool;
 import org.maestro.console.api.Api;
-import org.maestro.console.api.OpenApiDocument;
 import org.maestro.console.api.HistoryOperations;
+import org.maestro.console.api.OpenApiDocument;
 import org.maestro.console.api.Operation;
-import org.maestro.console.members.MemberOperations;
 import org.maestro.console.api.PlanOperations;
 import org.maestro.console.history.History;
+import org.maestro.console.members.MemberOperations;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.console.questions.RefusalException;
 import org.maestro.platform.MaestroPlatform;
@@ -47,7 +47,6 @@ public final class Console implements AutoCloseable {
 
   /** Of the version in the POM; where there is no such directory, no server starts. */
   private static final String CHARTS = "/META-INF/resources/webjars/uplot/1.6.30";
-
 
   private static final Duration MEASURED = Duration.ofSeconds(10);
 
@@ -86,8 +85,7 @@ public final class Console implements AutoCloseable {
         new History(
             data.map(directory -> directory.resolve("console")), platform::now, platform.speed());
     EventHub events =
-        new EventHub(
-            questions, platform.knowledge(), health::document, history::agentsAnswered);
+        new EventHub(questions, platform.knowledge(), health::document, history::agentsAnswered);
     Recording recording = new Recording(events, history, MEASURED);
     Traffic traffic = new Traffic(platform, name, observer);
     EventStreams streams = new EventStreams();

@@ -18,7 +18,8 @@ class EventQueueTest {
     }
 
     for (int i = 0; i < 3; i++) {
-      assertThat(queue.next(Duration.ZERO)).contains(new EventQueue.Event("story", String.valueOf(i)));
+      assertThat(queue.next(Duration.ZERO))
+          .contains(new EventQueue.Event("story", String.valueOf(i)));
     }
     assertThat(queue.isOver()).isFalse();
   }

@@ -119,7 +119,9 @@ final class DemoCommand implements Callable<Integer> {
             .build();
     try (LocalSite site = LocalSite.paced(settings, speed)) {
       Optional<Console> served =
-          console ? ConsoleOptions.usual().start(site, NAME, false, Optional.empty()) : Optional.empty();
+          console
+              ? ConsoleOptions.usual().start(site, NAME, false, Optional.empty())
+              : Optional.empty();
       served.ifPresent(page -> out.println("In a browser: " + page.uri()));
       Optional<Duration> lowerBound = lowerBound(site, home, goal);
       TopView view = new TopView(home, site.world());

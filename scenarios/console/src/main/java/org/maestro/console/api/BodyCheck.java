@@ -65,6 +65,7 @@ final class BodyCheck {
       case "number" -> value.isNumber();
       case "integer" -> value.canConvertToInt() && value.asDouble() == value.asInt();
       case "null" -> value.isNull();
+      case "object" -> value.isObject();
       case "array" -> value.isArray() && isOfTexts(value);
       default -> throw new IllegalStateException("No body has a member of type " + type + ".");
     };
@@ -83,6 +84,7 @@ final class BodyCheck {
       case "string" -> "a text";
       case "integer" -> "a whole number";
       case "null" -> "null";
+      case "object" -> "an object";
       case "array" -> "a list of texts";
       default -> "a number";
     };

@@ -154,8 +154,7 @@ final class Archive implements AutoCloseable {
 
   /** While nobody records, nobody knows. */
   private void nothingIsKnownFrom(Instant at) {
-    known.forEach(
-        series -> segments.getLast().add(series, Sample.unknown(at.toEpochMilli())));
+    known.forEach(series -> segments.getLast().add(series, Sample.unknown(at.toEpochMilli())));
     known.clear();
     weight += segments.getLast().weight();
   }

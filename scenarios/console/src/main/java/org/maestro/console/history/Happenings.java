@@ -110,10 +110,6 @@ final class Happenings {
   }
 
   private static ObjectNode happening(String of, String what, String name) {
-    return JsonNodeFactory.instance
-        .objectNode()
-        .put("of", of)
-        .put("what", what)
-        .put("name", name);
+    return JsonNodeFactory.instance.objectNode().put("of", of).put("what", what).put("name", name);
   }
 }

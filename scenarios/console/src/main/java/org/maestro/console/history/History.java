@@ -123,7 +123,9 @@ public final class History implements AutoCloseable {
         JsonMembers.empty().text("from", from.toString()).text("to", to.toString());
     ArrayNode at = document.node().putArray("at");
     for (int i = 0; i < points; i++) {
-      at.add(Instant.ofEpochMilli(begin + Math.round(i * ((end - begin) / (double) points))).toString());
+      at.add(
+          Instant.ofEpochMilli(begin + Math.round(i * ((end - begin) / (double) points)))
+              .toString());
     }
     ArrayNode rows = document.node().putArray("series");
     Map<String, List<Sample>> samples = archive.samples(series);

@@ -4,7 +4,6 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.time.Duration;
-import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.function.Supplier;
@@ -65,8 +64,7 @@ final class Recorder {
         addChange(Entry.Kind.AGENTS, change);
         happened.forEach(one -> add(Entry.Kind.HAPPENING, one));
       }
-      case "story" ->
-          Happenings.ofStory(document).ifPresent(one -> add(Entry.Kind.HAPPENING, one));
+      case "story" -> Happenings.ofStory(document).ifPresent(one -> add(Entry.Kind.HAPPENING, one));
       default -> {
         // Others are for listeners alone.
       }

@@ -20,6 +20,7 @@ import org.maestro.sl.Term;
 public final class MemberOperations {
   private static final int CREATED = 201;
   private static final double USUAL_SECONDS = 60;
+  private static final double MOST_SECONDS = 86_400;
 
   private final MaestroPlatform platform;
   private final RoundTrips roundTrips;
@@ -112,8 +113,11 @@ public final class MemberOperations {
     Map<String, Term> parameters =
         HandedValues.read(feature.get(), request.body().path("parameters"));
     double seconds = request.body().path("timeout_s").asDouble(USUAL_SECONDS);
+    if (!(seconds > 0 && seconds <= MOST_SECONDS)) {
+      return refused("timeout_s is more than 0 and at most %.0f.".formatted(MOST_SECONDS));
+    }
     return calls.begin(
-        member, name, parameters, Duration.ofMillis(Math.max(1, (long) (seconds * 1000))));
+        member, name, parameters, Duration.ofMillis((long) Math.ceil(seconds * 1000)));
   }
 
   private static CompletableFuture<JsonNode> refused(String sentence) {

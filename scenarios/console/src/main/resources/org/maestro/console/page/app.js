@@ -47,9 +47,6 @@ function drawAll() {
   drawAlerts();
   drawMap();
   VIEWS[view]();
-  if (!(view in DETAILS)) {
-    delete byId("detail").dataset.shows;
-  }
   (DETAILS[view] ?? drawDetail)();
   drawPast();
 }

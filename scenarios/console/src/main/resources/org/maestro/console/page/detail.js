@@ -3,6 +3,7 @@ import { make, byId, table, redraw, seconds } from "./dom.js";
 import { state, age, ask, onStory } from "./feed.js";
 import { select, selection } from "./selection.js";
 import { isOver, stateOf } from "./goals.js";
+import { drawMember, memberLine } from "./member.js";
 import { drawCourse, startCourse, tabs } from "./course.js";
 import { acting, clockAt, isPast } from "./past.js";
 
@@ -82,18 +83,34 @@ export const FACTS = [
 function thingDetail(name) {
   const thing = state.thingByName.get(name);
   if (!thing) {
-    return [make("p", { class: "empty" }, `There is no ${name} in this home.`)];
+    return [make("p", { class: "empty" }, `There is no ${name} in this home.`), null];
   }
   const agent = state.agentByMember.get(name);
   const known = [...state.facts.values()].filter((fact) => fact.arguments.includes(name));
-  return [
+  return [[
     make("h2", {}, thing.label ?? name, make("code", { class: "quiet" }, name),
       make("span", { class: "quiet" }, thing.classes.filter((one) => one !== "Thing").join(", "))),
     agent ? make("p", {}, `On the bus: ${agent.phase}${agent.state ? `, ${agent.state}` : ""}, for ${seconds(age(agent))}.`
       + (agent.why ? ` It is refused: ${agent.why}` : "")) : null,
-    thing.device ? make("p", {}, "It can: ", make("code", {}, thing.device.features.join(", ") || "nothing")) : null,
-    known.length > 0 ? table(FACTS, known) : make("p", { class: "empty" }, "Nothing is known of it yet."),
-  ];
+    thing.device && !isPast() ? memberLine() : null,
+  ], known.length > 0 ? table(FACTS, known) : make("p", { class: "empty" }, "Nothing is known of it yet.")];
+}
+
+/** The forms of a device stand between what it is at and what is known of it, and stay while that changes. */
+function drawThing(detail, name) {
+  const device = state.thingByName.get(name)?.device && !isPast();
+  const shows = `thing ${name} ${Boolean(device)}`;
+  if (detail.dataset.shows !== shows) {
+    detail.dataset.shows = shows;
+    detail.replaceChildren(make("div"), make("div", { class: "features" }), make("div"));
+  }
+  const [head, forms, facts] = detail.children;
+  if (device) {
+    drawMember(forms, name);
+  }
+  const [about, known] = thingDetail(name);
+  redraw(head, about);
+  redraw(facts, known);
 }
 
 let past = { fact: null, claims: null, problem: null };
@@ -143,11 +160,17 @@ export function drawDetail() {
   }
   // Plans and bids are told as they are now.
   if (!isPast() && drawCourse()) {
+    delete detail.dataset.shows;
     return;
   }
+  if (thing && !goal) {
+    drawThing(detail, thing);
+    return;
+  }
+  delete detail.dataset.shows;
   const wasAtEnd = detail.scrollTop + detail.clientHeight >= detail.scrollHeight - 20;
   const top = detail.scrollTop;
-  redraw(detail, goal ? goalDetail(goal) : thing ? thingDetail(thing) : fact ? factDetail(fact)
+  redraw(detail, goal ? goalDetail(goal) : fact ? factDetail(fact)
     : make("p", { class: "empty" }, "Choose a goal for its story, something on the map for what is known of it, or a fact for who said it."));
   detail.scrollTop = goal && wasAtEnd ? detail.scrollHeight : top;
 }

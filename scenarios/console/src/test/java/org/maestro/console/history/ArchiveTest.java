@@ -18,7 +18,9 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What is kept of the past: within its bounds, over a restart, and whatever becomes of the disk. */
+/**
+ * What is kept of the past: within its bounds, over a restart, and whatever becomes of the disk.
+ */
 class ArchiveTest {
   private static final ObjectMapper MAPPER = new ObjectMapper();
   private static final Instant START = Instant.parse("2026-01-01T12:00:00Z");

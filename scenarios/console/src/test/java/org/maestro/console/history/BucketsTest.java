@@ -85,8 +85,7 @@ class BucketsTest {
 
   @Test
   void whatIsNotKnownIsAGap() {
-    List<Sample> samples =
-        List.of(Sample.of(500, 80), Sample.unknown(1_200), Sample.of(1_350, 20));
+    List<Sample> samples = List.of(Sample.of(500, 80), Sample.unknown(1_200), Sample.of(1_350, 20));
 
     Buckets buckets = Buckets.of(samples, FROM, 2_000, 1_600, 10);
 
