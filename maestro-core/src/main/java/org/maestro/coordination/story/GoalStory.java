@@ -33,7 +33,7 @@ import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 
-/** Tells one goal's story in sentences as it happens. */
+/** Tells one goal's story in sentences as it happens, and keeps its plans as data. */
 public final class GoalStory {
   private static final int MOST_FACTS = 6;
 
@@ -257,7 +257,7 @@ public final class GoalStory {
 
   public void failed(Step step, String problem, KnowledgeBase.Change change) {
     String said = Sentences.said(step.member(), problem);
-    plans.failed(step, said);
+    plans.notDone(step, said);
     tell(
         StoryEntry.Kind.FAILED,
         "That failed: "

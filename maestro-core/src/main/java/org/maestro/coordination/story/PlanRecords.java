@@ -100,16 +100,23 @@ public final class PlanRecords {
         .findFirst();
   }
 
+  /** It is one of the plan that was adopted last. */
   void begun(Step step) {
     Predicate<StepRecord> same = same(step.key());
-    changeLatest(plan -> plan.with(one -> same.test(one) ? one.begunAt(clock.now()) : one));
+    for (int i = records.size() - 1; i >= 0; i--) {
+      if (records.get(i).made().isPresent()) {
+        records.set(
+            i, records.get(i).with(one -> same.test(one) ? one.begunAt(clock.now()) : one));
+        return;
+      }
+    }
   }
 
   void done(Step step) {
     ended(step, State.DONE, Optional.empty());
   }
 
-  void failed(Step step, String problem) {
+  void notDone(Step step, String problem) {
     ended(step, State.FAILED, Optional.of(problem));
   }
 
