@@ -87,6 +87,18 @@ class GoalCoursePageTest {
   }
 
   @Test
+  void whereSomethingElseIsLookedAtItStaysAway() {
+    browser.go(address("plan"));
+    browser.waitFor("#detail .picture .step");
+
+    browser.click("[data-view=history]");
+
+    browser.waitFor("main[data-view=history]:not([data-wide])");
+    browser.run("dispatchEvent(new Event('resize'))");
+    assertThat(browser.text("#detail .course")).isEmpty();
+  }
+
+  @Test
   void whatEachDidStandsOnATimeLine() {
     browser.go(address("time"));
     browser.waitForText("#detail .names", "rose");

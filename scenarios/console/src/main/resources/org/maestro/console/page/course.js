@@ -8,6 +8,7 @@ import { graph } from "./graph.js";
 import { timeline } from "./timeline.js";
 import { bidTable } from "./bids.js";
 
+const BESIDE = new Set(["goals", "members", "knowledge"]);
 const NAMES = { story: "Story", plan: "Plan", time: "Time line", bids: "Bids" };
 
 /** What of a goal is to be looked at. */
@@ -176,10 +177,10 @@ function bringIntoSight() {
   }
 }
 
-/** Whether it is looked at. */
+/** Whether it is looked at, beside a view that has the map; plans and bids are told as they are now. */
 export function isCourse() {
-  const { view, goal, show } = selection();
-  return Boolean(goal) && show !== "story" && view !== "bus" && view !== "conversations";
+  const { view, goal, show, at } = selection();
+  return Boolean(goal) && at === null && show !== "story" && BESIDE.has(view);
 }
 
 /** Draws it if it is looked at; else says so. */

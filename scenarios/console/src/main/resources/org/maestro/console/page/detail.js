@@ -158,8 +158,7 @@ export function drawDetail() {
   if (fact && past.fact !== fact) {
     readPast(fact);
   }
-  // Plans and bids are told as they are now.
-  if (!isPast() && drawCourse()) {
+  if (drawCourse()) {
     delete detail.dataset.shows;
     return;
   }
