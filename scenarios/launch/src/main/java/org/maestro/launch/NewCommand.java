@@ -1,5 +1,6 @@
 package org.maestro.launch;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintWriter;
@@ -23,16 +24,24 @@ import picocli.CommandLine.Spec;
     description = "Write a home, a device or a scenario to start from; it runs as it is.",
     subcommands = {NewCommand.OfHome.class, NewCommand.OfDevice.class, NewCommand.OfScenario.class})
 final class NewCommand implements Runnable {
-  /** Without the analysis of our own builds, which takes longer than all else. */
-  private static final String INSTALL =
-      "mvn install -DskipTests -Dmaestro.quick, once, in the clone of MAESTRO";
-
   @Spec private CommandSpec spec;
 
   @Override
   public void run() {
     throw new ParameterException(
         spec.commandLine(), "Say what is to be new: home, device or scenario, each with a DIR.");
+  }
+
+  /**
+   * How the artifacts come to where Maven looks for them: a release brings them, a clone makes them,
+   * without the analysis of our own builds, which takes longer than all else.
+   */
+  private static String install() {
+    Path program = Path.of(System.getProperty("java.class.path").split(File.pathSeparator)[0]);
+    Path artifacts = program.toAbsolutePath().resolveSibling("repository");
+    return Files.isDirectory(artifacts)
+        ? "mkdir -p ~/.m2; cp -R \"%s\" ~/.m2, once".formatted(artifacts)
+        : "mvn install -DskipTests -Dmaestro.quick, once, in the clone of MAESTRO";
   }
 
   /** The common part: files that come with the program, written to a directory of the user's. */
@@ -146,7 +155,7 @@ final class NewCommand implements Runnable {
               more)
           : List.of(
               platform,
-              INSTALL,
+              install(),
               "mvn -f %s compile exec:java -Dexec.mainClass=Bell -Dexec.args=\"127.0.0.1 1883 maestro\""
                   .formatted(where),
               goal,
@@ -164,7 +173,7 @@ final class NewCommand implements Runnable {
     @Override
     List<String> next(String where) {
       return List.of(
-          INSTALL,
+          install(),
           "mvn -f %s test".formatted(where),
           "What else a scenario can say: docs/guide-scenarios.md");
     }
