@@ -78,8 +78,9 @@ final class RunCommand implements Callable<Integer> {
       names = "--data",
       paramLabel = "DIR",
       description =
-          "Keep goals, their stories and what was said there: after a crash, run it again with the"
-              + " same DIR, and every goal goes on. Without: they end with this process.")
+          "Keep goals, their stories, what was said and what the console showed there: after a"
+              + " crash, run it again with the same DIR, and every goal goes on. Without: they end"
+              + " with this process.")
   private Optional<Path> data;
 
   @Option(
