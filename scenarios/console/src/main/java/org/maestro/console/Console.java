@@ -28,6 +28,7 @@ import org.maestro.console.api.HistoryOperations;
 import org.maestro.console.api.OpenApiDocument;
 import org.maestro.console.api.Operation;
 import org.maestro.console.api.PlanOperations;
+import org.maestro.console.history.Answerer;
 import org.maestro.console.history.History;
 import org.maestro.console.members.MemberOperations;
 import org.maestro.console.questions.AclQuestions;
@@ -85,9 +86,14 @@ public final class Console implements AutoCloseable {
         new History(
             data.map(directory -> directory.resolve("console")), platform::now, platform.speed());
     EventHub events =
-        new EventHub(questions, platform.knowledge(), health::document, history::agentsAnswered);
+        new EventHub(
+            questions,
+            platform.knowledge(),
+            health::document,
+            after -> history.answered(Answerer.AGENTS, after));
     Recording recording = new Recording(events, history, MEASURED);
-    Traffic traffic = new Traffic(platform, name, observer);
+    Traffic traffic =
+        new Traffic(platform, name, observer, after -> history.answered(Answerer.MEMBERS, after));
     EventStreams streams = new EventStreams();
     Preview preview = new Preview(platform.knowledge(), platform::presentMembers);
     Queries queries = new Queries(platform.knowledge());
@@ -108,7 +114,9 @@ public final class Console implements AutoCloseable {
     operations.addAll(new MemberOperations(platform, traffic.roundTrips()).operations());
     operations.addAll(new HistoryOperations(history, lookingBack::work).operations());
     ObjectNode document = OpenApiDocument.of(operations, version);
-    Metrics metrics = new Metrics(questions, platform::containers, history::apiAnswered);
+    Metrics metrics =
+        new Metrics(
+            questions, platform::containers, after -> history.answered(Answerer.API, after));
     Javalin server =
         Javalin.create(
             config -> {

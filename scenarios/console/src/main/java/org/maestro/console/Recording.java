@@ -61,9 +61,9 @@ final class Recording implements AutoCloseable {
       long due = System.nanoTime() + measured.toNanos();
       while (!queue.isOver()) {
         Optional<EventQueue.Event> event = queue.next(Duration.ofNanos(due - System.nanoTime()));
-        event.ifPresent(this::guarded);
+        event.ifPresent(told -> guarded(() -> take(told)));
         if (System.nanoTime() - due >= 0) {
-          history.measure();
+          guarded(history::measure);
           due += measured.toNanos();
         }
       }
@@ -73,11 +73,19 @@ final class Recording implements AutoCloseable {
   }
 
   /** What cannot be recorded is missing, and what comes after it is recorded all the same. */
-  private void guarded(EventQueue.Event event) {
+  private static void guarded(Runnable work) {
+    try {
+      work.run();
+    } catch (RuntimeException e) {
+      LOG.error("What happened could not be recorded", e);
+    }
+  }
+
+  private void take(EventQueue.Event event) {
     try {
       history.take(event.name(), MAPPER.readTree(event.document()));
-    } catch (JsonProcessingException | RuntimeException e) {
-      LOG.error("What happened could not be recorded", e);
+    } catch (JsonProcessingException e) {
+      throw new IllegalStateException(e);
     }
   }
 

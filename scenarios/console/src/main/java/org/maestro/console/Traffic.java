@@ -1,9 +1,11 @@
 package org.maestro.console;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
+import java.util.function.Consumer;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
 import org.maestro.console.api.Operation;
@@ -31,7 +33,7 @@ final class Traffic implements AutoCloseable {
   private final MailTraffic mail;
   private final CallMessages calls;
   private final Traces traces;
-  private final RoundTrips roundTrips = new RoundTrips();
+  private final RoundTrips roundTrips;
   private final ScheduledExecutorService thread =
       Executors.newSingleThreadScheduledExecutor(
           task -> {
@@ -47,9 +49,11 @@ final class Traffic implements AutoCloseable {
   /**
    * @param name of the platform, and of its site on the bus
    * @param transport of a client that only listens; not open yet
+   * @param answered told how long members take to answer
    */
-  Traffic(MaestroPlatform platform, String name, Transport transport) {
+  Traffic(MaestroPlatform platform, String name, Transport transport, Consumer<Duration> answered) {
     this.platform = platform;
+    this.roundTrips = new RoundTrips(answered);
     this.calls = new CallMessages(name);
     this.traces = new Traces(name, platform::now);
     this.bus = new BusTraffic(transport, name, platform::now, this::heard);

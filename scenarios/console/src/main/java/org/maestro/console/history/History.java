@@ -39,9 +39,7 @@ public final class History implements AutoCloseable {
         new Archive(
             LIMITS,
             directory.map(
-                path ->
-                    new HistoryFiles(
-                        path, LIMITS.mostBytes(), LIMITS.longest(), HistoryFiles::onDisk)));
+                path -> new HistoryFiles(path, LIMITS.mostBytes(), LIMITS.longest(), Disk.real())));
     this.wall = InstantSource.system();
     this.clock = clock;
     this.speed = speed;
@@ -63,14 +61,9 @@ public final class History implements AutoCloseable {
     recorder.measure();
   }
 
-  /** The API has answered. */
-  public void apiAnswered(Duration after) {
-    recorder.apiAnswered(after);
-  }
-
-  /** The platform's agents have answered. */
-  public void agentsAnswered(Duration after) {
-    recorder.agentsAnswered(after);
+  /** Somebody has answered. */
+  public void answered(Answerer answerer, Duration after) {
+    recorder.answered(answerer, after);
   }
 
   /** How far it goes back, and what there is of it. */

@@ -4,9 +4,9 @@ import static java.nio.charset.StandardCharsets.ISO_8859_1;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
@@ -23,16 +23,17 @@ final class HistoryFiles implements AutoCloseable {
   private static final String PREFIX = "history-";
   private static final String SUFFIX = ".jsonl";
 
+  /** What is shown may be missing; the journal, on the same disk, may not. */
+  private static final long LEAST_ROOM = 64L << 20;
+
+  private static final long LOOK_BYTES = 64L << 10;
+
   private final Path directory;
   private final long mostBytes;
   private final Duration longest;
-  private final Opener opener;
+  private final Disk disk;
   private Optional<Current> current = Optional.empty();
-
-  /** Begins a file that is not there yet. */
-  interface Opener {
-    OutputStream open(Path file) throws IOException;
-  }
+  private long writtenSinceLook;
 
   private record Current(Path file, OutputStream out) {
     void write(String line) throws IOException {
@@ -45,15 +46,11 @@ final class HistoryFiles implements AutoCloseable {
    * @param mostBytes of all files together, without the one that is being written
    * @param longest time for which a file is kept after it was written to
    */
-  HistoryFiles(Path directory, long mostBytes, Duration longest, Opener opener) {
+  HistoryFiles(Path directory, long mostBytes, Duration longest, Disk disk) {
     this.directory = directory;
     this.mostBytes = mostBytes;
     this.longest = longest;
-    this.opener = opener;
-  }
-
-  static OutputStream onDisk(Path file) throws IOException {
-    return Files.newOutputStream(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+    this.disk = disk;
   }
 
   /** Reads all lines of before, oldest first. */
@@ -61,6 +58,8 @@ final class HistoryFiles implements AutoCloseable {
     for (Path file : files()) {
       try (Stream<String> lines = Files.lines(file, ISO_8859_1)) {
         lines.forEach(reader);
+      } catch (UncheckedIOException e) {
+        throw new IOException(e.getCause());
       }
     }
   }
@@ -70,9 +69,10 @@ final class HistoryFiles implements AutoCloseable {
     close();
     Files.createDirectories(directory);
     deleteOld(now);
+    requireRoom();
     long number = files().stream().mapToLong(HistoryFiles::number).max().orElse(0) + 1;
     Path file = directory.resolve(PREFIX + "%09d".formatted(number) + SUFFIX);
-    Current next = new Current(file, opener.open(file));
+    Current next = new Current(file, disk.begin(file));
     current = Optional.of(next);
     try {
       next.write(line);
@@ -87,11 +87,22 @@ final class HistoryFiles implements AutoCloseable {
   void add(String line) throws IOException {
     if (current.isPresent()) {
       try {
+        writtenSinceLook += line.length();
+        if (writtenSinceLook > LOOK_BYTES) {
+          requireRoom();
+        }
         current.get().write(line);
       } catch (IOException e) {
         close();
         throw e;
       }
+    }
+  }
+
+  private void requireRoom() throws IOException {
+    writtenSinceLook = 0;
+    if (disk.room(directory) < LEAST_ROOM) {
+      throw new IOException("less than 64 MiB are free there, and those are for goals");
     }
   }
 

@@ -5,7 +5,9 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.time.Duration;
 import java.time.InstantSource;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Supplier;
 
 /**
@@ -19,8 +21,7 @@ final class Recorder {
   private final InstantSource wall;
   private final Supplier<Duration> clock;
   private final double speed;
-  private final Stopwatch apiAnswers = new Stopwatch();
-  private final Stopwatch agentsAnswers = new Stopwatch();
+  private final Map<Answerer, Stopwatch> answers = new EnumMap<>(Answerer.class);
   private int detections;
   private double measuredUntil;
 
@@ -33,6 +34,9 @@ final class Recorder {
     this.wall = wall;
     this.clock = clock;
     this.speed = speed;
+    for (Answerer answerer : Answerer.values()) {
+      answers.put(answerer, new Stopwatch());
+    }
   }
 
   /** After what was recorded before. */
@@ -108,20 +112,14 @@ final class Recorder {
     ObjectNode figures = JsonNodeFactory.instance.objectNode();
     double rate = now > measuredUntil ? detections / (now - measuredUntil) * MINUTE : 0;
     figures.putArray("detections").add(rate).add(rate).add(rate);
-    figures.set("api-answers", apiAnswers.look());
-    figures.set("agents-answers", agentsAnswers.look());
+    answers.forEach((answerer, watch) -> figures.set(answerer.series(), watch.look()));
     detections = 0;
     measuredUntil = now;
     add(Entry.Kind.FIGURES, figures);
   }
 
-  /** The API has answered. */
-  void apiAnswered(Duration after) {
-    apiAnswers.took(after);
-  }
-
-  /** An agent has answered. */
-  void agentsAnswered(Duration after) {
-    agentsAnswers.took(after);
+  /** Somebody has answered. */
+  void answered(Answerer answerer, Duration after) {
+    answers.get(answerer).took(after);
   }
 }

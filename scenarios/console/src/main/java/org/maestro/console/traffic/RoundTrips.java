@@ -6,6 +6,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.maestro.rats.bounded.BoundedMap;
 
 /**
@@ -17,12 +18,21 @@ public final class RoundTrips {
   private static final int MOST_MEMBERS = 10_000;
   private static final int LATEST = 20;
 
+  private final Consumer<Duration> answered;
+
   // Both are guarded by this.
   private final Map<String, Asked> asked = BoundedMap.ofNewest(MOST_CALLS);
   private final Map<String, Deque<Duration>> byMember = BoundedMap.ofLatelyUsed(MOST_MEMBERS);
 
   /** A call to one member that nobody has answered yet. */
   private record Asked(String member, long atNanos) {}
+
+  /**
+   * @param answered told of each; returns at once
+   */
+  public RoundTrips(Consumer<Duration> answered) {
+    this.answered = answered;
+  }
 
   /**
    * @param nowNanos by {@link System#nanoTime}
@@ -36,7 +46,9 @@ public final class RoundTrips {
     if (call != null && call.member().equals(said.from())) {
       asked.remove(said.call());
       Deque<Duration> latest = byMember.computeIfAbsent(said.from(), none -> new ArrayDeque<>());
-      latest.addLast(Duration.ofNanos(nowNanos - call.atNanos()));
+      Duration after = Duration.ofNanos(nowNanos - call.atNanos());
+      latest.addLast(after);
+      answered.accept(after);
       if (latest.size() > LATEST) {
         latest.removeFirst();
       }

@@ -11,7 +11,7 @@ const MOST_IN_ONE = 8;
 const WORD = /^\(([^ ]+) ?(.*)\)$/;
 
 const GOALS = { "goals-under-way": "under way", "goals-waiting": "waiting", "goals-reached": "reached or held", "goals-failed": "failed" };
-const ANSWERS = { "api-answers": "API", "agents-answers": "agents" };
+const ANSWERS = { "api-answers": "API", "agents-answers": "agents", "members-answers": "members" };
 
 /** The charts that are drawn, by their keys. */
 let drawn = new Map();
@@ -49,7 +49,7 @@ function plans({ series }) {
     },
     { title: "Detections", unit: "a minute, by the platform's clock", names: { detections: "something is seen, for the first time or again" }, none: "Nothing was counted yet." },
     { title: "Goals", unit: "listed", isCount: true, names: GOALS, none: "Nothing was counted yet." },
-    { title: "Answers", unit: "ms until the console's API, and the platform's agents, answer", names: ANSWERS, none: "Nothing was measured yet." },
+    { title: "Answers", unit: "ms until the API, the platform's agents, and members that are called have answered", names: ANSWERS, none: "Nothing was measured yet." },
   ].map((plan) => ({ ...plan, names: Object.fromEntries(Object.entries(plan.names).filter(([name]) => series.includes(name))) }));
 }
 

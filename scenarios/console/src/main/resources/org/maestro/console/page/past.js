@@ -5,6 +5,7 @@ import { select, selection, onSelect } from "./selection.js";
 
 const OFTEN_MILLIS = 5000;
 const SELDOM_MILLIS = 30000;
+const PASSING_MILLIS = 100;
 const WIDTH = 1000;
 const REASON = "Not while you look back: it would act now. Go back to now first.";
 const BAD = new Set(["failed", "lost", "refused", "left"]);
@@ -19,6 +20,9 @@ let problem = null;
 /** The time that is shown; it differs from the chosen one as long as that is being asked for. */
 let shown = null;
 let isAsking = false;
+
+/** Where the slider is, as long as that is not chosen yet. */
+let passing = null;
 
 export function isPast() {
   return selection().at !== null;
@@ -98,6 +102,18 @@ async function follow() {
   isAsking = false;
 }
 
+/** Browsers let an address change some twenty times a second, and answers take a while, too. */
+function pass(second, last) {
+  if (passing === null) {
+    setTimeout(() => {
+      const chosen = passing;
+      passing = null;
+      choose(...chosen);
+    }, PASSING_MILLIS);
+  }
+  passing = [second, last];
+}
+
 /** At the end of the slider is now. */
 function choose(second, last) {
   const at = Math.min(Date.parse(kept.from) + second * 1000, present());
@@ -157,15 +173,17 @@ export function drawPast() {
     const from = Date.parse(kept.from);
     const length = Math.max(1000, present() - from);
     const value = at === null ? Math.ceil(length / 1000) : Math.round((Date.parse(at) - from) / 1000);
-    slider.max = Math.ceil(length / 1000);
-    slider.value = value;
+    if (passing === null) {
+      slider.max = Math.ceil(length / 1000);
+      slider.value = value;
+    }
     slider.setAttribute("aria-valuetext", at === null ? "now" : `${clockTime(at)}, ${seconds((present() - Date.parse(at)) / 1000)} ago`);
     redraw(byId("time-marks"), marks(from, length));
   }
 }
 
 export function startPast() {
-  byId("time-slider").addEventListener("input", ({ target }) => choose(Number(target.value), Number(target.max)));
+  byId("time-slider").addEventListener("input", ({ target }) => pass(Number(target.value), Number(target.max)));
   byId("time-now").addEventListener("click", () => select({ at: null }));
   byId("time-back").addEventListener("click", () => step(-1));
   byId("time-on").addEventListener("click", () => step(1));

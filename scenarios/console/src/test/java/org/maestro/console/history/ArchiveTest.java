@@ -24,6 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
 class ArchiveTest {
   private static final ObjectMapper MAPPER = new ObjectMapper();
   private static final Instant START = Instant.parse("2026-01-01T12:00:00Z");
+  private static final long[] PLENTY = {1L << 30};
   private static final Duration A_DAY = Duration.ofDays(1);
 
   @TempDir private Path directory;
@@ -32,10 +33,10 @@ class ArchiveTest {
     return new Archive(new Archive.Limits(mostBytes, longest, 2_000), Optional.empty());
   }
 
-  private Archive onDisk(HistoryFiles.Opener opener) {
+  private Archive onDisk(Disk disk) {
     return new Archive(
         new Archive.Limits(1 << 20, A_DAY, 2_000),
-        Optional.of(new HistoryFiles(directory, 20_000, A_DAY, opener)));
+        Optional.of(new HistoryFiles(directory, 20_000, A_DAY, disk)));
   }
 
   private static JsonNode json(String text) {
@@ -122,12 +123,12 @@ class ArchiveTest {
 
   @Test
   void whatIsOnTheDiskIsThereAfterARestartAndThenNobodyKnewAnything() throws IOException {
-    try (Archive archive = onDisk(HistoryFiles::onDisk)) {
+    try (Archive archive = onDisk(Disk.real())) {
       archive.read();
       archive.begin(START, 0, 20);
       fill(archive, 1, 30);
     }
-    try (Archive archive = onDisk(HistoryFiles::onDisk)) {
+    try (Archive archive = onDisk(Disk.real())) {
       archive.read();
       archive.begin(START.plusSeconds(100), 0, 20);
 
@@ -144,7 +145,7 @@ class ArchiveTest {
 
   @Test
   void filesAreBegunAnewAndTheOldestAreDeleted() throws IOException {
-    try (Archive archive = onDisk(HistoryFiles::onDisk)) {
+    try (Archive archive = onDisk(Disk.real())) {
       archive.begin(START, 0, 20);
       fill(archive, 1, 1_000);
     }
@@ -168,7 +169,7 @@ class ArchiveTest {
 
   @Test
   void aLastLineThatIsTornIsLeftOut() throws IOException {
-    try (Archive archive = onDisk(HistoryFiles::onDisk)) {
+    try (Archive archive = onDisk(Disk.real())) {
       archive.begin(START, 0, 20);
       fill(archive, 1, 5);
     }
@@ -176,14 +177,14 @@ class ArchiveTest {
     byte[] all = Files.readAllBytes(file);
     for (int cut : new int[] {1, 2, 3, 20, 39}) {
       Files.write(file, Arrays.copyOf(all, all.length - cut));
-      Archive archive = onDisk(HistoryFiles::onDisk);
+      Archive archive = onDisk(Disk.real());
       archive.read();
 
       int last = cut == 1 ? 4 : 3;
       assertThat(at(archive, 9).at("/facts/0/value").asInt()).as("%d", cut).isEqualTo(last);
     }
     Files.write(file, new byte[] {'\n', (byte) 0xff, 0, '{', '}'}, StandardOpenOption.APPEND);
-    Archive archive = onDisk(HistoryFiles::onDisk);
+    Archive archive = onDisk(Disk.real());
     archive.read();
     assertThat(at(archive, 9).at("/facts/0/value").asInt()).isEqualTo(3);
   }
@@ -191,7 +192,7 @@ class ArchiveTest {
   @Test
   void aDiskThatIsFullIsToldAndGoneOnWithWhenThereIsRoom() throws IOException {
     boolean[] full = {false};
-    try (Archive archive = onDisk(file -> new FullAtTimes(HistoryFiles.onDisk(file), full))) {
+    try (Archive archive = onDisk(disk(full, PLENTY))) {
       archive.begin(START, 0, 20);
       fill(archive, 1, 5);
       assertThat(archive.problem()).isEmpty();
@@ -207,7 +208,7 @@ class ArchiveTest {
       assertThat(archive.problem()).isEmpty();
       archive.add(level(102, 100));
     }
-    Archive archive = onDisk(HistoryFiles::onDisk);
+    Archive archive = onDisk(Disk.real());
     archive.read();
     assertThat(at(archive, 4).at("/facts/0/value").asInt()).isEqualTo(4);
     assertThat(at(archive, 80).path("recorded").asBoolean()).isFalse();
@@ -216,6 +217,36 @@ class ArchiveTest {
     assertThat(archive.samples(List.of("(level lamp)")).get("(level lamp)"))
         .as("nobody knows what was between")
         .anyMatch(sample -> !sample.isKnown());
+  }
+
+  @Test
+  void whatLittleRoomThereIsIsLeftToThePlatform() throws IOException {
+    long[] room = {10L << 20};
+    try (Archive archive = onDisk(disk(new boolean[1], room))) {
+      archive.begin(START, 0, 20);
+      fill(archive, 1, 50);
+
+      assertThat(archive.problem()).hasValueSatisfying(its -> assertThat(its).contains("64 MiB"));
+      assertThat(files()).isEmpty();
+      room[0] = PLENTY[0];
+      archive.add(figures(50));
+      assertThat(archive.problem()).isEmpty();
+      assertThat(files()).hasSize(1);
+    }
+  }
+
+  private static Disk disk(boolean[] full, long[] room) {
+    return new Disk() {
+      @Override
+      public OutputStream begin(Path file) throws IOException {
+        return new FullAtTimes(Disk.real().begin(file), full);
+      }
+
+      @Override
+      public long room(Path directory) {
+        return room[0];
+      }
+    };
   }
 
   /** Half of what is written fits in before there is no room. */

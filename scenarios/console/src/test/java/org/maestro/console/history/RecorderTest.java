@@ -120,8 +120,8 @@ class RecorderTest {
                   + " 'arguments': ['cam', 'Bob'], 'value': false, 'kind': 'observed'}]}")
               .formatted(i));
     }
-    recorder.apiAnswered(Duration.ofMillis(2));
-    recorder.apiAnswered(Duration.ofMillis(4));
+    recorder.answered(Answerer.API, Duration.ofMillis(2));
+    recorder.answered(Answerer.API, Duration.ofMillis(4));
     recorder.measure();
     passed = passed.plusSeconds(10);
     recorder.measure();
