@@ -192,7 +192,7 @@ final class EventHub implements EventSource, AutoCloseable {
 
   /** A home is another one when something in it is. */
   private void tellHome(Home now) {
-    if (drawn.filter(before -> before == now).isPresent()) {
+    if (drawn.equals(Optional.of(now))) {
       return;
     }
     drawn = Optional.of(now);

@@ -87,7 +87,7 @@ class PastPageTest {
     browser.waitForText("#nowhere", "rose");
     browser.waitFor("#time-slider").sendKeys(Keys.END);
 
-    browser.waitForText("#time:not(.past) #time-told", "Now, ");
+    browser.waitForText("#time:not(.past) #time-told", "Now.");
     browser.waitFor("#plan [data-thing=rose]");
   }
 

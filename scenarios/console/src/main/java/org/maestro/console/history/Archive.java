@@ -1,7 +1,6 @@
 package org.maestro.console.history;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayDeque;
@@ -14,14 +13,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import org.maestro.storage.StorageFault;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
  * The entries of the past, up to a weight and an age: in memory, to be asked by any thread, and in
- * files where there are some. What a disk does not take is kept in memory all the same; that is
- * told once, and when it is over. One thread adds.
+ * files where there are some. One thread adds.
  */
 final class Archive implements AutoCloseable {
   /** Of the platform's clock, in entries of all that is so. */
@@ -38,7 +35,7 @@ final class Archive implements AutoCloseable {
   record Limits(long mostBytes, Duration longest, long segmentBytes) {}
 
   private final Limits limits;
-  private final Optional<HistoryFiles> files;
+  private final DiskCopy disk;
 
   // These are the adding thread's own.
   private final PastState state = new PastState();
@@ -48,11 +45,10 @@ final class Archive implements AutoCloseable {
   // Guarded by this.
   private final Deque<Segment> segments = new ArrayDeque<>();
   private long weight;
-  private Optional<String> problem = Optional.empty();
 
-  Archive(Limits limits, Optional<HistoryFiles> files) {
+  Archive(Limits limits, DiskCopy disk) {
     this.limits = limits;
-    this.files = files;
+    this.disk = disk;
   }
 
   /** What is so now. */
@@ -62,20 +58,10 @@ final class Archive implements AutoCloseable {
 
   /** Reads what was recorded before; what is damaged is left out. */
   void read() {
-    if (files.isEmpty()) {
-      return;
-    }
     int[] damaged = {0};
-    try {
-      files
-          .get()
-          .read(
-              line ->
-                  Entry.read(line)
-                      .ifPresentOrElse(entry -> remember(entry, line), () -> damaged[0]++));
-    } catch (IOException e) {
-      isAmiss("The recorded past cannot be read: " + StorageFault.words(e) + ".");
-    }
+    disk.read(
+        line ->
+            Entry.read(line).ifPresentOrElse(entry -> remember(entry, line), () -> damaged[0]++));
     if (damaged[0] > 0) {
       LOG.warn("{} lines of the recorded past are damaged and left out.", damaged[0]);
     }
@@ -84,42 +70,37 @@ final class Archive implements AutoCloseable {
   /** A platform begins to be recorded; nothing is known of it yet. */
   void begin(Instant at, double clock, double itsSpeed) {
     speed = itsSpeed;
-    ObjectNode nothing = new PastState().document(clock);
-    begin(new Entry(at, clock, Entry.Kind.STATE, nothing.put(SPEED, speed).put(FIRST, true)));
-  }
-
-  private void begin(Entry all) {
-    String line = all.line();
-    remember(all, line);
-    keep(files -> files.begin(line, all.at()));
+    Entry nothing = state(at, clock, new PastState().document(clock).put(FIRST, true));
+    remember(nothing, nothing.line());
+    disk.begin(nothing);
   }
 
   void add(Entry entry) {
     String line = entry.line();
     remember(entry, line);
-    if (isAmiss()) {
-      if (entry.kind() == Entry.Kind.FIGURES) {
-        keep(files -> files.begin(afterGap(entry).line(), entry.at()));
-      }
-    } else {
-      keep(files -> files.add(line));
+    if (disk.problem().isEmpty()) {
+      disk.add(line);
+    } else if (entry.kind() == Entry.Kind.FIGURES) {
+      disk.begin(afterGap(entry));
     }
     if (isFull()) {
-      begin(all(entry));
+      Entry all = all(entry);
+      remember(all, all.line());
+      disk.begin(disk.problem().isEmpty() ? all : afterGap(entry));
     }
   }
 
   private Entry all(Entry latest) {
-    return state(latest, state.document(latest.clock()));
+    return state(latest.at(), latest.clock(), state.document(latest.clock()));
   }
 
   /** Lines are missing: who reads this later knows nothing of the time before it. */
   private Entry afterGap(Entry latest) {
-    return state(latest, state.document(latest.clock()).put(FIRST, true));
+    return state(latest.at(), latest.clock(), state.document(latest.clock()).put(FIRST, true));
   }
 
-  private Entry state(Entry latest, ObjectNode document) {
-    return new Entry(latest.at(), latest.clock(), Entry.Kind.STATE, document.put(SPEED, speed));
+  private Entry state(Instant at, double clock, ObjectNode document) {
+    return new Entry(at, clock, Entry.Kind.STATE, document.put(SPEED, speed));
   }
 
   private synchronized boolean isFull() {
@@ -167,42 +148,9 @@ final class Archive implements AutoCloseable {
     }
   }
 
-  private interface Keeping {
-    void in(HistoryFiles files) throws IOException;
-  }
-
-  private void keep(Keeping keeping) {
-    if (files.isPresent()) {
-      try {
-        keeping.in(files.get());
-        isWell();
-      } catch (IOException e) {
-        isAmiss("The past is not kept on the disk now: " + StorageFault.words(e) + ".");
-      }
-    }
-  }
-
-  private synchronized void isAmiss(String sentence) {
-    if (problem.isEmpty()) {
-      LOG.warn("{} The platform goes on, and so does what it remembers in memory.", sentence);
-    }
-    problem = Optional.of(sentence);
-  }
-
-  private synchronized void isWell() {
-    if (problem.isPresent()) {
-      LOG.warn("The past is kept on the disk again.");
-      problem = Optional.empty();
-    }
-  }
-
-  private synchronized boolean isAmiss() {
-    return problem.isPresent();
-  }
-
   /** Why nothing is kept on the disk now, a sentence. */
-  synchronized Optional<String> problem() {
-    return problem;
+  Optional<String> problem() {
+    return disk.problem();
   }
 
   /** From when to when something is remembered; empty before there is anything. */
@@ -250,6 +198,6 @@ final class Archive implements AutoCloseable {
 
   @Override
   public void close() {
-    keep(HistoryFiles::close);
+    disk.close();
   }
 }

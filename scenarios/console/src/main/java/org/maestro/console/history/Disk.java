@@ -1,10 +1,10 @@
 package org.maestro.console.history;
 
+import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 
 /** The disk that files are written to. */
 interface Disk {
@@ -19,7 +19,8 @@ interface Disk {
     return new Disk() {
       @Override
       public OutputStream begin(Path file) throws IOException {
-        return Files.newOutputStream(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+        // Unlike one of a channel it stays open when the thread is interrupted at the end.
+        return new FileOutputStream(file.toFile());
       }
 
       @Override

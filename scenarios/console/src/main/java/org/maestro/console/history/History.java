@@ -38,8 +38,11 @@ public final class History implements AutoCloseable {
     this.archive =
         new Archive(
             LIMITS,
-            directory.map(
-                path -> new HistoryFiles(path, LIMITS.mostBytes(), LIMITS.longest(), Disk.real())));
+            new DiskCopy(
+                directory.map(
+                    path ->
+                        new HistoryFiles(
+                            path, LIMITS.mostBytes(), LIMITS.longest(), Disk.real()))));
     this.wall = InstantSource.system();
     this.clock = clock;
     this.speed = speed;
@@ -69,18 +72,21 @@ public final class History implements AutoCloseable {
   /** How far it goes back, and what there is of it. */
   public JsonNode kept() {
     Optional<Span> span = archive.span();
-    return JsonMembers.empty()
-        .text("from", span.map(its -> its.from().toString()))
-        .text("to", span.map(its -> its.to().toString()))
-        .text("now", wall.instant().toString())
-        .number("clock_s", clock.get().toMillis() / 1000.0)
-        .number("speed", speed)
-        .number("bytes", archive.weight())
-        .number("most_bytes", LIMITS.mostBytes())
-        .number("most_s", LIMITS.longest().toSeconds())
-        .text("problem", archive.problem())
-        .words("series", archive.series())
-        .node();
+    JsonMembers document =
+        JsonMembers.empty()
+            .text("from", span.map(its -> its.from().toString()))
+            .text("to", span.map(its -> its.to().toString()))
+            .text("now", wall.instant().toString())
+            .number("clock_s", clock.get().toMillis() / 1000.0)
+            .number("speed", speed)
+            .text("problem", archive.problem())
+            .words("series", archive.series());
+    document
+        .node()
+        .put("bytes", archive.weight())
+        .put("most_bytes", LIMITS.mostBytes())
+        .put("most_s", LIMITS.longest().toSeconds());
+    return document.node();
   }
 
   /** What was so at a moment; empty when that is not remembered. */

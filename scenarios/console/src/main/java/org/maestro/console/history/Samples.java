@@ -41,10 +41,10 @@ final class Samples {
     switch (entry.kind()) {
       case STATE -> {
         numbers(entry.told().path("facts"), at, samples);
-        goals(state, entry, samples);
+        goals(state, at, samples);
       }
       case FACTS -> numbers(entry.told().path("set"), at, samples);
-      case GOALS -> goals(state, entry, samples);
+      case GOALS -> goals(state, at, samples);
       case FIGURES ->
           entry
               .told()
@@ -75,18 +75,18 @@ final class Samples {
     }
   }
 
-  private static void goals(PastState state, Entry entry, Map<String, Sample> samples) {
+  private static void goals(PastState state, long at, Map<String, Sample> samples) {
     Map<String, Integer> byState = new HashMap<>();
-    for (JsonNode goal : state.goals().rows(entry.clock())) {
-      byState.merge(goal.path("state").asText(), 1, Integer::sum);
-    }
+    state
+        .goals()
+        .all()
+        .forEach(goal -> byState.merge(goal.path("state").asText(), 1, Integer::sum));
     GOALS.forEach(
         (name, states) ->
             samples.put(
                 name,
                 Sample.of(
-                    entry.at().toEpochMilli(),
-                    states.stream().mapToInt(its -> byState.getOrDefault(its, 0)).sum())));
+                    at, states.stream().mapToInt(its -> byState.getOrDefault(its, 0)).sum())));
   }
 
   /** The lowest, the mean and the highest of it; null where nothing was measured. */

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Stream;
 
 /**
  * The rows of a document, such as its goals, as they stand after all changes so far. What in a row
@@ -98,6 +99,11 @@ final class Table {
   void replace(JsonNode wanted, double clock) {
     rows.clear();
     wanted.forEach(row -> set(row, clock));
+  }
+
+  /** All of them, as they were told. */
+  Stream<JsonNode> all() {
+    return rows.values().stream().map(Row::node);
   }
 
   /** All of them, with the ages of then. */

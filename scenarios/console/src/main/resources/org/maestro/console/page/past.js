@@ -137,12 +137,21 @@ function marks(from, length) {
   return [...drawn.values()];
 }
 
+/** What is said to who listens, which is not said again every second; and what goes on by itself. */
 function told(at) {
   if (at === null) {
-    return kept?.from ? `Now, ${clockTime(present())}. The past goes back to ${clockTime(kept.from)}.` : "Nothing is recorded yet.";
+    return kept?.from ? ["Now.", `It is ${clockTime(present())}; the past goes back to ${clockTime(kept.from)}.`] : ["Nothing is recorded yet.", ""];
   }
-  const ago = (present() - Date.parse(at)) / 1000;
-  return `As of ${clockTime(at)} (${seconds(Math.max(0, ago))} ago; ${seconds(Math.max(0, clockAt(at)))} by the platform's clock). Until you go back to now, all that acts is off but Safe state.`;
+  const ago = seconds(Math.max(0, (present() - Date.parse(at)) / 1000));
+  const clock = kept === null ? "" : `; ${seconds(Math.max(0, clockAt(at)))} by the platform's clock`;
+  return [`As of ${clockTime(at)}`, `(${ago} ago${clock}). Until you go back to now, all that acts is off but Safe state.`];
+}
+
+function write(id, text) {
+  const element = byId(id);
+  if (element.textContent !== text) {
+    element.textContent = text;
+  }
 }
 
 function drawActs() {
@@ -162,11 +171,12 @@ export function drawPast() {
   if (bar.hidden) {
     return;
   }
-  byId("time-told").textContent = told(at);
+  const [said, more] = told(at);
+  write("time-at", said);
+  write("time-ago", more);
   byId("time-now").hidden = at === null;
-  const said = byId("time-problem");
-  said.textContent = problem ?? kept?.problem ?? "";
-  said.hidden = said.textContent === "";
+  write("time-problem", problem ?? kept?.problem ?? "");
+  byId("time-problem").hidden = byId("time-problem").textContent === "";
   const slider = byId("time-slider");
   slider.disabled = !kept?.from;
   if (kept?.from) {

@@ -30,13 +30,14 @@ class ArchiveTest {
   @TempDir private Path directory;
 
   private static Archive inMemory(long mostBytes, Duration longest) {
-    return new Archive(new Archive.Limits(mostBytes, longest, 2_000), Optional.empty());
+    return new Archive(
+        new Archive.Limits(mostBytes, longest, 2_000), new DiskCopy(Optional.empty()));
   }
 
   private Archive onDisk(Disk disk) {
     return new Archive(
         new Archive.Limits(1 << 20, A_DAY, 2_000),
-        Optional.of(new HistoryFiles(directory, 20_000, A_DAY, disk)));
+        new DiskCopy(Optional.of(new HistoryFiles(directory, 20_000, A_DAY, disk))));
   }
 
   private static JsonNode json(String text) {

@@ -18,7 +18,8 @@ class RecorderTest {
   private static final double SPEED = 20;
 
   private final Archive archive =
-      new Archive(new Archive.Limits(1 << 20, Duration.ofDays(1), 100_000), Optional.empty());
+      new Archive(
+          new Archive.Limits(1 << 20, Duration.ofDays(1), 100_000), new DiskCopy(Optional.empty()));
   private Duration passed = Duration.ZERO;
   private final Recorder recorder =
       new Recorder(
