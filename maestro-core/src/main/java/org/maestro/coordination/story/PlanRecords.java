@@ -105,8 +105,7 @@ public final class PlanRecords {
     Predicate<StepRecord> same = same(step.key());
     for (int i = records.size() - 1; i >= 0; i--) {
       if (records.get(i).made().isPresent()) {
-        records.set(
-            i, records.get(i).with(one -> same.test(one) ? one.begunAt(clock.now()) : one));
+        records.set(i, records.get(i).with(one -> same.test(one) ? one.begunAt(clock.now()) : one));
         return;
       }
     }

@@ -33,8 +33,8 @@ final class NewCommand implements Runnable {
   }
 
   /**
-   * How the artifacts come to where Maven looks for them: a release brings them, a clone makes them,
-   * without the analysis of our own builds, which takes longer than all else.
+   * How the artifacts come to where Maven looks for them: a release brings them, a clone makes
+   * them, without the analysis of our own builds, which takes longer than all else.
    */
   private static String install() {
     Path program = Path.of(System.getProperty("java.class.path").split(File.pathSeparator)[0]);

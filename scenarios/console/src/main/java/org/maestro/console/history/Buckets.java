@@ -53,7 +53,7 @@ final class Buckets {
 
   private void add(Sample sample, long begin, long end) {
     for (int i = index(begin); i < low.length && (begin(i) < end || i == index(begin)); i++) {
-      double weight = Math.min(end, begin(i + 1)) - Math.max(begin, begin(i));
+      double weight = Math.min((double) end, begin(i + 1)) - Math.max((double) begin, begin(i));
       low[i] = Math.min(low[i], sample.low());
       high[i] = Math.max(high[i], sample.high());
       // What was so for no time at all is seen all the same.

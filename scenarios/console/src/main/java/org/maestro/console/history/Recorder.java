@@ -8,6 +8,7 @@ import java.time.InstantSource;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.Supplier;
 
 /**
@@ -120,6 +121,6 @@ final class Recorder {
 
   /** Somebody has answered. */
   void answered(Answerer answerer, Duration after) {
-    answers.get(answerer).took(after);
+    Objects.requireNonNull(answers.get(answerer)).took(after);
   }
 }
