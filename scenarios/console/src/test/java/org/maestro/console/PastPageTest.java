@@ -53,14 +53,14 @@ class PastPageTest {
     assertThat(browser.address()).contains("at=20");
     browser.waitFor("#plan [data-thing=rose]:not([transform='" + now + "'])");
     browser.click("[data-view=goals]");
-    browser.waitForText("#goal-list .state", "planning");
+    browser.waitFor("#goal-list .state:not(.good)");
     assertThat(browser.waitFor("#goal-form [type=submit]").isEnabled()).isFalse();
     assertThat(browser.waitFor("#goal-form [type=submit]").getDomAttribute("title"))
         .contains("Go back to now first");
     assertThat(browser.waitFor("#stop").isEnabled()).as("whatever is looked at").isTrue();
 
     browser.go(browser.address());
-    browser.waitForText("#goal-list .state", "planning");
+    browser.waitFor("#goal-list .state:not(.good)");
     browser.click("#time-now");
 
     browser.waitForText("#goal-list .state", "achieved");

@@ -47,6 +47,7 @@ final class UnitMessages {
           "drop",
           "unanswered",
           "complain",
+          "found",
           "wrong",
           "told",
           "gone",
@@ -93,6 +94,10 @@ final class UnitMessages {
   private static final Set<String> NO_MESSAGES =
       Set.of(
           "console.api.Api",
+          "console.api.HistoryOperations",
+          "console.api.PlanOperations",
+          "console.api.TrafficOperations",
+          "console.members.MemberOperations",
           "console.api.OpenApiDocument",
           "console.Metrics",
           "coordination.story");

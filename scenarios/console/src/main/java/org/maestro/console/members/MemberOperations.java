@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.maestro.console.api.Operation;
+import org.maestro.console.questions.AclCalls;
 import org.maestro.console.questions.RefusalException;
 import org.maestro.console.traffic.RoundTrips;
 import org.maestro.ontology.home.Device;
@@ -32,7 +33,7 @@ public final class MemberOperations {
   public MemberOperations(MaestroPlatform platform, RoundTrips roundTrips) {
     this.platform = platform;
     this.roundTrips = roundTrips;
-    this.calls = new CallsByHand(platform.desk(), this::agentOf, platform.speed());
+    this.calls = new CallsByHand(new AclCalls(platform.desk()), this::agentOf, platform.speed());
   }
 
   private Optional<String> agentOf(String member) {
@@ -43,7 +44,7 @@ public final class MemberOperations {
   }
 
   public List<Operation> operations() {
-    Operation.Parameter member = Operation.Parameter.path("member", "A member's name on the bus.");
+    Operation.Parameter which = Operation.Parameter.path("member", "A member's name on the bus.");
     return List.of(
         Operation.get(
                 "/members/{member}",
@@ -51,7 +52,7 @@ public final class MemberOperations {
                 "A member: what it is at, what waits, and which of its features can be called now.",
                 "member",
                 request -> member(request.parameter("member")))
-            .with(member),
+            .with(which),
         Operation.asking(
                 Operation.Method.POST,
                 "/members/{member}/calls",
@@ -59,7 +60,7 @@ public final class MemberOperations {
                 "Calls a feature of a member by hand; it serves no goal, and its agent may refuse.",
                 "call",
                 this::call)
-            .with(member)
+            .with(which)
             .taking("call-request")
             .answering(CREATED, "call"),
         Operation.get(

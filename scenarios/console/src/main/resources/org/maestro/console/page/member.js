@@ -119,7 +119,7 @@ function form(member, feature, number) {
     make("div", { class: "more" },
       fields.map(([parameter, input]) => [
         make("label", { for: input.id }, `${parameter.name}${parameter.optional ? " (or not)" : ""}`), input]).flat(),
-      make("button", { type: "submit", ...acting(), ...(why ? { disabled: true, title: why } : {}) }, "Call")),
+      make("button", { type: "submit", ...(why ? { disabled: true, title: why } : acting()) }, "Call")),
     why ? make("p", { class: "quiet why" }, why) : null,
     told);
 }
