@@ -23,7 +23,7 @@ public final class JadeRuntime {
   private static final String MOST_FOUND = "jade_domain_df_maxresult";
 
   private static final int MOST_BEGINNINGS = 10;
-  private static final int MOST_MAINS = 3;
+  private static final int MOST_MAINS = 10;
   private static final Duration BETWEEN_BEGINNINGS = Duration.ofMillis(100);
 
   private static final String LOOPBACK = Premises.LOOPBACK;
@@ -79,32 +79,27 @@ public final class JadeRuntime {
     guard.ifPresent(own -> GuardedProfile.guard(properties, own));
     ContainerProfile.listen(properties, guard, port);
     Optional<AgentContainer> container = Optional.empty();
+    // JADE's connections are those of all platforms of one name in this process, and end with the
+    // last: a platform of the same name that begins at that moment finds none, and begins again.
+    boolean isFree = true;
     for (int attempt = 1; container.isEmpty() && attempt <= MOST_MAINS; attempt++) {
       if (attempt > 1) {
-        requireFree(premises.host(), port);
         LockSupport.parkNanos(BETWEEN_BEGINNINGS.toNanos());
+        isFree = Sockets.isFree(premises.host(), port);
       }
-      container =
-          begun(
-              () ->
-                  Runtime.instance()
-                      .createMainContainer(new WiredProfile(properties, shared.wires())));
+      if (isFree) {
+        container =
+            begun(
+                () ->
+                    Runtime.instance()
+                        .createMainContainer(new WiredProfile(properties, shared.wires())));
+      }
     }
-    return container.orElseThrow(
-        () ->
-            new PlatformStartException(
-                "JADE could not start, though its port " + port + " is free; the log says why."));
-  }
-
-  /**
-   * JADE's connections are those of all platforms of one name in this process, and end with the
-   * last: a platform of the same name that begins at that moment finds none, and begins again.
-   */
-  private static void requireFree(String host, int port) {
-    if (!Sockets.isFree(host, port)) {
-      throw new PlatformStartException(
-          "Port " + port + " was taken just now; choose another with --port.");
-    }
+    String problem =
+        isFree
+            ? "JADE could not start, though its port " + port + " is free; the log says why."
+            : "Port " + port + " was taken just now; choose another with --port.";
+    return container.orElseThrow(() -> new PlatformStartException(problem));
   }
 
   /** Joins with a container that takes no generic agents. */

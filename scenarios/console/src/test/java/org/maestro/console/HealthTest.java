@@ -40,7 +40,11 @@ class HealthTest {
 
   @Test
   void itIsReadyWhileGoalsAreTakenAndSaysWhyWhenTheyAreNot() throws Exception {
-    assertThat(home.whole("/health").body())
+    String health =
+        Awaitility.await()
+            .atMost(LIMIT)
+            .until(() -> home.whole("/health").body(), body -> body.contains("lights"));
+    assertThat(health)
         .contains("\"status\":\"well\",\"reasons\":[]")
         .contains("{\"container\":\"lights\",\"condition\":\"alive\"}");
     assertThat(becomes("/ready", 200).body()).isEqualTo("{\"ready\":true,\"reasons\":[]}");

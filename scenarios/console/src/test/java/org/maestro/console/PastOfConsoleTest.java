@@ -52,8 +52,12 @@ class PastOfConsoleTest {
       JsonNode kept = home.get("/history").document();
       home.assertValid(kept, "past");
       assertThat(kept.path("problem").isNull()).isTrue();
-      assertThat(happened(home, kept)).contains(first + " stated", second + " reached");
-      assertThat(happened(home, kept)).contains("rose joined", second + " begun");
+      await(
+          () ->
+              happened(home, home.get("/history").document())
+                  .containsAll(List.of(first + " stated", second + " reached")));
+      assertThat(happened(home, home.get("/history").document()))
+          .contains("rose joined", second + " begun");
       assertLightIsCharted(home, kept);
     }
     try (ServedHome home = ServedHome.startWith(data)) {

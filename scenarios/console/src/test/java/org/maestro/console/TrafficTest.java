@@ -68,6 +68,10 @@ class TrafficTest {
           }
         });
     assertThat(there.get(60, TimeUnit.SECONDS)).isTrue();
+    // What is said before the console listens, it has not heard.
+    Awaitility.await()
+        .atMost(LIMIT)
+        .until(() -> home.get("/bus").document().path("listening").asBoolean());
     home.state("(nextTo Cup Bob)");
   }
 
