@@ -142,7 +142,7 @@ public final class MaestroPlatform implements AutoCloseable {
     main.start(AgentNames.KNOWLEDGE, new KnowledgeAgent(time, knowledge, services.describedBy()));
     main.start(AgentNames.COORDINATOR, central.now());
     main.start(AgentNames.SUPERVISOR, supervisor);
-    main.start("desk", desk);
+    main.start(AgentNames.DESK, desk);
     agents.begin();
     for (Group group : knowledge.home().groups().values()) {
       GroupAgent agent = new GroupAgent(time, mind, group, stories, past);

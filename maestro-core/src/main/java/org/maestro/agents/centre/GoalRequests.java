@@ -80,7 +80,7 @@ public final class GoalRequests {
       return;
     }
     Formula goal = stated.get();
-    Caller requester = Caller.of(message, agent.getHap());
+    Caller requester = Caller.of(message, agent.getHap()).askingFor(words.string("for"));
     if (!AccessList.of(knowledge.home()).knows(requester.names())) {
       agent.refuse(
           message,
@@ -189,7 +189,9 @@ public final class GoalRequests {
                   Words.parse(answer.getContent()).toArray(Content[]::new)));
       return;
     }
-    String by = Caller.of(message, agent.getHap()).agent();
+    Optional<String> person = words.string("for");
+    Caller caller = Caller.of(message, agent.getHap()).askingFor(person);
+    String by = person.isPresent() ? caller.toString() : caller.agent();
     if (agent.isFromOtherPlatform(message) && !isOf(id, by)) {
       agent.refuse(
           message, ACLMessage.REFUSE, "The goal " + id + " is not one that " + by + " stated.");

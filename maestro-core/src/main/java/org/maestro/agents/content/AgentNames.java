@@ -9,6 +9,10 @@ public final class AgentNames {
 
   public static final String KNOWLEDGE = "knowledge";
   public static final String SUPERVISOR = "supervisor";
+
+  /** Where people state goals and ask; it alone speaks for others than its own process. */
+  public static final String DESK = "desk";
+
   private static final String HOST = "host-";
 
   private AgentNames() {}

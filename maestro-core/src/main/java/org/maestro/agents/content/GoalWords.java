@@ -53,9 +53,12 @@ public final class GoalWords {
    * Asks for a goal.
    *
    * @param deadlineSeconds simulated seconds from now by which it has to be reached
+   * @param person for whom the desk asks
    */
-  public static Content asked(String goal, int priority, OptionalDouble deadlineSeconds) {
+  public static Content asked(
+      String goal, int priority, OptionalDouble deadlineSeconds, Optional<String> person) {
     List<Content.Argument> arguments = new ArrayList<>();
+    person.ifPresent(name -> arguments.add(Words.named("for", Words.text(name))));
     arguments.add(Words.named("goal", Words.text(goal)));
     if (priority != 0) {
       arguments.add(Words.named("priority", Words.number(priority)));

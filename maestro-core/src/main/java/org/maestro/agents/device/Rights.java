@@ -65,7 +65,7 @@ public record Rights(boolean known, Optional<List<Permission>> permissions) {
 
   /**
    * Why the agent does not do this for who asks. The central agent asks for others, and has to say
-   * for whom; for itself it may ask everything.
+   * for whom; for itself it may ask everything. The desk may ask for a person.
    *
    * @param words of what is asked
    * @return empty when it does
@@ -85,7 +85,7 @@ public record Rights(boolean known, Optional<List<Permission>> permissions) {
     if (isCentre && client.isEmpty()) {
       return Optional.empty();
     }
-    Caller caller = isCentre ? Caller.parse(client.get()) : sender;
+    Caller caller = isCentre ? Caller.parse(client.get()) : sender.askingFor(client);
     return AccessList.objection(permissions.get(), caller.names(), device, feature);
   }
 }

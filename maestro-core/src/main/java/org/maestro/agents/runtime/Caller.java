@@ -4,6 +4,7 @@ import jade.lang.acl.ACLMessage;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import org.maestro.agents.content.AgentNames;
 
 /**
  * The agent that asks another for something, and its user.
@@ -36,6 +37,16 @@ public record Caller(String agent, Optional<String> user) {
     return at < 0 || name.substring(at + 1).equals(ownPlatform)
         ? of(message)
         : new Caller(name.substring(at + 1) + "/" + name.substring(0, at), Optional.empty());
+  }
+
+  /**
+   * The same where the desk asks for a person who has signed in there; nobody else is believed to
+   * ask for another.
+   *
+   * @param person for whom it says that it asks
+   */
+  public Caller askingFor(Optional<String> person) {
+    return agent.equals(AgentNames.DESK) && person.isPresent() ? new Caller(agent, person) : this;
   }
 
   /** What {@link #toString} wrote. */

@@ -15,6 +15,7 @@ final class ArtemisFiles {
 
   private static final String MEMBERS = "members";
   private static final String CONTROLLERS = "controllers";
+  private static final String OBSERVERS = "observers";
   private static final String EVERYBODY = MEMBERS + "," + CONTROLLERS;
   private static final String NOBODY = "";
 
@@ -53,6 +54,10 @@ final class ArtemisFiles {
     roles.append(MEMBERS).append(" = ").append(String.join(",", users.members())).append('\n');
     roles.append(CONTROLLERS).append(" = ").append(String.join(",", users.controllers()));
     roles.append('\n');
+    if (!users.observers().isEmpty()) {
+      roles.append(OBSERVERS).append(" = ").append(String.join(",", users.observers()));
+      roles.append('\n');
+    }
     users.all().forEach(id -> roles.append(role(id)).append(" = ").append(id).append('\n'));
     return roles.toString();
   }
@@ -118,6 +123,7 @@ final class ArtemisFiles {
   private String settings() {
     Settings settings = new Settings();
     settings.add("#", NOBODY, NOBODY);
+    settings.add(root + "#", NOBODY, OBSERVERS);
     settings.add(root + "call.#", NOBODY, EVERYBODY);
     settings.add(root + "controller.*.status", NOBODY, EVERYBODY);
     settings.add(root + "member.#", NOBODY, CONTROLLERS);
@@ -126,6 +132,9 @@ final class ArtemisFiles {
     settings.add(root + "member.*.state", NOBODY, CONTROLLERS);
     settings.add(root + "member.*.observation.*", NOBODY, CONTROLLERS);
     for (String id : users.all()) {
+      if (users.observers().contains(id)) {
+        continue;
+      }
       String role = role(id);
       String level = escaped(id);
       settings.add(root + "call." + level, role, EVERYBODY);

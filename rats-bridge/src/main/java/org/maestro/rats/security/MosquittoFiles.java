@@ -72,9 +72,8 @@ final class MosquittoFiles {
   private String accessList() {
     StringBuilder list = new StringBuilder("# What nothing here allows is refused.\n");
     for (String id : users.all()) {
-      boolean controller = users.controllers().contains(id);
       list.append("\nuser ").append(id).append('\n');
-      TopicRights rights = TopicRights.of(users.site(), id, controller);
+      TopicRights rights = TopicRights.of(users, id);
       rights.write().forEach(topic -> list.append("topic write ").append(topic).append('\n'));
       rights.read().forEach(topic -> list.append("topic read ").append(topic).append('\n'));
     }

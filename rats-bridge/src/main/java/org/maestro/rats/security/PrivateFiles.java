@@ -25,6 +25,7 @@ final class PrivateFiles {
   static final Set<String> SECRETS =
       Set.of(
           "password",
+          "console-password",
           "key.pem",
           "container-key.pem",
           "join-token",

@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -21,6 +22,9 @@ import java.util.regex.Pattern;
  */
 public final class SecureSite {
   private static final Pattern STORE_PASSWORD = Pattern.compile("keyStorePassword=([^;<]+)");
+
+  /** Of a password that a person has chosen. */
+  private static final int FEWEST_CHARACTERS = 12;
 
   private final Path directory;
   private final Path authorityKey;
@@ -63,27 +67,28 @@ public final class SecureSite {
       Collection<String> controllers,
       Collection<String> members,
       Collection<String> guests) {
-    return in(directory).make(site, hosts, controllers, members, guests);
+    return in(directory)
+        .make(
+            new SiteUsers(
+                site,
+                hosts,
+                new TreeSet<>(controllers),
+                new TreeSet<>(members),
+                new TreeSet<>(),
+                new TreeSet<>(guests),
+                new TreeMap<>()));
   }
 
   /**
    * Writes all files below the directory, each for its owner only.
    *
-   * @param site its name on the bus
-   * @param hosts names and addresses that the broker is reached by
-   * @param guests who may join the platform and ask there, without being on the bus
+   * @param wanted who belongs to it, beside those who do already
    * @return everybody who belongs to the site now
    * @throws SecurityFilesException when a file cannot be written, or a name cannot be one
    */
-  public SiteUsers make(
-      String site,
-      List<String> hosts,
-      Collection<String> controllers,
-      Collection<String> members,
-      Collection<String> guests) {
-    SiteUsers users =
-        new SiteUsers(
-            site, hosts, new TreeSet<>(controllers), new TreeSet<>(members), new TreeSet<>(guests));
+  public SiteUsers make(SiteUsers wanted) {
+    String site = wanted.site();
+    SiteUsers users = wanted;
     Path file = directory.resolve(SiteSecurity.USERS);
     if (Files.exists(file)) {
       SiteUsers former = SiteUsers.parse(PrivateFiles.text(file), file.toString());
@@ -104,9 +109,16 @@ public final class SecureSite {
     return users;
   }
 
+  /** Whether somebody may sign in at the console, as far as the files say. */
+  public boolean hasPersons() {
+    Path file = directory.resolve(SiteSecurity.USERS);
+    return Files.exists(file)
+        && !SiteUsers.parse(PrivateFiles.text(file), file.toString()).persons().isEmpty();
+  }
+
   /**
    * Gives users new keys and certificates, and the broker too; those they have had stay good until
-   * they are out of date.
+   * they are out of date. A person gets a new password, and the one that she had is good no more.
    *
    * @throws SecurityFilesException when one is no user of the site, or a file cannot be written
    */
@@ -119,6 +131,9 @@ public final class SecureSite {
       }
       if (users.containers().contains(id)) {
         certifyContainer(id, authority);
+      }
+      if (users.persons().containsKey(id)) {
+        PrivateFiles.write(personal(id), PasswordHashes.newPassword() + "\n");
       }
     }
     write(users, authority);
@@ -153,7 +168,7 @@ public final class SecureSite {
     Path file = directory.resolve(SiteSecurity.USERS);
     SiteUsers users = SiteUsers.parse(PrivateFiles.text(file), file.toString());
     for (String id : ids) {
-      if (!users.all().contains(id) && !users.containers().contains(id)) {
+      if (!users.has(id)) {
         throw new SecurityFilesException(
             "The secured site %s has no user %s; its users stand in %s."
                 .formatted(users.site(), id, file));
@@ -174,7 +189,31 @@ public final class SecureSite {
     String storePassword = broker(users, authority);
     new MosquittoFiles(users, directory).texts(passwords).forEach(this::write);
     new ArtemisFiles(users, directory).texts(passwords, storePassword).forEach(this::write);
+    write(SiteSecurity.PERSONS, persons(users));
     write(SiteSecurity.USERS, users.text());
+  }
+
+  /** What the console keeps of the passwords of persons: those in their files, made or chosen. */
+  private String persons(SiteUsers users) {
+    StringBuilder lines = new StringBuilder();
+    for (String id : users.persons().keySet()) {
+      Path file = personal(id);
+      if (!Files.exists(file)) {
+        PrivateFiles.write(file, PasswordHashes.newPassword() + "\n");
+      }
+      String password = PrivateFiles.secret(file).strip();
+      if (password.length() < FEWEST_CHARACTERS) {
+        throw new SecurityFilesException(
+            "The password in %s has %d characters; write one of at least %d there, or remove the file to have one made."
+                .formatted(file, password.length(), FEWEST_CHARACTERS));
+      }
+      lines.append(id).append(':').append(PasswordHashes.slow(password)).append('\n');
+    }
+    return lines.toString();
+  }
+
+  private Path personal(String id) {
+    return directory.resolve(SiteSecurity.ofUser(id) + SiteSecurity.PERSONAL);
   }
 
   private CertificateAuthority authority(String site) {

@@ -27,6 +27,13 @@ public final class SiteSecurity {
   static final String PASSWORD = "password";
   static final String CERTIFICATE = "certificate.pem";
   static final String KEY = "key.pem";
+
+  /** What the console keeps of the passwords of persons. */
+  static final String PERSONS = "console/passwords";
+
+  /** A person's own password for the console. */
+  static final String PERSONAL = "console-password";
+
   static final String TOKEN = "join-token";
   static final String CONTAINER_CERTIFICATE = "container.pem";
   static final String CONTAINER_KEY = "container-key.pem";
@@ -165,6 +172,44 @@ public final class SiteSecurity {
         identity,
         context(Optional.of(identity)),
         token);
+  }
+
+  /**
+   * The persons who may sign in at the console.
+   *
+   * @throws SecurityFilesException when the files cannot be used
+   */
+  public SitePersons persons() {
+    return new SitePersons(directory.resolve(USERS), directory.resolve(PERSONS));
+  }
+
+  /**
+   * To serve by TLS as the site's own machine, by the certificate of its broker.
+   *
+   * @throws SecurityFilesException when the files cannot be used
+   */
+  public SSLContext server() {
+    return context(
+        Optional.of(
+            new CertificateAuthority.Identity(
+                Pem.certificate(directory.resolve("broker/certificate.pem")),
+                Pem.key(directory.resolve("broker/key.pem")))));
+  }
+
+  /**
+   * To sign in at the console as a person by her password.
+   *
+   * @return empty when the site has no such person
+   * @throws SecurityFilesException when the files cannot be used
+   */
+  public Optional<Credentials> console(String id) {
+    return users.persons().containsKey(id)
+        ? Optional.of(
+            new Credentials(
+                id,
+                Optional.of(PrivateFiles.secret(file(id, PERSONAL)).strip()),
+                context(Optional.empty())))
+        : Optional.empty();
   }
 
   /** What {@link #container} reads, to see when that has to be read again. */

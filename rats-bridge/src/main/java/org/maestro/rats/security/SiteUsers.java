@@ -4,7 +4,10 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
+import java.util.SortedMap;
 import java.util.SortedSet;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -16,14 +19,19 @@ import java.util.stream.Stream;
  * @param hosts names and addresses that the broker is reached by
  * @param controllers ids that may read everything
  * @param members ids of devices
+ * @param observers ids of who may read everything and say nothing, as the console does
  * @param guests ids of who may only join the platform and ask there; the bus does not know them
+ * @param persons who may sign in at the console, each with a role; they may be controllers or
+ *     guests, too
  */
 public record SiteUsers(
     String site,
     List<String> hosts,
     SortedSet<String> controllers,
     SortedSet<String> members,
-    SortedSet<String> guests) {
+    SortedSet<String> observers,
+    SortedSet<String> guests,
+    SortedMap<String, Role> persons) {
 
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,62}");
 
@@ -35,9 +43,17 @@ public record SiteUsers(
     hosts = List.copyOf(hosts);
     controllers = sorted(controllers);
     members = sorted(members);
+    observers = sorted(observers);
     guests = sorted(guests);
+    persons = Collections.unmodifiableSortedMap(new TreeMap<>(persons));
     for (String name :
-        Stream.of(Stream.of(site), controllers.stream(), members.stream(), guests.stream())
+        Stream.of(
+                Stream.of(site),
+                controllers.stream(),
+                members.stream(),
+                observers.stream(),
+                guests.stream(),
+                persons.keySet().stream())
             .flatMap(names -> names)
             .toList()) {
       if (!NAME.matcher(name).matches()) {
@@ -48,15 +64,18 @@ public record SiteUsers(
       }
     }
     requireDistinct(controllers, members, "a member and a controller");
+    requireDistinct(controllers, observers, "an observer and a controller");
+    requireDistinct(members, observers, "an observer and a member");
     requireDistinct(controllers, guests, "a guest and a controller");
     requireDistinct(members, guests, "a guest and a member");
+    requireDistinct(members, persons.keySet(), "a person at the console and a member");
     if (hosts.isEmpty()) {
       throw new SecurityFilesException("A broker needs a host name; name one with --host");
     }
   }
 
   private static void requireDistinct(
-      SortedSet<String> some, SortedSet<String> others, String both) {
+      SortedSet<String> some, Collection<String> others, String both) {
     for (String name : some) {
       if (others.contains(name)) {
         throw new SecurityFilesException(
@@ -65,9 +84,9 @@ public record SiteUsers(
     }
   }
 
-  /** Members and controllers, by name: whom the bus knows. */
+  /** Members, controllers and observers, by name: whom the bus knows. */
   public SortedSet<String> all() {
-    return both(controllers, members);
+    return both(both(controllers, members), observers);
   }
 
   /** Controllers and guests, by name: whose processes may be containers of the platform. */
@@ -75,20 +94,37 @@ public record SiteUsers(
     return both(controllers, guests);
   }
 
-  /** The same site with those of another one as well. */
+  /** Whether it knows somebody of that name. */
+  boolean has(String id) {
+    return all().contains(id) || containers().contains(id) || persons.containsKey(id);
+  }
+
+  /** The same site with those of another one as well; persons have their roles here. */
   SiteUsers and(SiteUsers others) {
+    SortedMap<String, Role> allPersons = new TreeMap<>(others.persons);
+    allPersons.putAll(persons);
     return new SiteUsers(
         site,
         hosts,
         both(controllers, others.controllers),
         both(members, others.members),
-        both(guests, others.guests));
+        both(observers, others.observers),
+        both(guests, others.guests),
+        allPersons);
   }
 
   /** The same site without those. */
   SiteUsers without(Collection<String> ids) {
+    SortedMap<String, Role> rest = new TreeMap<>(persons);
+    rest.keySet().removeAll(ids);
     return new SiteUsers(
-        site, hosts, without(controllers, ids), without(members, ids), without(guests, ids));
+        site,
+        hosts,
+        without(controllers, ids),
+        without(members, ids),
+        without(observers, ids),
+        without(guests, ids),
+        rest);
   }
 
   private static SortedSet<String> without(SortedSet<String> names, Collection<String> ids) {
@@ -103,7 +139,9 @@ public record SiteUsers(
     hosts.forEach(host -> text.append("host ").append(host).append('\n'));
     controllers.forEach(id -> text.append("controller ").append(id).append('\n'));
     members.forEach(id -> text.append("member ").append(id).append('\n'));
+    observers.forEach(id -> text.append("observer ").append(id).append('\n'));
     guests.forEach(id -> text.append("guest ").append(id).append('\n'));
+    persons.forEach((id, role) -> text.append(role.word()).append(' ').append(id).append('\n'));
     return text.toString();
   }
 
@@ -112,7 +150,9 @@ public record SiteUsers(
     List<String> hosts = new ArrayList<>();
     TreeSet<String> controllers = new TreeSet<>();
     TreeSet<String> members = new TreeSet<>();
+    TreeSet<String> observers = new TreeSet<>();
     TreeSet<String> guests = new TreeSet<>();
+    TreeMap<String, Role> persons = new TreeMap<>();
     int number = 0;
     for (String raw : text.lines().toList()) {
       number++;
@@ -121,19 +161,29 @@ public record SiteUsers(
       if (line.isEmpty()) {
         continue;
       }
+      Optional<Role> role = words.length == 2 ? Role.of(words[0]) : Optional.empty();
+      if (role.isPresent()) {
+        if (persons.put(words[1], role.get()) != null) {
+          throw new SecurityFilesException(
+              "%s, line %d: %s has another role above; leave one of them"
+                  .formatted(source, number, words[1]));
+        }
+        continue;
+      }
       switch (words.length == 2 ? words[0] : "") {
         case "site" -> site = words[1];
         case "host" -> hosts.add(words[1]);
         case "controller" -> controllers.add(words[1]);
         case "member" -> members.add(words[1]);
+        case "observer" -> observers.add(words[1]);
         case "guest" -> guests.add(words[1]);
         default ->
             throw new SecurityFilesException(
-                "%s, line %d: \"%s\" names no site, host, controller, member or guest"
+                "%s, line %d: \"%s\" names no site, host, controller, member, observer, guest, viewer, operator or administrator"
                     .formatted(source, number, line));
       }
     }
-    return new SiteUsers(site, hosts, controllers, members, guests);
+    return new SiteUsers(site, hosts, controllers, members, observers, guests, persons);
   }
 
   private static SortedSet<String> sorted(SortedSet<String> names) {

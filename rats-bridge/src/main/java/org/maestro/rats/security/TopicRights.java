@@ -5,12 +5,17 @@ import java.util.List;
 
 /**
  * The topics that one user of a secured site may write and read, as MQTT filters: everybody speaks
- * under its own name only, and only controllers read what others see, hold and report.
+ * under its own name only, and only controllers read what others see, hold and report. Observers
+ * read everything, and say nothing.
  */
 record TopicRights(List<String> write, List<String> read) {
 
-  static TopicRights of(String site, String id, boolean controller) {
-    String root = "rats/1/" + site + "/";
+  static TopicRights of(SiteUsers users, String id) {
+    String root = "rats/1/" + users.site() + "/";
+    if (users.observers().contains(id)) {
+      return new TopicRights(List.of(), List.of(root + "#"));
+    }
+    boolean controller = users.controllers().contains(id);
     List<String> write = new ArrayList<>();
     write.add(root + "call/" + id);
     write.add(root + "result/+/" + id);

@@ -11,7 +11,9 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -167,7 +169,16 @@ class SiteSecurityTest {
   void itsAuthoritysKeyCanLiveElsewhereFromTheBeginning() {
     Path safe = directory.resolve("safe");
     Path files = directory.resolve("files");
-    SecureSite.in(files, safe).make("home", List.of("h"), List.of("cca"), List.of(), List.of());
+    SecureSite.in(files, safe)
+        .make(
+            new SiteUsers(
+                "home",
+                List.of("h"),
+                new TreeSet<>(Set.of("cca")),
+                new TreeSet<>(),
+                new TreeSet<>(),
+                new TreeSet<>(),
+                new TreeMap<>()));
     assertThat(safe.resolve("key.pem")).exists();
     assertThat(files.resolve("ca/key.pem")).doesNotExist();
     assertThat(SiteSecurity.open(files).container("cca").user()).isEqualTo("cca");

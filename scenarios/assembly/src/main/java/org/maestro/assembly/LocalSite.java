@@ -60,8 +60,8 @@ public final class LocalSite implements AutoCloseable {
   private static final int BROKER_ANSWERS_WITHIN_MILLIS = 2_000;
   private static final String CONTROLLER = "maestro";
 
-  /** No member has this name: theirs have no such sign. */
-  private static final String OBSERVER = CONTROLLER + "$observer";
+  /** Who only listens to the bus; a secured site has a user of that name. */
+  public static final String OBSERVER = "observer";
 
   /**
    * Lets time pass until a condition holds, for a simulated time at most; says whether it holds.
@@ -289,11 +289,15 @@ public final class LocalSite implements AutoCloseable {
   }
 
   /**
-   * A client of the bus beside all others, for one who only listens; not open yet. On a secured
-   * site nobody is let in who may hear everything.
+   * A client of the bus beside all others, for one who only listens; not open yet.
+   *
+   * @throws org.maestro.rats.security.SecurityFilesException when it is a secured site whose files
+   *     have no observer
    */
   public Transport observer() {
-    return transports.apply(OBSERVER);
+    // On an open site no member has this name: theirs have no such sign.
+    return transports.apply(
+        settings.security().isPresent() ? OBSERVER : CONTROLLER + "$" + OBSERVER);
   }
 
   public MaestroPlatform platform() {

@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -25,8 +26,12 @@ final class EventStreams implements AutoCloseable {
             return thread;
           });
 
-  /** Tells the client what happens there, until either side ends it. */
-  void serve(SseClient client, EventSource events) {
+  /**
+   * Tells the client what happens there, until either side ends it.
+   *
+   * @param lasts whether she may hear it still
+   */
+  void serve(SseClient client, EventSource events, BooleanSupplier lasts) {
     EventQueue queue = new EventQueue();
     client.keepAlive();
     client.onClose(
@@ -34,15 +39,15 @@ final class EventStreams implements AutoCloseable {
           queue.end();
           events.leave(queue);
         });
-    events.listen(queue, () -> threads.execute(() -> send(client, queue)));
+    events.listen(queue, () -> threads.execute(() -> send(client, queue, lasts)));
   }
 
-  private static void send(SseClient client, EventQueue queue) {
+  private static void send(SseClient client, EventQueue queue, BooleanSupplier lasts) {
     try {
       if (queue.isOver()) {
         client.sendEvent("full", "Too many listen already; close another page.");
       }
-      while (!queue.isOver() && !client.terminated()) {
+      while (!queue.isOver() && !client.terminated() && lasts.getAsBoolean()) {
         queue
             .next(BREATH)
             .ifPresentOrElse(

@@ -6,12 +6,11 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The rules for who is let in where no password is asked for: pages of other sites, and names that
+ * The rules for which requests are looked at: those of pages of other sites, and for names that
  * others may point at this machine, are not. What browsers are to do with the answers is said here
  * too.
  */
 final class Gatekeeper {
-  private static final Set<String> LOOPBACK = Set.of("127.0.0.1", "localhost", "[::1]");
   private static final Set<String> OF_OURS = Set.of("same-origin", "none");
 
   /** Our own files alone, and no frame around the page. */
@@ -20,7 +19,11 @@ final class Gatekeeper {
           + " connect-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none';"
           + " frame-ancestors 'none'";
 
-  private Gatekeeper() {}
+  private final Serving serving;
+
+  Gatekeeper(Serving serving) {
+    this.serving = serving;
+  }
 
   /** Headers of every answer. */
   static void mark(Context context) {
@@ -33,14 +36,17 @@ final class Gatekeeper {
   }
 
   /** Why the request is not answered; empty when it is. */
-  static Optional<String> objection(Context context) {
+  Optional<String> objection(Context context) {
     String host = Optional.ofNullable(context.header("Host")).orElse("");
-    if (!LOOPBACK.contains(name(host))) {
+    if (!serving.names().contains(name(host))) {
       return Optional.of(
-          "The console answers on this machine alone: ask for 127.0.0.1 or localhost.");
+          serving.security().isPresent()
+              ? "The console answers under %s alone; ./maestro secure DIR --host NAME adds a name."
+                  .formatted(String.join(", ", serving.names()))
+              : "The console answers on this machine alone: ask for 127.0.0.1 or localhost.");
     }
     Optional<String> origin = Optional.ofNullable(context.header("Origin"));
-    if (origin.isPresent() && !origin.get().equalsIgnoreCase("http://" + host)
+    if (origin.isPresent() && !origin.get().equalsIgnoreCase(serving.scheme() + "://" + host)
         || Optional.ofNullable(context.header("Sec-Fetch-Site"))
             .filter(site -> !OF_OURS.contains(site))
             .isPresent()) {

@@ -52,13 +52,25 @@ final class Health {
     return document.node();
   }
 
-  /** Always answered with 200: whether something is amiss stands in the answer. */
-  void tellHealth(Context context) {
-    answer(context, 200, document());
+  /**
+   * Always answered with 200: whether something is amiss stands in the answer.
+   *
+   * @param inFull what it is, too
+   */
+  void tellHealth(Context context, boolean inFull) {
+    JsonNode whole = document();
+    answer(
+        context,
+        200,
+        inFull ? whole : JsonMembers.empty().text("status", whole.path("status").asText()).node());
   }
 
-  /** Answered with 200 when goals are taken, and with 503 and the reason when not. */
-  CompletableFuture<?> tellReadiness(Context context) {
+  /**
+   * Answered with 200 when goals are taken, and with 503 and the reason when not.
+   *
+   * @param inFull with the reason
+   */
+  CompletableFuture<?> tellReadiness(Context context, boolean inFull) {
     return questions
         .goals()
         .handle(
@@ -71,7 +83,10 @@ final class Health {
               answer(
                   context,
                   ready ? 200 : Problems.OUTSIDE,
-                  JsonMembers.empty().truth("ready", ready).words("reasons", reasons).node());
+                  JsonMembers.empty()
+                      .truth("ready", ready)
+                      .words("reasons", inFull ? reasons : List.of())
+                      .node());
               return null;
             });
   }

@@ -13,7 +13,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import org.maestro.console.access.Visit;
 import org.maestro.console.api.Operation;
 import org.maestro.console.api.Operation.Parameter;
 import org.maestro.console.questions.RefusalException;
@@ -22,8 +24,15 @@ import org.maestro.console.questions.RefusalException;
  * A request whose parameters and body are as its operation says.
  *
  * @param values of the parameters that are there
+ * @param remembering has the browser bring something with each further request
  */
-record ReadRequest(Map<String, String> values, JsonNode body) implements Operation.Request {
+record ReadRequest(
+    Map<String, String> values,
+    JsonNode body,
+    Visit visit,
+    String address,
+    Consumer<Optional<String>> remembering)
+    implements Operation.Request {
   private static final ObjectMapper MAPPER =
       new ObjectMapper()
           .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
@@ -35,7 +44,7 @@ record ReadRequest(Map<String, String> values, JsonNode body) implements Operati
    *
    * @throws RefusalException when it is otherwise than the operation says
    */
-  static ReadRequest of(Context context, Operation operation) {
+  static ReadRequest of(Context context, Operation operation, Visit visit) {
     Map<String, String> values = new HashMap<>(context.pathParamMap());
     Set<String> known =
         operation.parameters().stream()
@@ -55,7 +64,10 @@ record ReadRequest(Map<String, String> values, JsonNode body) implements Operati
     operation.parameters().forEach(parameter -> check(parameter, values));
     return new ReadRequest(
         values,
-        operation.body().isPresent() ? body(context) : JsonNodeFactory.instance.objectNode());
+        operation.body().isPresent() ? body(context) : JsonNodeFactory.instance.objectNode(),
+        visit,
+        context.ip(),
+        session -> Entrance.remember(context, session));
   }
 
   private static void check(Parameter parameter, Map<String, String> values) {
@@ -89,6 +101,11 @@ record ReadRequest(Map<String, String> values, JsonNode body) implements Operati
   public String parameter(String name) {
     return perhaps(name)
         .orElseThrow(() -> new IllegalArgumentException("There is no parameter " + name + "."));
+  }
+
+  @Override
+  public void remember(Optional<String> session) {
+    remembering.accept(session);
   }
 
   @Override

@@ -334,11 +334,11 @@ class ConsoleTest {
                       home.site().platform(),
                       home.site().observer(),
                       "second",
-                      taken.getLocalPort(),
+                      Serving.onLoopback(taken.getLocalPort()),
                       Optional.empty(),
                       "1"))
           .isInstanceOf(RefusalException.class)
-          .hasMessageContaining("Port " + taken.getLocalPort() + " is in use");
+          .hasMessageContaining("cannot listen on port " + taken.getLocalPort());
     }
   }
 

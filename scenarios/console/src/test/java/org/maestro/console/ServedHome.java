@@ -16,14 +16,23 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.Consumer;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.console.api.Api;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
+import org.maestro.rats.security.Role;
+import org.maestro.rats.security.SecureSite;
+import org.maestro.rats.security.SiteSecurity;
+import org.maestro.rats.security.SiteUsers;
 import org.maestro.sim.scene.SceneLoader;
 
 /** Bob's home, simulated, with its console; and a client of that. */
@@ -38,13 +47,14 @@ final class ServedHome implements AutoCloseable {
     }
   }
 
-  private final HttpClient client = HttpClient.newHttpClient();
+  private final HttpClient client;
   private final LocalSite site;
   private final Console console;
 
-  private ServedHome(LocalSite site, Console console) {
+  private ServedHome(LocalSite site, Console console, HttpClient client) {
     this.site = site;
     this.console = console;
+    this.client = client;
   }
 
   static ServedHome start() {
@@ -61,15 +71,61 @@ final class ServedHome implements AutoCloseable {
     return start(settings -> {}, Optional.of(data));
   }
 
+  /**
+   * The same, secured.
+   *
+   * @param files where its files are made
+   * @param permissions of the home, in Turtle
+   */
+  static ServedHome startSecured(Path files, Map<String, Role> persons, String permissions) {
+    Home home = new HomeLoader().load(resource("/homes/bob.ttl") + permissions, "bob-secured.ttl");
+    SecureSite.in(files)
+        .make(
+            new SiteUsers(
+                "served",
+                List.of("127.0.0.1"),
+                new TreeSet<>(Set.of("maestro")),
+                new TreeSet<>(home.devices().keySet()),
+                new TreeSet<>(Set.of(LocalSite.OBSERVER)),
+                new TreeSet<>(),
+                new TreeMap<>(persons)));
+    SiteSecurity security = SiteSecurity.open(files);
+    HttpClient client =
+        HttpClient.newBuilder()
+            .sslContext(security.console(persons.keySet().iterator().next()).orElseThrow().tls())
+            .build();
+    return start(
+        home,
+        settings -> settings.security(security),
+        Optional.empty(),
+        new Serving(Serving.LOOPBACK, 0, Optional.of(security)),
+        client);
+  }
+
   private static ServedHome start(Consumer<SiteSettings.Builder> more, Optional<Path> data) {
-    Home home = new HomeLoader().load(resource("/homes/bob.ttl"), "bob.ttl");
+    return start(
+        new HomeLoader().load(resource("/homes/bob.ttl"), "bob.ttl"),
+        more,
+        data,
+        Serving.onLoopback(0),
+        HttpClient.newHttpClient());
+  }
+
+  private static ServedHome start(
+      Home home,
+      Consumer<SiteSettings.Builder> more,
+      Optional<Path> data,
+      Serving serving,
+      HttpClient client) {
     SiteSettings.Builder settings =
         SiteSettings.of("served", home)
             .scene(SceneLoader.load("bob-dark", stream("/scenes/bob-dark.ttl"), home));
     more.accept(settings);
     LocalSite site = LocalSite.paced(settings.build(), SPEED);
     return new ServedHome(
-        site, Console.start(site.platform(), site.observer(), "served", 0, data, "1.2.3"));
+        site,
+        Console.start(site.platform(), site.observer(), "served", serving, data, "1.2.3"),
+        client);
   }
 
   private static InputStream stream(String name) {
@@ -121,6 +177,12 @@ final class ServedHome implements AutoCloseable {
     HttpResponse<String> response =
         client.send(request.build(), HttpResponse.BodyHandlers.ofString());
     return new Answer(response.statusCode(), MAPPER.readTree(response.body()));
+  }
+
+  /** With its headers. */
+  HttpResponse<String> sendWhole(HttpRequest.Builder request)
+      throws IOException, InterruptedException {
+    return client.send(request.build(), HttpResponse.BodyHandlers.ofString());
   }
 
   HttpResponse<InputStream> stream(HttpRequest request) throws IOException, InterruptedException {

@@ -1,6 +1,5 @@
 package org.maestro.launch;
 
-import java.net.URI;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -8,7 +7,6 @@ import java.util.concurrent.CompletionException;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
-import org.maestro.console.client.HttpQuestions;
 import org.maestro.console.client.UnreachableConsoleException;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.console.questions.Questions;
@@ -20,7 +18,7 @@ import org.maestro.platform.JoinedContainer;
  * none, by an agent of this process. One thread only.
  */
 final class AskedPlatform implements AutoCloseable {
-  private final Optional<URI> console;
+  private final Optional<Questions> console;
   private final Supplier<JoinedContainer> join;
   private @Nullable JoinedContainer joined;
 
@@ -28,7 +26,7 @@ final class AskedPlatform implements AutoCloseable {
    * @param console of the platform, if it is known to have one
    * @param join joins the platform
    */
-  AskedPlatform(Optional<URI> console, Supplier<JoinedContainer> join) {
+  AskedPlatform(Optional<Questions> console, Supplier<JoinedContainer> join) {
     this.console = console;
     this.join = join;
   }
@@ -41,7 +39,7 @@ final class AskedPlatform implements AutoCloseable {
   <T> T answer(Function<Questions, CompletableFuture<T>> question) {
     if (console.isPresent()) {
       try {
-        return answer(question, new HttpQuestions(console.get()));
+        return answer(question, console.get());
       } catch (UnreachableConsoleException e) {
         // The platform may be there all the same.
         return answer(question, byAgent());

@@ -1,24 +1,28 @@
 package org.maestro.launch;
 
+import java.net.InetAddress;
+import java.net.UnknownHostException;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.maestro.assembly.LocalSite;
 import org.maestro.console.Console;
+import org.maestro.console.Serving;
 import org.maestro.console.questions.RefusalException;
+import org.maestro.rats.security.SiteSecurity;
 import picocli.CommandLine.Option;
 
 /** The option that says where a platform serves its console. */
 final class ConsoleOptions {
   private static final String OFF = "off";
   private static final int USUAL_PORT = 7070;
-  private static final int HIGHEST_PORT = 65_535;
 
   @Option(
       names = "--console",
-      paramLabel = "PORT|off",
+      paramLabel = "[HOST:]PORT|off",
       description =
-          "Serve the console, a page for people and an API for programs, on loopback there."
-              + " Without: on 7070, or on a free port when that is taken.")
+          "Serve the console, a page for people and an API for programs, there; HOST is loopback"
+              + " unless it is said, and another one is for secured sites. Without: on 7070, or on"
+              + " a free port when that is taken.")
   private Optional<String> wanted = Optional.empty();
 
   /** As without the option. */
@@ -29,30 +33,32 @@ final class ConsoleOptions {
   /**
    * Whether it can be.
    *
-   * @param secured whether it is a secured site, which lets in only whom it knows
+   * @param secured whether it is a secured site, where persons sign in
    */
   void check(boolean secured) {
-    if (secured && wanted.isPresent() && !isOff()) {
-      throw CommandException.badInput("A secured site has no console yet; leave --console away.");
+    if (wanted.isEmpty() || isOff()) {
+      return;
     }
-    wanted.filter(text -> !text.equals(OFF)).ifPresent(ConsoleOptions::port);
+    Endpoint at = at(wanted.get());
+    if (!secured && !isLoopback(at.host())) {
+      throw CommandException.badInput(
+          "An open site serves its console on this machine alone, as it asks nobody for a password: leave %s away, or secure the site (./maestro secure, --security)."
+              .formatted(at.host()));
+    }
   }
 
-  private static int port(String text) {
+  private static Endpoint at(String text) {
+    return Endpoint.listening(text, Serving.LOOPBACK);
+  }
+
+  private static boolean isLoopback(String host) {
     try {
-      int port = Integer.parseInt(text);
-      if (port >= 0 && port <= HIGHEST_PORT) {
-        return port;
-      }
-    } catch (NumberFormatException e) {
-      throw notAPort(text);
+      return InetAddress.getByName(host).isLoopbackAddress();
+    } catch (UnknownHostException e) {
+      throw CommandException.badInput(
+          "\"%s\" is no address of this machine; write --console PORT, or HOST:PORT."
+              .formatted(host));
     }
-    throw notAPort(text);
-  }
-
-  private static CommandException notAPort(String text) {
-    return CommandException.badInput(
-        "--console takes a port between 0 and 65535, or off; not \"" + text + "\".");
   }
 
   private boolean isOff() {
@@ -64,22 +70,41 @@ final class ConsoleOptions {
    *
    * @param data where the platform keeps what is to outlive it
    */
-  Optional<Console> start(LocalSite site, String name, boolean secured, Optional<Path> data) {
-    if (secured || isOff()) {
+  Optional<Console> start(
+      LocalSite site, String name, Optional<SiteSecurity> security, Optional<Path> data) {
+    if (isOff() || security.filter(ConsoleOptions::isOfBefore).isPresent()) {
       return Optional.empty();
     }
     if (wanted.isPresent()) {
-      return Optional.of(on(site, name, port(wanted.get()), data));
+      return Optional.of(on(site, name, at(wanted.get()), security, data));
     }
     try {
-      return Optional.of(on(site, name, USUAL_PORT, data));
+      return Optional.of(
+          on(site, name, new Endpoint(Serving.LOOPBACK, USUAL_PORT), security, data));
     } catch (RefusalException e) {
-      return Optional.of(on(site, name, 0, data));
+      return Optional.of(on(site, name, new Endpoint(Serving.LOOPBACK, 0), security, data));
     }
   }
 
-  private static Console on(LocalSite site, String name, int port, Optional<Path> data) {
-    return Console.start(site.platform(), site.observer(), name, port, data, Version.number());
+  /** Whether its files know nobody who may look at the bus, or sign in. */
+  private static boolean isOfBefore(SiteSecurity security) {
+    return !security.users().observers().contains(LocalSite.OBSERVER)
+        || security.persons().isEmpty();
+  }
+
+  private static Console on(
+      LocalSite site,
+      String name,
+      Endpoint at,
+      Optional<SiteSecurity> security,
+      Optional<Path> data) {
+    return Console.start(
+        site.platform(),
+        site.observer(),
+        name,
+        new Serving(at.host(), at.port(), security),
+        data,
+        Version.number());
   }
 
   /** Where it is, or why there is none. */
@@ -87,6 +112,8 @@ final class ConsoleOptions {
     return console
         .map(own -> "The console, for a browser: " + own.uri())
         .orElse(
-            isOff() ? "It has no console (--console off)." : "A secured site has no console yet.");
+            isOff()
+                ? "It has no console (--console off)."
+                : "It has no console: the site's files were made before there was one; ./maestro secure DIR adds what it needs.");
   }
 }

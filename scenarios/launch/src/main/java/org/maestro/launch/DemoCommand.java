@@ -120,7 +120,7 @@ final class DemoCommand implements Callable<Integer> {
     try (LocalSite site = LocalSite.paced(settings, speed)) {
       Optional<Console> served =
           console
-              ? ConsoleOptions.usual().start(site, NAME, false, Optional.empty())
+              ? ConsoleOptions.usual().start(site, NAME, Optional.empty(), Optional.empty())
               : Optional.empty();
       served.ifPresent(page -> out.println("In a browser: " + page.uri()));
       Optional<Duration> lowerBound = lowerBound(site, home, goal);

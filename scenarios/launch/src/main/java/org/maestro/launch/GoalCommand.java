@@ -314,7 +314,10 @@ final class GoalCommand implements Callable<Integer> {
       return Words.content("await", Words.named("goal", Words.name(resumes ? id : goal)));
     }
     return GoalWords.asked(
-        goal, priority, deadlineSeconds.map(OptionalDouble::of).orElseGet(OptionalDouble::empty));
+        goal,
+        priority,
+        deadlineSeconds.map(OptionalDouble::of).orElseGet(OptionalDouble::empty),
+        Optional.empty());
   }
 
   private void follow(JoinedContainer container, ACLMessage agreed) {

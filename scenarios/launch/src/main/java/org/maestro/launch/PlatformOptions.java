@@ -3,10 +3,13 @@ package org.maestro.launch;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.maestro.console.client.HttpQuestions;
+import org.maestro.console.questions.Questions;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.platform.guard.Guard;
 import org.maestro.rats.security.SiteSecurity;
 import org.maestro.rats.time.PacedClock;
+import org.maestro.rats.transport.Credentials;
 import picocli.CommandLine.Option;
 
 /** The options by which a command finds its running platform. */
@@ -85,9 +88,19 @@ final class PlatformOptions {
 
   /** Asks it, in the quickest way there is. */
   AskedPlatform ask() {
-    return new AskedPlatform(
-        main.isPresent() || security.isPresent() ? Optional.empty() : found().console(),
-        this::join);
+    return new AskedPlatform(main.isPresent() ? Optional.empty() : console(found()), this::join);
+  }
+
+  /** Its console, if it has one and there somebody is known who may ask. */
+  private Optional<Questions> console(RuntimeDirectory.Running running) {
+    Optional<Path> files = files();
+    if (files.isEmpty()) {
+      return running.console().map(HttpQuestions::new);
+    }
+    Optional<Credentials> person = SiteSecurity.open(files.get()).console(user);
+    return person.isEmpty()
+        ? Optional.empty()
+        : running.console().map(at -> new HttpQuestions(at, person));
   }
 
   /** Joins it for one question. */

@@ -22,6 +22,7 @@ import org.maestro.platform.failover.LeaderLock;
 import org.maestro.platform.hosts.HostFile;
 import org.maestro.platform.hosts.HostStart;
 import org.maestro.platform.jade.Premises;
+import org.maestro.rats.security.SiteSecurity;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -158,7 +159,7 @@ final class RunCommand implements Callable<Integer> {
     SiteSettings settings = settings(loaded, directory);
     Optional<LeaderLock> duty = data.map(this::takeDuty);
     LocalSite site = LocalSite.paced(settings, speed);
-    Optional<Console> served = serve(site);
+    Optional<Console> served = serve(site, settings.security());
     directory.add(
         new RuntimeDirectory.Running(
             name,
@@ -200,9 +201,9 @@ final class RunCommand implements Callable<Integer> {
     return wanted.premises(premises()).build();
   }
 
-  private Optional<Console> serve(LocalSite site) {
+  private Optional<Console> serve(LocalSite site, Optional<SiteSecurity> files) {
     try {
-      return console.start(site, name, security.isAsked(), data);
+      return console.start(site, name, files, data);
     } catch (RefusalException e) {
       site.close();
       throw e;

@@ -5,8 +5,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import org.maestro.assembly.LocalSite;
+import org.maestro.rats.security.Role;
 import org.maestro.rats.security.SecureSite;
 import org.maestro.rats.security.SiteUsers;
 import picocli.CommandLine.Command;
@@ -77,11 +83,35 @@ final class SecureCommand implements Callable<Integer> {
   private List<String> guests = List.of();
 
   @Option(
+      names = "--viewer",
+      split = ",",
+      paramLabel = "NAME",
+      description = "Persons who may look and ask at the console.")
+  private List<String> viewers = List.of();
+
+  @Option(
+      names = "--operator",
+      split = ",",
+      paramLabel = "NAME",
+      description = "Persons who may state and cancel goals and call devices there, too.")
+  private List<String> operators = List.of();
+
+  @Option(
+      names = "--administrator",
+      split = ",",
+      paramLabel = "NAME",
+      description =
+          "Persons who may add, move and remove agents there, too; of a site without persons, one"
+              + " called console is made.")
+  private List<String> administrators = List.of();
+
+  @Option(
       names = "--renew",
       split = ",",
       paramLabel = "ID",
       description =
-          "Users who get new keys and certificates, with the broker; their former ones stay good.")
+          "Users who get new keys and certificates, with the broker; their former ones stay good."
+              + " Persons get a new password, and the former one is good no more.")
   private List<String> renewed = List.of();
 
   @Option(
@@ -118,7 +148,7 @@ final class SecureCommand implements Callable<Integer> {
     if (!renewed.isEmpty()) {
       files.renew(renewed);
       out.printf(
-          "New certificates: %s, and the broker. What runs here takes them up within seconds; a"
+          "New certificates and passwords: %s, and the broker. What runs here takes them up within seconds; a"
               + " device elsewhere needs its folder anew.%n",
           String.join(", ", renewed));
     }
@@ -139,9 +169,18 @@ final class SecureCommand implements Callable<Integer> {
             });
     List<String> allHosts = new ArrayList<>(hosts);
     allHosts.addAll(LOCAL_HOSTS);
-    List<String> allGuests = new ArrayList<>(guests);
+    TreeSet<String> allGuests = new TreeSet<>(guests);
     allGuests.add(SecurityOptions.CONSOLE);
-    SiteUsers users = files.make(site, allHosts, allControllers, allMembers, allGuests);
+    SiteUsers users =
+        files.make(
+            new SiteUsers(
+                site,
+                allHosts,
+                allControllers,
+                allMembers,
+                new TreeSet<>(Set.of(LocalSite.OBSERVER)),
+                allGuests,
+                persons(files.hasPersons())));
     PrintWriter out = spec.commandLine().getOut();
     out.printf(
         "The site %s is secured by the files in %s: %d members, %d controllers, %d guests.%n",
@@ -157,6 +196,31 @@ final class SecureCommand implements Callable<Integer> {
         "The key of its authority, %s, is not needed to run: keep it elsewhere, and name it with"
             + " --ca.%n",
         authority.orElse(directory.resolve("ca")).resolve("key.pem"));
+    out.printf(
+        "At the console may sign in: %s; the password of each is in %s.%n",
+        users.persons().entrySet().stream()
+            .map(person -> "%s (%s)".formatted(person.getKey(), person.getValue().word()))
+            .collect(Collectors.joining(", ")),
+        directory.resolve("users/NAME/console-password"));
     out.printf("Run it with: ./maestro run HOME --security %s%n", directory);
+  }
+
+  private SortedMap<String, Role> persons(boolean hasSome) {
+    SortedMap<String, Role> persons = new TreeMap<>();
+    viewers.forEach(name -> add(persons, name, Role.VIEWER));
+    operators.forEach(name -> add(persons, name, Role.OPERATOR));
+    administrators.forEach(name -> add(persons, name, Role.ADMINISTRATOR));
+    if (persons.isEmpty() && !hasSome) {
+      persons.put(SecurityOptions.CONSOLE, Role.ADMINISTRATOR);
+    }
+    return persons;
+  }
+
+  private static void add(SortedMap<String, Role> persons, String name, Role role) {
+    Role other = persons.put(name, role);
+    if (other != null) {
+      throw CommandException.badInput(
+          "%s cannot be both %s and %s; name one role.".formatted(name, other.word(), role.word()));
+    }
   }
 }

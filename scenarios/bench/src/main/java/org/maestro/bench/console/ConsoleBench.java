@@ -14,6 +14,7 @@ import org.maestro.assembly.SiteSettings;
 import org.maestro.bench.BenchReport;
 import org.maestro.bench.Quantile;
 import org.maestro.console.Console;
+import org.maestro.console.Serving;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.random.Building;
@@ -125,7 +126,8 @@ public final class ConsoleBench {
   }
 
   private static Console console(LocalSite site) {
-    return Console.start(site.platform(), site.observer(), SITE, 0, Optional.empty(), "bench");
+    return Console.start(
+        site.platform(), site.observer(), SITE, Serving.onLoopback(0), Optional.empty(), "bench");
   }
 
   private void add(String name, double value, String unit) {

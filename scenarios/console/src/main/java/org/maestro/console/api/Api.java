@@ -24,6 +24,7 @@ import org.maestro.console.questions.AgentOrder;
 import org.maestro.console.questions.RefusalException;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.KnowledgeException;
+import org.maestro.rats.security.Role;
 import org.maestro.sl.SlSyntaxException;
 
 /** The operations that a platform offers to programs, and to the page. */
@@ -106,7 +107,7 @@ public final class Api {
                 "/goals/{goal}",
                 "cancelGoal",
                 "Gives a goal up; what runs for it ends by its exit strategy.",
-                request -> questions.cancel(request.parameter("goal")))
+                request -> questions.cancel(request.parameter("goal"), request.visit().person()))
             .with(GOAL),
         get(
                 "/goals/{goal}/story",
@@ -131,6 +132,7 @@ public final class Api {
                 "Starts an agent for each device that a description has, or one for all of them.",
                 "told",
                 this::add)
+            .by(Role.ADMINISTRATOR)
             .taking("agent-request")
             .answering(CREATED, "told"),
         asking(
@@ -143,6 +145,7 @@ public final class Api {
                     questions.order(
                         new AgentOrder.Move(
                             request.parameter("agent"), request.body().path("to").asText())))
+            .by(Role.ADMINISTRATOR)
             .with(AGENT)
             .taking("agent-move"),
         asking(
@@ -157,6 +160,7 @@ public final class Api {
                             request.parameter("agent"),
                             request.body().path("description").asText(),
                             request.body().path("file").asText("description"))))
+            .by(Role.ADMINISTRATOR)
             .with(AGENT)
             .taking("agent-description"),
         asking(
@@ -166,6 +170,7 @@ public final class Api {
                 "Ends an agent; its device gets no other until one is added.",
                 "told",
                 request -> questions.order(new AgentOrder.Remove(request.parameter("agent"))))
+            .by(Role.ADMINISTRATOR)
             .with(AGENT),
         get(
             "/containers",
@@ -210,11 +215,12 @@ public final class Api {
             "Brings every device into a safe state, now; the platform stays.",
             request -> questions.stop()),
         order(
-            Method.POST,
-            "/coordinator/revival",
-            "revive",
-            "Starts the central coordination agent again after it was ended.",
-            request -> questions.revive()));
+                Method.POST,
+                "/coordinator/revival",
+                "revive",
+                "Starts the central coordination agent again after it was ended.",
+                request -> questions.revive())
+            .by(Role.ADMINISTRATOR));
   }
 
   private JsonNode platform() {
@@ -243,7 +249,8 @@ public final class Api {
         .state(
             asked.path("goal").asText(),
             asked.path("priority").asInt(),
-            deadline.isNumber() ? OptionalDouble.of(deadline.asDouble()) : OptionalDouble.empty())
+            deadline.isNumber() ? OptionalDouble.of(deadline.asDouble()) : OptionalDouble.empty(),
+            request.visit().person())
         .thenApply(id -> JsonMembers.empty().text("id", id).node());
   }
 

@@ -19,8 +19,11 @@ public final class OpenApiDocument {
       new TreeMap<>(
           Map.of(
               400, "It cannot be understood, or speaks of what is not there.",
-              403, "It comes from a page of another site, or for another host.",
+              401, "The site is secured, and it is not known who asks.",
+              403,
+                  "It comes from a page of another site, or for another host, or who asks may not.",
               413, "What was sent is too long.",
+              429, "It was asked too often; Retry-After says when it is answered again.",
               503, "Something outside failed; the same may be answered later."));
 
   private OpenApiDocument() {}
@@ -64,7 +67,20 @@ public final class OpenApiDocument {
         "The conversations between agents, as server-sent events of the name conversations, each a"
             + " document as that of /conversations: first all, then those in which something is"
             + " said.");
-    document.putObject("components").putObject("schemas").setAll(schemas);
+    ObjectNode components = document.putObject("components");
+    components.putObject("schemas").setAll(schemas);
+    components
+        .putObject("securitySchemes")
+        .putObject("password")
+        .put("type", "http")
+        .put("scheme", "basic")
+        .put(
+            "description",
+            "A person of a secured site; pages begin a session instead. An open site asks nobody.");
+    document
+        .putArray("security")
+        .add(document.objectNode().set("password", document.arrayNode()))
+        .addObject();
     return document;
   }
 
@@ -74,6 +90,7 @@ public final class OpenApiDocument {
             .putObject(operation.method().name().toLowerCase(Locale.ROOT))
             .put("operationId", operation.id())
             .put("summary", operation.summary());
+    operation.needs().ifPresent(role -> node.put("x-role", role.word()));
     if (!operation.parameters().isEmpty()) {
       ArrayNode parameters = node.putArray("parameters");
       operation.parameters().forEach(parameter -> add(parameters.addObject(), parameter));

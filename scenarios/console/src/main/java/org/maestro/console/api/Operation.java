@@ -6,6 +6,8 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.regex.Pattern;
+import org.maestro.console.access.Visit;
+import org.maestro.rats.security.Role;
 
 /**
  * One operation of the API.
@@ -13,6 +15,7 @@ import java.util.regex.Pattern;
  * @param path below {@link Api#ROOT}, with parameters in braces
  * @param id its name for programs, unique
  * @param summary what it does, a sentence
+ * @param needs the role of who may ask for it on a secured site; empty: anybody may
  * @param body the schema of what it takes; empty: nothing
  * @param status of a good answer
  * @param answer the schema of that answer; empty: it has no content
@@ -23,6 +26,7 @@ public record Operation(
     String id,
     String summary,
     List<Parameter> parameters,
+    Optional<Role> needs,
     Optional<String> body,
     int status,
     Optional<String> answer,
@@ -55,6 +59,15 @@ public record Operation(
 
     /** What was sent, an object as the schema says; an empty one where there is none. */
     JsonNode body();
+
+    /** Who asks. */
+    Visit visit();
+
+    /** The address that it comes from. */
+    String address();
+
+    /** Has the browser bring this with each further request; empty: nothing any more. */
+    void remember(Optional<String> session);
   }
 
   /** The work of an operation; it does not block. */
@@ -108,14 +121,23 @@ public record Operation(
     return asking(Method.GET, path, id, summary, answer, action);
   }
 
-  /** What has something to answer. */
+  /** What has something to answer, and changes nothing. */
   public static Operation asking(
       Method method, String path, String id, String summary, String answer, Action action) {
     return new Operation(
-        method, path, id, summary, List.of(), Optional.empty(), OK, Optional.of(answer), action);
+        method,
+        path,
+        id,
+        summary,
+        List.of(),
+        Optional.of(Role.VIEWER),
+        Optional.empty(),
+        OK,
+        Optional.of(answer),
+        action);
   }
 
-  /** An order, which has no content to answer. */
+  /** An order, which has no content to answer, and takes an operator. */
   public static Operation order(
       Method method, String path, String id, String summary, Action action) {
     return new Operation(
@@ -124,6 +146,7 @@ public record Operation(
         id,
         summary,
         List.of(),
+        Optional.of(Role.OPERATOR),
         Optional.empty(),
         NO_CONTENT,
         Optional.empty(),
@@ -131,16 +154,31 @@ public record Operation(
   }
 
   public Operation with(Parameter... more) {
-    return new Operation(method, path, id, summary, List.of(more), body, status, answer, action);
+    return new Operation(
+        method, path, id, summary, List.of(more), needs, body, status, answer, action);
+  }
+
+  /** The same for those of the role, and of any that includes it. */
+  public Operation by(Role role) {
+    return by(Optional.of(role));
+  }
+
+  /** The same for who has not signed in, too. */
+  public Operation byAnybody() {
+    return by(Optional.empty());
+  }
+
+  private Operation by(Optional<Role> role) {
+    return new Operation(method, path, id, summary, parameters, role, body, status, answer, action);
   }
 
   public Operation taking(String schema) {
     return new Operation(
-        method, path, id, summary, parameters, Optional.of(schema), status, answer, action);
+        method, path, id, summary, parameters, needs, Optional.of(schema), status, answer, action);
   }
 
   public Operation answering(int good, String schema) {
     return new Operation(
-        method, path, id, summary, parameters, body, good, Optional.of(schema), action);
+        method, path, id, summary, parameters, needs, body, good, Optional.of(schema), action);
   }
 }

@@ -12,13 +12,16 @@ import java.net.HttpURLConnection;
 import java.net.URI;
 import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
+import java.util.Base64;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
+import javax.net.ssl.HttpsURLConnection;
 import org.maestro.console.api.Api;
 import org.maestro.console.questions.AgentOrder;
 import org.maestro.console.questions.Questions;
 import org.maestro.console.questions.RefusalException;
+import org.maestro.rats.transport.Credentials;
 
 /**
  * Asks a platform by its console. Each question blocks the thread that asks, and its answer is
@@ -32,9 +35,19 @@ public final class HttpQuestions implements Questions {
   private static final int FIRST_BAD_STATUS = 400;
 
   private final URI console;
+  private final Optional<Credentials> person;
 
+  /** Of an open site. */
   public HttpQuestions(URI console) {
+    this(console, Optional.empty());
+  }
+
+  /**
+   * @param person of a secured site as whom to ask
+   */
+  public HttpQuestions(URI console, Optional<Credentials> person) {
     this.console = console;
+    this.person = person;
   }
 
   @Override
@@ -128,9 +141,9 @@ public final class HttpQuestions implements Questions {
     }
   }
 
-  private static JsonNode answer(String method, URI at, Optional<JsonNode> sent)
-      throws IOException {
+  private JsonNode answer(String method, URI at, Optional<JsonNode> sent) throws IOException {
     HttpURLConnection connection = (HttpURLConnection) at.toURL().openConnection();
+    person.ifPresent(known -> present(known, connection));
     connection.setRequestMethod(method);
     connection.setConnectTimeout(CONNECT_MILLIS);
     connection.setReadTimeout(ANSWER_WITHIN_MILLIS);
@@ -150,6 +163,16 @@ public final class HttpQuestions implements Questions {
       return bytes.length == 0
           ? JsonNodeFactory.instance.nullNode()
           : new ObjectMapper().readTree(bytes);
+    }
+  }
+
+  private static void present(Credentials person, HttpURLConnection connection) {
+    if (connection instanceof HttpsURLConnection secured) {
+      secured.setSSLSocketFactory(person.tls().getSocketFactory());
+      String both = person.user() + ":" + person.password().orElse("");
+      connection.setRequestProperty(
+          "Authorization",
+          "Basic " + Base64.getEncoder().encodeToString(both.getBytes(StandardCharsets.UTF_8)));
     }
   }
 

@@ -44,11 +44,16 @@ final class CallsByHand {
   /**
    * Asks for it.
    *
+   * @param person who has signed in, and for whom it is asked
    * @param timeout simulated time that it may take
    * @return completed as soon as the agent has agreed, or refused
    */
   CompletableFuture<JsonNode> begin(
-      String member, String feature, Map<String, Term> parameters, Duration timeout) {
+      String member,
+      String feature,
+      Map<String, Term> parameters,
+      Optional<String> person,
+      Duration timeout) {
     Optional<String> agent = agentOf.apply(member);
     if (agent.isEmpty()) {
       return CompletableFuture.failedFuture(
@@ -61,7 +66,14 @@ final class CallsByHand {
     CompletableFuture<JsonNode> begun = new CompletableFuture<>();
     Duration patience = timeout.plus(Duration.ofMillis((long) (GRACE.toMillis() * speed)));
     orders.call(
-        agent.get(), member, feature, parameters, timeout, patience, new Course(call, begun));
+        agent.get(),
+        member,
+        feature,
+        parameters,
+        person,
+        timeout,
+        patience,
+        new Course(call, begun));
     return begun;
   }
 

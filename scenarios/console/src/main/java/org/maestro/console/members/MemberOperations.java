@@ -15,6 +15,7 @@ import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.platform.AgentRow;
 import org.maestro.platform.MaestroPlatform;
 import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.security.Role;
 import org.maestro.sl.Term;
 
 /** The operations on members one by one. */
@@ -60,6 +61,7 @@ public final class MemberOperations {
                 "Calls a feature of a member by hand; it serves no goal, and its agent may refuse.",
                 "call",
                 this::call)
+            .by(Role.OPERATOR)
             .with(which)
             .taking("call-request")
             .answering(CREATED, "call"),
@@ -118,7 +120,11 @@ public final class MemberOperations {
       return refused("timeout_s is more than 0 and at most %.0f.".formatted(MOST_SECONDS));
     }
     return calls.begin(
-        member, name, parameters, Duration.ofMillis((long) Math.ceil(seconds * 1000)));
+        member,
+        name,
+        parameters,
+        request.visit().person(),
+        Duration.ofMillis((long) Math.ceil(seconds * 1000)));
   }
 
   private static CompletableFuture<JsonNode> refused(String sentence) {

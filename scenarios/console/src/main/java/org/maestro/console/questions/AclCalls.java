@@ -45,6 +45,7 @@ public final class AclCalls {
    *
    * @param agent that stands for the member
    * @param timeout simulated time that it may take
+   * @param person who has signed in at the desk, and for whom it asks
    * @param patience the same until its agent has to have told how it ended
    */
   public void call(
@@ -52,6 +53,7 @@ public final class AclCalls {
       String member,
       String feature,
       Map<String, Term> parameters,
+      Optional<String> person,
       Duration timeout,
       Duration patience,
       Listener listener) {
@@ -68,7 +70,7 @@ public final class AclCalls {
             end(reply, agreed[0], listener);
           }
         },
-        order(agent, member, feature, parameters, timeout));
+        order(agent, member, feature, parameters, person, timeout));
   }
 
   private static void end(ACLMessage reply, boolean wasAgreed, Listener listener) {
@@ -88,11 +90,17 @@ public final class AclCalls {
   }
 
   private static Content order(
-      String agent, String member, String feature, Map<String, Term> parameters, Duration timeout) {
+      String agent,
+      String member,
+      String feature,
+      Map<String, Term> parameters,
+      Optional<String> person,
+      Duration timeout) {
     Map<String, Argument> named = new TreeMap<>();
     parameters.forEach(
         (name, value) -> named.put(name, new Argument(value, Optional.empty(), Map.of())));
     List<Content.Argument> arguments = new ArrayList<>(Orders.member(member, agent));
+    person.ifPresent(name -> arguments.add(Words.named("for", Words.text(name))));
     arguments.add(Words.named("feature", Words.name(feature)));
     arguments.add(Words.named("timeout", Words.number((double) timeout.toMillis())));
     arguments.add(Orders.parameters("parameters", named));

@@ -6,6 +6,7 @@ import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
@@ -135,10 +136,19 @@ public final class AclQuestions implements Questions {
 
   @Override
   public CompletableFuture<Void> cancel(String goal) {
-    return ask(
-            ACLMessage.REQUEST,
-            AgentNames.COORDINATOR,
-            Words.content("cancel", Words.named("goal", Words.name(goal))))
+    return cancel(goal, Optional.empty());
+  }
+
+  /**
+   * The same for a person, of whom the goal's story tells.
+   *
+   * @param person who has signed in at the desk
+   */
+  public CompletableFuture<Void> cancel(String goal, Optional<String> person) {
+    List<Content.Argument> arguments = new ArrayList<>();
+    arguments.add(Words.named("goal", Words.name(goal)));
+    person.ifPresent(name -> arguments.add(Words.named("for", Words.text(name))));
+    return ask(ACLMessage.REQUEST, AgentNames.COORDINATOR, new Content("cancel", arguments))
         .thenAccept(lines -> {});
   }
 
@@ -177,10 +187,11 @@ public final class AclQuestions implements Questions {
    * States a goal; how it fares is told by its story.
    *
    * @param deadlineSeconds simulated seconds from now by which it has to be reached
+   * @param person who has signed in at the desk, and for whom it asks
    * @return its id, as soon as it is accepted
    */
   public CompletableFuture<String> state(
-      String goal, int priority, OptionalDouble deadlineSeconds) {
+      String goal, int priority, OptionalDouble deadlineSeconds, Optional<String> person) {
     CompletableFuture<String> accepted = new CompletableFuture<>();
     desk.request(
         ACLMessage.REQUEST,
@@ -193,7 +204,7 @@ public final class AclQuestions implements Questions {
             accepted.completeExceptionally(refusal(reply));
           }
         },
-        GoalWords.asked(goal, priority, deadlineSeconds));
+        GoalWords.asked(goal, priority, deadlineSeconds, person));
     return accepted;
   }
 

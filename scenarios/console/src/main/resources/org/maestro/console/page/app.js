@@ -1,7 +1,8 @@
 /** The page: what is told is drawn, what is chosen is shown. */
 import { byId } from "./dom.js";
-import { state, connect, onChange, ask } from "./feed.js";
+import { state, connect, onChange, onShutOut, ask } from "./feed.js";
 import { select, selection, onSelect } from "./selection.js";
+import { mayNot, recognize, startSession } from "./session.js";
 import { drawAlerts, startAlerts } from "./alerts.js";
 import { drawMap } from "./map.js";
 import { drawGoals, startGoals } from "./goals.js";
@@ -36,6 +37,11 @@ function drawFrame() {
   main.toggleAttribute("data-wide", isCourse());
   byId("home-name").textContent = state.home.label ?? "MAESTRO";
   byId("platform-name").textContent = state.platform ? `platform ${state.platform.platform}` : "";
+  const stop = byId("stop");
+  const why = mayNot("operator");
+  stop.dataset.title ??= stop.title;
+  stop.disabled = why !== null;
+  stop.title = why ?? stop.dataset.title;
   const link = byId("link");
   link.textContent = LINK[state.live];
   link.className = `link ${state.live}`;
@@ -72,17 +78,26 @@ byId("theme").addEventListener("click", () =>
 byId("stop").addEventListener("click", () =>
   ask.stop().then(() => say("Every device was told to go into a safe state."), (failure) => say(failure.message)));
 theme(localStorage.getItem("theme") ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light"));
+let leave = () => {};
+onShutOut(() => recognize().catch(() => {}));
 startAlerts();
 startGoals();
 startMembers();
 startKnowledge();
 startHistory();
-startPast();
 startBus();
 startConversations();
 onChange(drawAll);
 onSelect(drawAll);
 // Ages go on.
 setInterval(() => { if (!document.hidden) { drawAll(); } }, 1000);
-connect();
+let isFirst = true;
+startSession(() => {
+  leave();
+  leave = connect();
+  if (isFirst) {
+    startPast();
+    isFirst = false;
+  }
+});
 drawAll();

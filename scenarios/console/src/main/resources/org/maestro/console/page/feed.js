@@ -58,12 +58,28 @@ async function answer(response) {
   throw new Error(problem);
 }
 
-async function request(path, options) {
+/** What a page of ours alone can send, where there are sessions. */
+let csrf = null;
+let isShutOut = () => {};
+
+export function authorize(token) {
+  csrf = token;
+}
+
+/** Told when the platform does not know any more who looks. */
+export function onShutOut(listener) {
+  isShutOut = listener;
+}
+
+async function request(path, options = {}) {
   let response;
   try {
-    response = await fetch(ROOT + path, options);
+    response = await fetch(ROOT + path, csrf === null ? options : { ...options, headers: { ...options.headers, "X-CSRF-Token": csrf } });
   } catch {
     throw new Error("The platform does not answer; see whether it still runs.");
+  }
+  if (response.status === 401 && path !== "/session") {
+    isShutOut();
   }
   return answer(response);
 }
@@ -77,6 +93,9 @@ function send(method, path, body) {
 }
 
 export const ask = {
+  session: () => request("/session"),
+  signIn: (name, password) => send("POST", "/session", { name, password }),
+  signOut: () => request("/session", { method: "DELETE" }),
   story: (goal) => request(`/goals/${encodeURIComponent(goal)}/story`),
   plans: (goal) => request(`/goals/${encodeURIComponent(goal)}/plans`),
   bids: (goal, plan) => request(`/goals/${encodeURIComponent(goal)}/bids?plan=${plan}`),
@@ -232,6 +251,10 @@ function hearAll() {
   events.addEventListener("error", () => {
     now.live = "lost";
     changed();
+    // It does not try again where it was refused: somebody has to sign in.
+    if (events.readyState === EventSource.CLOSED) {
+      isShutOut();
+    }
   });
   for (const [name, take] of Object.entries(TAKEN)) {
     events.addEventListener(name, (event) => {
@@ -246,8 +269,9 @@ function hearAll() {
   return events;
 }
 
+/** Hears what happens; what is returned ends that. */
 export function connect() {
-  whileSeen(hearAll, () => {
+  return whileSeen(hearAll, () => {
     now.live = "connecting";
     changed();
   });

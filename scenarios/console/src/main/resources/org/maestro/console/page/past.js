@@ -2,6 +2,7 @@
 import { byId, draw, redraw, seconds } from "./dom.js";
 import { ask, show } from "./feed.js";
 import { select, selection, onSelect } from "./selection.js";
+import { mayNot } from "./session.js";
 
 const OFTEN_MILLIS = 5000;
 const SELDOM_MILLIS = 30000;
@@ -51,9 +52,15 @@ export function clockAt(time) {
   return kept === null ? Infinity : kept.clock_s - ((Date.parse(kept.now) - Date.parse(time)) / 1000) * kept.speed;
 }
 
-/** Attributes of a button that acts. */
-export function acting() {
-  return { "data-acts": true, disabled: isPast(), title: isPast() ? REASON : null };
+/** Why what takes this role cannot be done now; null when it can. */
+function objection(role) {
+  return mayNot(role) ?? (isPast() ? REASON : null);
+}
+
+/** Attributes of a button that acts, which takes this role. */
+export function acting(role = "operator") {
+  const why = objection(role);
+  return { "data-acts": role, disabled: why !== null, title: why };
 }
 
 function present() {
@@ -156,9 +163,10 @@ function write(id, text) {
 
 function drawActs() {
   document.querySelectorAll("[data-acts]").forEach((control) => {
+    const why = objection(control.dataset.acts);
     control.dataset.title ??= control.title;
-    control.disabled = isPast();
-    control.title = isPast() ? REASON : control.dataset.title;
+    control.disabled = why !== null;
+    control.title = why ?? control.dataset.title;
   });
 }
 

@@ -1,0 +1,54 @@
+package org.maestro.console;
+
+import java.net.InetSocketAddress;
+import java.time.InstantSource;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.maestro.console.access.Access;
+import org.maestro.console.access.OpenAccess;
+import org.maestro.console.access.PersonsAccess;
+import org.maestro.rats.security.SiteSecurity;
+
+/**
+ * The address at which a console is served, and whom it serves.
+ *
+ * @param host an address of this machine
+ * @param port 0: a free one
+ * @param security of a secured site, which is served by TLS and where persons sign in; empty:
+ *     whoever is on this machine may all
+ */
+public record Serving(String host, int port, Optional<SiteSecurity> security) {
+  public static final String LOOPBACK = "127.0.0.1";
+
+  /** Of an open site. */
+  public static Serving onLoopback(int port) {
+    return new Serving(LOOPBACK, port, Optional.empty());
+  }
+
+  /** Whether it is served at all addresses that this machine has. */
+  boolean isEverywhere() {
+    return new InetSocketAddress(host, port).getAddress().isAnyLocalAddress();
+  }
+
+  String scheme() {
+    return security.isPresent() ? "https" : "http";
+  }
+
+  /** The names for this machine by which it may be asked for. */
+  Set<String> names() {
+    Set<String> names = new TreeSet<>(Set.of(LOOPBACK, "localhost", "[::1]"));
+    security.ifPresent(
+        files -> {
+          names.add(host);
+          names.addAll(files.users().hosts());
+        });
+    return names;
+  }
+
+  Access access() {
+    return security
+        .<Access>map(files -> new PersonsAccess(files.persons(), InstantSource.system()))
+        .orElseGet(OpenAccess::new);
+  }
+}
