@@ -16,6 +16,9 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
@@ -64,6 +67,71 @@ abstract class SecuredBusContract {
     Path files = SecuredSite.files(directory);
     try (SecuredSite site = new SecuredSite(files, byCertificate(files))) {
       worksFor(site, site.security::certificate);
+    }
+  }
+
+  /** As the console of a site has it. */
+  @Test
+  void anObserverHearsEverythingAndSaysNothing() {
+    Path files = SecuredSite.files(directory);
+    SecureSite.in(files)
+        .make(
+            new SiteUsers(
+                SecuredSite.SITE,
+                List.of("127.0.0.1"),
+                new TreeSet<>(),
+                new TreeSet<>(),
+                new TreeSet<>(Set.of("observer")),
+                new TreeSet<>(),
+                new TreeMap<>()));
+    Topics topics = new Topics(SecuredSite.SITE);
+    List<String> heard = new CopyOnWriteArrayList<>();
+    List<Boolean> taken = new CopyOnWriteArrayList<>();
+    try (SecuredSite site = new SecuredSite(files, byPassword(files))) {
+      PahoTransport observer = new PahoTransport(site.uri(), site.security.password("observer"));
+      observer.subscribe(
+          "rats/1/" + SecuredSite.SITE + "/#",
+          Transport.RetainedMessages.SEND,
+          message -> heard.add(message.topic()));
+      observer.open(
+          Optional.empty(),
+          new Transport.ConnectionListener() {
+            @Override
+            public void connected() {
+              for (String topic :
+                  List.of(topics.call("observer"), topics.call("cca"), topics.status("observer"))) {
+                observer.publish(
+                    Publication.reliable(
+                        topic, "{}".getBytes(UTF_8), Optional.of(Duration.ofSeconds(30))),
+                    failure -> taken.add(failure.isEmpty()));
+              }
+            }
+
+            @Override
+            public void lost(String reason) {
+              // It tries again.
+            }
+          });
+      try {
+        TestDevice door = site.join(site.security.password("door"));
+        RatsLink cca = site.connect(site.security.password("cca"));
+        await(() -> isReady(cca, "door"));
+        cca.call("door", "echo", Map.of(), Duration.ofSeconds(30), Optional.empty(), new Heard());
+        await(
+            () ->
+                heard.containsAll(
+                    List.of(
+                        topics.call("cca"),
+                        topics.result("cca", "door"),
+                        topics.status("door"),
+                        topics.state("door"))));
+        await(() -> taken.size() >= 3);
+        assertThat(taken).doesNotContain(true);
+        assertThat(heard).doesNotContain(topics.call("observer"), topics.status("observer"));
+        assertThat(door.log).hasSize(1);
+      } finally {
+        observer.close();
+      }
     }
   }
 

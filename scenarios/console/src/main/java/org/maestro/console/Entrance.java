@@ -58,6 +58,6 @@ final class Entrance {
 
   /** Browsers keep cookies by host, and another platform may be at another port of it. */
   private static String cookie(Context context) {
-    return "__Host-maestro-" + context.req().getLocalPort();
+    return "__Host-maestro-" + context.port();
   }
 }

@@ -64,10 +64,14 @@ final class Browser implements AutoCloseable {
 
   /** Goes to the page, and waits until it is told what happens. */
   void go(String address) {
+    open(address);
+    waitFor("#link.live");
+  }
+
+  void open(String address) {
     driver.get(address);
     // Another fragment of the same page would not be another page.
     driver.navigate().refresh();
-    waitFor("#link.live");
   }
 
   /** Of our page: {@code light} or {@code dark}. */

@@ -48,7 +48,12 @@ final class ConsoleOptions {
   }
 
   private static Endpoint at(String text) {
-    return Endpoint.listening(text, Serving.LOOPBACK);
+    try {
+      return Endpoint.listening(text, Serving.LOOPBACK);
+    } catch (CommandException e) {
+      throw CommandException.badInput(
+          "--console takes a port between 0 and 65535, HOST:PORT, or off; not \"" + text + "\".");
+    }
   }
 
   private static boolean isLoopback(String host) {

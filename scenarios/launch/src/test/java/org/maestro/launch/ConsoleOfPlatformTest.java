@@ -87,6 +87,28 @@ class ConsoleOfPlatformTest {
     }
   }
 
+  /** Commands are persons there, and each may what her role says. */
+  @Test
+  void onASecuredSiteCommandsAskAsPersons() throws Exception {
+    String files = directory.resolve("site").toString();
+    assertThat(
+            command(
+                "secure", files, "bob", "--viewer", "screen", "--administrator", "console,carol"))
+        .contains("At the console may sign in: carol (administrator), console (administrator)");
+    try (JavaProcess platform = run("--console", "0", "--security", files)) {
+      assertThat(await(platform, SERVED)).startsWith("https://127.0.0.1:");
+
+      assertThat(command("goals")).startsWith("No goal was stated yet");
+      assertThat(command("agents", "--user", "screen")).contains("lamp-b1").doesNotContain("cli-");
+      assertThat(command("stop", "--user", "carol")).contains("safe state");
+      try (JavaProcess refused = maestro(List.of("stop", "--user", "screen"))) {
+        JavaProcess.Ended ended = refused.await(LIMIT);
+        assertThat(ended.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(ended.errors()).contains("screen is a viewer here, and this takes an operator");
+      }
+    }
+  }
+
   private JavaProcess run(String... more) throws IOException {
     List<String> arguments = new ArrayList<>(List.of("run", "bob", "--port", "0", "--speed", "20"));
     arguments.addAll(List.of(more));

@@ -18,6 +18,7 @@ export function mayNot(role) {
 
 function draw() {
   const isOut = who.secured && who.person === null;
+  document.body.classList.toggle("out", isOut);
   byId("sign-in").hidden = !isOut;
   document.querySelector("main").hidden = isOut;
   byId("person").hidden = !who.secured || isOut;
