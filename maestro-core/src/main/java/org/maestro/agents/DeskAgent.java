@@ -120,6 +120,46 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
   }
 
   /**
+   * Orders an agent of this platform to do something; exactly one final reply follows.
+   *
+   * @return calls it off, after which the final reply follows all the same
+   */
+  public Runnable order(
+      String agent, Duration timeout, Consumer<ACLMessage> replies, Content order) {
+    Order given = new Order(aid(agent));
+    tell(
+        () ->
+            given.conversation =
+                conversations()
+                    .ask(
+                        message(ACLMessage.REQUEST, given.agent, order),
+                        patience(timeout),
+                        reply ->
+                            replies.accept(Replies.isFromPlatform(reply) ? absent(agent) : reply)));
+    return () -> tell(() -> callOff(given));
+  }
+
+  /** An order under way. For this agent's thread. */
+  private static final class Order {
+    private final AID agent;
+    private String conversation = "";
+
+    Order(AID agent) {
+      this.agent = agent;
+    }
+  }
+
+  private void callOff(Order order) {
+    ACLMessage cancel =
+        message(
+            ACLMessage.CANCEL,
+            order.agent,
+            Words.content("cancel", Words.named("order", Words.text(order.conversation))));
+    cancel.setConversationId(order.conversation);
+    send(cancel);
+  }
+
+  /**
    * Asks an agent of another platform; exactly one final reply follows. What cannot be delivered is
    * a FAILURE in the platform's words.
    */

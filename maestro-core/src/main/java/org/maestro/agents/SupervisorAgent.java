@@ -115,13 +115,7 @@ public final class SupervisorAgent extends MaestroAgent {
               message,
               () -> containers.remove(words.string("agent").orElse("")),
               gone -> ends.done(message, "The agent " + gone.agent() + " is removed."));
-      case "stop" -> {
-        link.safe();
-        reply(
-            message,
-            ACLMessage.INFORM,
-            Words.content("inform", Words.named("done", Words.name("stop"))));
-      }
+      case "stop" -> stop(message, words.string("member"));
       case "revive" ->
           beside(message, containers::reviveCoordinator, revived -> revived(message, revived));
       default ->
@@ -132,6 +126,23 @@ public final class SupervisorAgent extends MaestroAgent {
                   + Replies.shortened(action)
                   + "; it can add, move, reconfigure, remove, stop and revive.");
     }
+  }
+
+  private void stop(ACLMessage message, Optional<String> member) {
+    if (member.isPresent()
+        && link.members().stream().noneMatch(known -> known.id().equals(member.get()))) {
+      refuse(
+          message,
+          ACLMessage.REFUSE,
+          "There is no member %s on the bus; ./maestro agents lists those there are."
+              .formatted(member.get()));
+      return;
+    }
+    member.ifPresentOrElse(link::safe, link::safe);
+    reply(
+        message,
+        ACLMessage.INFORM,
+        Words.content("inform", Words.named("done", Words.name("stop"))));
   }
 
   /** What waits for JADE must not be done by an agent itself. */

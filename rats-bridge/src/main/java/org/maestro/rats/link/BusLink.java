@@ -236,6 +236,11 @@ public final class BusLink implements RatsLink {
   }
 
   @Override
+  public void safe(String member) {
+    perform(() -> ask(Optional.of(member), ReservedFeature.SAFE));
+  }
+
+  @Override
   public void close() {
     if (closed.compareAndSet(false, true)) {
       clock.schedule(Duration.ZERO, controller, calls::closeAll);

@@ -113,6 +113,9 @@ public interface RatsLink extends AutoCloseable {
   /** Sends {@code $safe} to every member (Three-layered architecture, 3.2.1; M37). */
   void safe();
 
+  /** Sends {@code $safe} to one member, whether or not it is there. */
+  void safe(String member);
+
   @Override
   void close();
 

@@ -364,7 +364,7 @@ class ConsoleTest {
                 .path("goal")
                 .asText())
         .isEqualTo(id);
-    questions.stop().join();
+    questions.stop(Optional.empty()).join();
     assertThatThrownBy(() -> questions.cancel("G99999").join())
         .hasCauseInstanceOf(RefusalException.class)
         .hasMessageContaining("There is no goal G99999");

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.time.Duration;
+import java.util.List;
 import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -45,6 +46,45 @@ class MembersTest {
       }
     }
     throw new AssertionError("There is no " + name + " in " + member);
+  }
+
+  @Test
+  void aCallByHandIsEndedByHand() throws Exception {
+    // It takes long enough to be ended on the way.
+    home.site().simulated().let("rose", ScriptedFault.parse("at 0.01 slip 0.95"));
+    ServedHome.Answer begun =
+        home.post(
+            "/members/rose/calls",
+            "{\"feature\": \"move\", \"parameters\": {\"to\": \"zone-a\"}, \"timeout_s\": 600}");
+    String id = begun.document().path("id").asText();
+    assertThat(begun.status()).as(begun.toString()).isEqualTo(201);
+
+    assertThat(home.delete("/calls/" + id).status()).isEqualTo(204);
+
+    JsonNode ended = ended(id);
+    assertThat(ended.path("state").asText()).as(ended.toString()).isEqualTo("failed");
+    assertThat(ended.path("outcome").asText()).containsIgnoringCase("cancel");
+    assertThat(home.delete("/calls/" + id).problem()).contains(id + " has ended already");
+    assertThat(home.delete("/calls/M999").problem()).contains("There is no call M999");
+  }
+
+  @Test
+  void oneMemberAloneIsBroughtIntoASafeState() throws Exception {
+    String call = "{\"feature\": \"adjustLight\", \"parameters\": {\"level\": 1.0}}";
+    for (String lamp : List.of("lamp-b2", "lamp-b3")) {
+      ended(home.post("/members/" + lamp + "/calls", call).document().path("id").asText());
+    }
+    assertThat(stateOf("lamp-b2")).isEqualTo(stateOf("lamp-b3")).isNotEqualTo("safe");
+
+    assertThat(home.post("/members/lamp-b2/safe-state", "").status()).isEqualTo(204);
+
+    Awaitility.await().atMost(LIMIT).until(() -> !stateOf("lamp-b2").equals(stateOf("lamp-b3")));
+    assertThat(home.post("/members/lamp-x/safe-state", "").problem())
+        .contains("There is no member lamp-x");
+  }
+
+  private static String stateOf(String member) throws Exception {
+    return home.get("/members/" + member).document().path("state").asText();
   }
 
   @Test

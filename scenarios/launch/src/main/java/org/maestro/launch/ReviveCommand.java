@@ -1,5 +1,6 @@
 package org.maestro.launch;
 
+import java.util.concurrent.CompletableFuture;
 import org.maestro.console.questions.Questions;
 import picocli.CommandLine.Command;
 
@@ -8,7 +9,13 @@ import picocli.CommandLine.Command;
     name = "revive",
     description = "Start the central coordination agent again after it was ended.")
 final class ReviveCommand extends SupervisorRequest {
-  ReviveCommand() {
-    super(Questions::revive, "The central coordination agent is there again.");
+  @Override
+  CompletableFuture<Void> order(Questions questions) {
+    return questions.revive();
+  }
+
+  @Override
+  String done() {
+    return "The central coordination agent is there again.";
   }
 }

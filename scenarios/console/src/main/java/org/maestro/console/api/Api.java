@@ -213,7 +213,7 @@ public final class Api {
             "/safe-state",
             "stop",
             "Brings every device into a safe state, now; the platform stays.",
-            request -> questions.stop()),
+            request -> questions.stop(Optional.empty())),
         order(
                 Method.POST,
                 "/coordinator/revival",

@@ -117,8 +117,9 @@ public final class HttpQuestions implements Questions {
   }
 
   @Override
-  public CompletableFuture<Void> stop() {
-    return request("POST", "/safe-state", Optional.empty()).thenAccept(nothing -> {});
+  public CompletableFuture<Void> stop(Optional<String> member) {
+    String of = member.map(name -> "/members/" + encoded(name)).orElse("");
+    return request("POST", of + "/safe-state", Optional.empty()).thenAccept(nothing -> {});
   }
 
   @Override

@@ -3,6 +3,7 @@ package org.maestro.console.members;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.time.Duration;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
@@ -27,8 +28,9 @@ final class CallsByHand {
   private final Function<String, Optional<String>> agentOf;
   private final double speed;
 
-  // Both are guarded by this.
+  // All are guarded by this.
   private final Map<String, CallByHand> calls = BoundedMap.ofNewest(MOST);
+  private final Map<String, Runnable> ends = BoundedMap.ofNewest(MOST);
   private int latest;
 
   /**
@@ -65,16 +67,42 @@ final class CallsByHand {
             nextId(), member, feature, parameters, CallByHand.State.UNDER_WAY, Optional.empty());
     CompletableFuture<JsonNode> begun = new CompletableFuture<>();
     Duration patience = timeout.plus(Duration.ofMillis((long) (GRACE.toMillis() * speed)));
-    orders.call(
-        agent.get(),
-        member,
-        feature,
-        parameters,
-        person,
-        timeout,
-        patience,
-        new Course(call, begun));
+    Runnable end =
+        orders.call(
+            agent.get(),
+            member,
+            feature,
+            parameters,
+            person,
+            timeout,
+            patience,
+            new Course(call, begun));
+    synchronized (this) {
+      ends.put(call.id(), end);
+    }
     return begun;
+  }
+
+  /**
+   * Ends a call that is under way; how it ended is told as of any other.
+   *
+   * @return why it cannot be; empty when it is being ended
+   */
+  synchronized Optional<String> end(String id) {
+    CallByHand call = calls.get(id);
+    if (call == null) {
+      return Optional.of(unknown(id));
+    }
+    if (call.state() != CallByHand.State.UNDER_WAY) {
+      return Optional.of("The call %s has ended already.".formatted(id));
+    }
+    Objects.requireNonNull(ends.get(id)).run();
+    return Optional.empty();
+  }
+
+  /** That there is no such call, in a sentence. */
+  static String unknown(String id) {
+    return "There is no call %s, or not any more; the latest two hundred are kept.".formatted(id);
   }
 
   private synchronized String nextId() {

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.maestro.console.api.Operation;
 import org.maestro.console.questions.AclCalls;
+import org.maestro.console.questions.AclQuestions;
 import org.maestro.console.questions.RefusalException;
 import org.maestro.console.traffic.RoundTrips;
 import org.maestro.ontology.home.Device;
@@ -20,6 +21,9 @@ import org.maestro.sl.Term;
 
 /** The operations on members one by one. */
 public final class MemberOperations {
+  private static final Operation.Parameter CALL =
+      Operation.Parameter.path("call", "The id of a call by hand, such as M1.");
+
   private static final int CREATED = 201;
   private static final double USUAL_SECONDS = 60;
   private static final double MOST_SECONDS = 86_400;
@@ -27,6 +31,7 @@ public final class MemberOperations {
   private final MaestroPlatform platform;
   private final RoundTrips roundTrips;
   private final CallsByHand calls;
+  private final AclQuestions questions;
 
   /**
    * @param roundTrips of calls to members
@@ -34,6 +39,7 @@ public final class MemberOperations {
   public MemberOperations(MaestroPlatform platform, RoundTrips roundTrips) {
     this.platform = platform;
     this.roundTrips = roundTrips;
+    this.questions = new AclQuestions(platform.desk());
     this.calls = new CallsByHand(new AclCalls(platform.desk()), this::agentOf, platform.speed());
   }
 
@@ -74,12 +80,26 @@ public final class MemberOperations {
                     calls
                         .call(request.parameter("call"))
                         .map(CompletableFuture::completedFuture)
-                        .orElseGet(
-                            () ->
-                                refused(
-                                    "There is no call %s, or not any more; the latest two hundred are kept."
-                                        .formatted(request.parameter("call")))))
-            .with(Operation.Parameter.path("call", "The id of a call by hand, such as M1.")));
+                        .orElseGet(() -> refused(CallsByHand.unknown(request.parameter("call")))))
+            .with(CALL),
+        Operation.order(
+                Operation.Method.DELETE,
+                "/calls/{call}",
+                "endCall",
+                "Ends a call by hand that is under way, by its exit strategy.",
+                request ->
+                    calls
+                        .end(request.parameter("call"))
+                        .<CompletableFuture<?>>map(MemberOperations::refused)
+                        .orElseGet(() -> CompletableFuture.completedFuture(request)))
+            .with(CALL),
+        Operation.order(
+                Operation.Method.POST,
+                "/members/{member}/safe-state",
+                "stopMember",
+                "Brings one device into a safe state, now.",
+                request -> questions.stop(Optional.of(request.parameter("member"))))
+            .with(which));
   }
 
   private Optional<Device> described(String member) {

@@ -47,8 +47,9 @@ public final class AclCalls {
    * @param timeout simulated time that it may take
    * @param person who has signed in at the desk, and for whom it asks
    * @param patience the same until its agent has to have told how it ended
+   * @return calls it off; how it ended is told all the same
    */
-  public void call(
+  public Runnable call(
       String agent,
       String member,
       String feature,
@@ -58,8 +59,7 @@ public final class AclCalls {
       Duration patience,
       Listener listener) {
     boolean[] agreed = {false};
-    desk.request(
-        ACLMessage.REQUEST,
+    return desk.order(
         agent,
         patience,
         reply -> {

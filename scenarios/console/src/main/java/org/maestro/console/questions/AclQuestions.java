@@ -166,20 +166,21 @@ public final class AclQuestions implements Questions {
   }
 
   @Override
-  public CompletableFuture<Void> stop() {
-    return order("stop");
+  public CompletableFuture<Void> stop(Optional<String> member) {
+    return order(
+        "stop", member.map(name -> Words.named("member", Words.text(name))).stream().toList());
   }
 
   @Override
   public CompletableFuture<Void> revive() {
-    return order("revive");
+    return order("revive", List.of());
   }
 
-  private CompletableFuture<Void> order(String action) {
-    return ask(
-            ACLMessage.REQUEST,
-            AgentNames.SUPERVISOR,
-            Words.content("perform", Words.named("action", Words.name(action))))
+  private CompletableFuture<Void> order(String action, List<Content.Argument.Named> of) {
+    List<Content.Argument> arguments = new ArrayList<>();
+    arguments.add(Words.named("action", Words.name(action)));
+    arguments.addAll(of);
+    return ask(ACLMessage.REQUEST, AgentNames.SUPERVISOR, new Content("perform", arguments))
         .thenAccept(lines -> {});
   }
 

@@ -1,6 +1,7 @@
 package org.maestro.console.questions;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 
@@ -50,8 +51,12 @@ public interface Questions {
    */
   CompletableFuture<JsonNode> order(AgentOrder order);
 
-  /** Brings all devices into a safe state. */
-  CompletableFuture<Void> stop();
+  /**
+   * Brings devices into a safe state.
+   *
+   * @param member which; empty: all
+   */
+  CompletableFuture<Void> stop(Optional<String> member);
 
   /** Starts the central coordination agent again after it was ended. */
   CompletableFuture<Void> revive();

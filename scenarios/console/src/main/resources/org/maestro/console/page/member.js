@@ -36,7 +36,13 @@ export function memberLine() {
     return null;
   }
   const calls = (ids) => (ids.length === 0 ? "nothing" : ids.join(", "));
-  return make("p", {}, "At: ", make("code", {}, calls(told.running)), " · waiting: ", make("code", {}, calls(told.queue)),
+  const { name } = shown;
+  const stop = (event) => {
+    const button = event.currentTarget;
+    ask.stopMember(name).then(() => { button.textContent = "Told to be safe"; }, (failure) => { shown.problem = failure.message; });
+  };
+  return make("p", { class: "at" },
+    make("button", { type: "button", class: "danger", ...acting(), title: acting().title ?? `${name} into a safe state, now`, onclick: stop }, "Safe state"), " At: ", make("code", {}, calls(told.running)), " · waiting: ", make("code", {}, calls(told.queue)),
     " · answers calls in ", told.round_trip_ms === null ? "– (not called yet)" : `${told.round_trip_ms.toFixed(1)} ms`);
 }
 
@@ -81,8 +87,12 @@ async function call(member, feature, parameters, told) {
   told.textContent = "…";
   try {
     let made = await ask.call(member, feature, parameters);
+    const { id } = made;
     while (made.state === "under-way") {
-      told.textContent = `${made.id} is under way …`;
+      if (told.dataset.call !== id) {
+        told.dataset.call = id;
+        told.replaceChildren(`${id} is under way … `, make("button", { type: "button", ...acting(), onclick: () => ask.endCall(id).catch(() => {}) }, "End it"));
+      }
       await new Promise((resolve) => { setTimeout(resolve, OFTEN_MILLIS / 2); });
       if (!told.isConnected) {
         return;
