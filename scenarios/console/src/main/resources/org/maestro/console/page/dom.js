@@ -79,11 +79,15 @@ export function keyed(container) {
   };
 }
 
+export function heading(columns) {
+  return make("thead", {}, make("tr", {}, columns.map((column) =>
+    make("th", { scope: "col", class: column.className, "aria-sort": column.sorted }, column.head ?? column.name))));
+}
+
 /** A table for people; rows are chosen by a click, or by the key of their first cell. */
 export function table(columns, rows, { isChosen = () => false, choose } = {}) {
   return make("table", {},
-    make("thead", {}, make("tr", {}, columns.map((column) =>
-      make("th", { scope: "col", class: column.className, "aria-sort": column.sorted }, column.head ?? column.name)))),
+    heading(columns),
     make("tbody", {}, rows.map((row) => make("tr",
       { class: isChosen(row) ? "chosen" : null, onclick: () => choose?.(row) },
       columns.map((column) => make("td", { class: column.className }, (column.cell ?? column.text)(row)))))));

@@ -26,6 +26,10 @@ const listeners = new Set();
 const storyListeners = new Set();
 let waiting = false;
 
+/** Where drawing takes long, it is done less often: it takes a quarter of the time at most. */
+let freeAt = 0;
+const SHARE = 4;
+
 export function onChange(listener) {
   listeners.add(listener);
 }
@@ -34,14 +38,24 @@ export function onStory(listener) {
   storyListeners.add(listener);
 }
 
-/** All listeners are told once before the next picture is drawn, however much has changed. */
+function tellAll() {
+  const begin = performance.now();
+  waiting = false;
+  listeners.forEach((listener) => listener());
+  freeAt = begin + SHARE * (performance.now() - begin);
+}
+
+/** All listeners are told once before a picture is drawn, however much has changed. */
 function changed() {
   if (!waiting) {
     waiting = true;
-    requestAnimationFrame(() => {
-      waiting = false;
-      listeners.forEach((listener) => listener());
-    });
+    const next = () => requestAnimationFrame(tellAll);
+    const pause = freeAt - performance.now();
+    if (pause > 0) {
+      setTimeout(next, pause);
+    } else {
+      next();
+    }
   }
 }
 

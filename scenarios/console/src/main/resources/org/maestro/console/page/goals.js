@@ -34,7 +34,7 @@ let listed = null;
 function startList() {
   listed = longTable(byId("goal-list"), "goals", [
     { name: "Goal", text: (goal) => `${goal.id} ${goal.goal}`, cell: (goal) => make("button", { class: "row", type: "button", title: goal.goal }, `${goal.id} ${goal.goal}`) },
-    { name: "State", text: (goal) => goal.state, cell: stateOf },
+    { name: "State", text: (goal) => goal.state, shown: (goal) => [goal.state, waits(goal), goal.detail].join("\n"), cell: stateOf },
     { name: "Since", className: "number", text: (goal) => seconds(age(goal)), value: age },
     { name: "By", className: "wide state", text: (goal) => goal.requester ?? "–" },
     { name: "Waits for", className: "wide quiet", text: (goal) => waits(goal) || (isOver(goal) ? "" : goal.detail ?? "") },

@@ -1,5 +1,5 @@
 /** Long tables: filtered, sorted, a page at a time, and to be had as a file. */
-import { make, redraw, table } from "./dom.js";
+import { heading, make, redraw } from "./dom.js";
 
 const ROWS = 50;
 
@@ -19,9 +19,39 @@ function save(name, columns, rows) {
   setTimeout(() => URL.revokeObjectURL(address), 10000);
 }
 
+/** The body of a table. As most of its rows stay as they are, a cell is made anew only when it is to show something else. */
+function rowsOf(columns, { isChosen = () => false, choose }) {
+  const body = make("tbody");
+  const places = [];
+  const place = () => {
+    const cells = columns.map((column) => make("td", { class: column.className }));
+    const made = { row: null, shown: [], cells, element: make("tr", { onclick: () => choose?.(made.row) }, cells) };
+    body.append(made.element);
+    return made;
+  };
+  const drawRows = (rows) => {
+    while (places.length > rows.length) {
+      places.pop().element.remove();
+    }
+    rows.forEach((row, i) => {
+      const at = places[i] ??= place();
+      at.row = row;
+      at.element.classList.toggle("chosen", isChosen(row));
+      columns.forEach((column, c) => {
+        const shown = (column.shown ?? column.text)(row);
+        if (at.shown[c] !== shown) {
+          at.shown[c] = shown;
+          redraw(at.cells[c], (column.cell ?? column.text)(row));
+        }
+      });
+    });
+  };
+  return { body, drawRows };
+}
+
 /**
  * Returns what draws rows into the container. Of a column: its name, the text of a row, what it is sorted by when that is not the text,
- * and the cell when it is more than text. Choosing works as for any table.
+ * the cell when it is more than text, and all that it shows when that is more than its text. Choosing works as for any table.
  */
 export function longTable(container, name, columns, choosing = {}) {
   const asked = { filter: "", column: null, descending: false, page: 0 };
@@ -53,6 +83,24 @@ export function longTable(container, name, columns, choosing = {}) {
     },
   }));
 
+  const { body, drawRows } = rowsOf(columns, choosing);
+  const list = make("table", {}, body);
+  const none = make("p", { class: "empty" });
+  let headed = null;
+
+  function drawHead() {
+    const sorted = `${columns.indexOf(asked.column)} ${asked.descending}`;
+    if (headed !== sorted) {
+      headed = sorted;
+      const had = list.contains(document.activeElement);
+      list.tHead?.remove();
+      list.prepend(heading(heads));
+      if (had) {
+        list.tHead.querySelectorAll("button")[columns.indexOf(asked.column)]?.focus();
+      }
+    }
+  }
+
   function wanted() {
     const text = asked.filter.trim().toLowerCase();
     const found = text === "" ? [...all]
@@ -69,11 +117,22 @@ export function longTable(container, name, columns, choosing = {}) {
     asked.page = Math.max(0, Math.min(asked.page, Math.ceil(found.length / ROWS) - 1));
     const first = asked.page * ROWS;
     const last = Math.min(found.length, first + ROWS);
-    where.textContent = found.length === 0 ? `none of ${all.length}` : `${first + 1}–${last} of ${found.length}`;
+    const told = found.length === 0 ? `none of ${all.length}` : `${first + 1}–${last} of ${found.length}`;
+    if (where.textContent !== told) {
+      where.textContent = told;
+    }
     back.disabled = first === 0;
     on.disabled = last === found.length;
-    redraw(rows, found.length === 0 ? make("p", { class: "empty" }, `No row has "${asked.filter}" in it; change the filter.`)
-      : table(heads, found.slice(first, last), choosing));
+    if (found.length === 0) {
+      none.textContent = `No row has "${asked.filter}" in it; change the filter.`;
+    } else {
+      drawHead();
+      drawRows(found.slice(first, last));
+    }
+    const shown = found.length === 0 ? none : list;
+    if (shown.parentElement !== rows) {
+      rows.replaceChildren(shown);
+    }
   }
 
   return (given) => {

@@ -60,6 +60,20 @@ function middle(outline) {
   return [sum[0] / outline.length, sum[1] / outline.length];
 }
 
+/** What of a home is drawn, as it stays the same as long as the home does. */
+function drawable(home) {
+  const { things } = home;
+  const box = bounds(things);
+  return box === null ? null : {
+    box,
+    unit: Math.max(box[2], box[3]) / 48,
+    rooms: things.filter((thing) => thing.outline && is(thing, "Room")),
+    floors: floors(things),
+    doors: things.filter((thing) => thing.from && thing.to),
+    signed: things.filter((thing) => sign(thing)).sort((a, b) => rank(a) - rank(b)),
+  };
+}
+
 /** Names of things stand once, however many names a room has. */
 function floors(things) {
   const zones = things.filter((thing) => thing.outline && is(thing, "Zone"));
@@ -238,11 +252,11 @@ function rank(thing) {
   return is(thing, "Item") ? 2 : is(thing, "Person") || is(thing, "MobileRobot") ? 1 : 0;
 }
 
-/** Where everything is that has a sign, those that lie above others last; and who is nowhere. */
-function sorted(things) {
+/** Where everything is that has a sign; and who is nowhere. */
+function sorted(signed) {
   const placed = [];
   const nowhere = [];
-  for (const thing of things.filter((one) => sign(one))) {
+  for (const thing of signed) {
     const where = place(thing);
     if (where) {
       placed.push([thing, where]);
@@ -253,40 +267,46 @@ function sorted(things) {
       nowhere.push(thing.name);
     }
   }
-  return { placed: placed.sort(([a], [b]) => rank(a) - rank(b)), nowhere };
+  return { placed, nowhere };
+}
+
+function write(text) {
+  const element = byId("nowhere");
+  if (element.textContent !== text) {
+    element.textContent = text;
+  }
 }
 
 export function drawMap() {
   const plan = byId("plan");
-  const things = state.home.things;
-  const box = bounds(things);
-  if (box === null) {
-    plan.replaceChildren();
-    layers = null;
-    byId("nowhere").textContent = things.length === 0
-      ? "Nothing is known of the home yet."
-      : "This home has no map; give its rooms an outline, and they are drawn here.";
-    return;
-  }
-  const unit = Math.max(box[2], box[3]) / 48;
-  const rooms = things.filter((thing) => thing.outline && is(thing, "Room"));
   if (layers?.home !== state.home) {
+    const parts = drawable(state.home);
+    if (parts === null) {
+      plan.replaceChildren();
+      layers = null;
+      write(state.home.things.length === 0
+        ? "Nothing is known of the home yet."
+        : "This home has no map; give its rooms an outline, and they are drawn here.");
+      return;
+    }
+    const { box, unit, rooms } = parts;
     plan.setAttribute("viewBox", box.join(" "));
-    layers = lay(plan, rooms, unit);
-    layers.fields(things.filter((thing) => is(thing, "Camera") && thing.pose && thing.viewAngle)
+    layers = { parts, ...lay(plan, rooms, unit) };
+    layers.fields(state.home.things.filter((thing) => is(thing, "Camera") && thing.pose && thing.viewAngle)
       .map((camera) => [camera.name, "", () => field(camera, rooms, unit)]));
     layers.walls(rooms.map((room) => [room.name, "", () =>
       draw("polygon", { class: "wall", points: points(room.outline), "stroke-width": 0.3 * unit })]));
   }
+  const { unit, floors: zones, doors, signed } = layers.parts;
   const chosen = selection().thing;
-  const { placed, nowhere } = sorted(things);
-  const drawn = (thing, seeming, made) => [thing.name, JSON.stringify(seeming), () => made(thing, seeming, unit)];
-  layers.floors(floors(things).map((zone) => drawn(zone, lightOf(zone), floor)));
-  layers.doors(things.filter((thing) => thing.from && thing.to).map((door) => drawn(door, openness(door), opening)));
+  const { placed, nowhere } = sorted(signed);
+  const drawn = (thing, seeming, made) => [thing.name, Object.values(seeming).join("\n"), () => made(thing, seeming, unit)];
+  layers.floors(zones.map((zone) => drawn(zone, lightOf(zone), floor)));
+  layers.doors(doors.map((door) => drawn(door, openness(door), opening)));
   layers.trails(placed.filter(([thing]) => is(thing, "MobileRobot")).map(([thing, where]) => {
     const way = points(follow(thing.name, where));
     return [thing.name, way, () => draw("polyline", { class: "trail", points: way, "stroke-width": 0.25 * unit })];
   }));
   layers.things(placed.map(([thing, where]) => drawn(thing, look(thing, where, thing.name === chosen), marker)));
-  byId("nowhere").textContent = nowhere.length > 0 ? `Not known where: ${nowhere.join(", ")}` : "";
+  write(nowhere.length > 0 ? `Not known where: ${nowhere.join(", ")}` : "");
 }
