@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.maestro.agents.CoordinatorAgent;
@@ -20,6 +21,7 @@ import org.maestro.agents.goals.Past;
 import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.lives.AgentLives;
 import org.maestro.agents.pulse.Condition;
+import org.maestro.agents.pulse.Signs;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.supervision.SupervisorOrders;
 import org.maestro.coordination.api.Recovery;
@@ -254,24 +256,47 @@ public final class MaestroPlatform implements AutoCloseable {
     return agents.deployer().topics();
   }
 
+  /** What is known of containers and agents by their signs of life; of none on a stepped clock. */
+  public Signs signs() {
+    return agents.signs();
+  }
+
   /** Whether the containers of the platform give signs of life; empty on a stepped clock. */
   public SortedMap<String, Condition> containers() {
-    return agents.containers();
+    return signs().conditions();
   }
 
   /** Why goals cannot be taken on or pursued now, as far as this process has seen. */
   public List<String> impediments() {
-    return Stream.of(
-            services
-                .link()
-                .absence()
-                .map(
-                    reason ->
-                        "There is no connection to the bus (%s); what needs a device waits."
-                            .formatted(reason)),
-            memory.impediment())
-        .flatMap(Optional::stream)
-        .toList();
+    return Stream.of(busImpediment(), journalImpediment()).flatMap(Optional::stream).toList();
+  }
+
+  /** Why no device can be reached now; empty when they can. */
+  public Optional<String> busImpediment() {
+    return services
+        .link()
+        .absence()
+        .map(
+            reason ->
+                "There is no connection to the bus (%s); what needs a device waits."
+                    .formatted(reason));
+  }
+
+  /** Why nothing can be written down now that has to be first; empty when it can. */
+  public Optional<String> journalImpediment() {
+    return memory.impediment();
+  }
+
+  /** Whether goals outlive the process. */
+  public boolean keepsJournal() {
+    return settings.dataDirectory().isPresent();
+  }
+
+  /** Members that are there and cannot be used as they describe themselves, and why. */
+  public SortedMap<String, String> refused() {
+    SortedMap<String, String> whyByMember = new TreeMap<>();
+    agents.refused().forEach((member, refusal) -> whyByMember.put(member, refusal.why()));
+    return whyByMember;
   }
 
   /** Members that were heard of on the bus, and not cleared. */

@@ -9,8 +9,8 @@ import java.util.SortedMap;
 import java.util.function.Supplier;
 import org.maestro.agents.device.Surroundings;
 import org.maestro.agents.lives.AgentLives;
-import org.maestro.agents.pulse.Condition;
 import org.maestro.agents.pulse.Pulse;
+import org.maestro.agents.pulse.Signs;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.agents.supervision.SupervisorOrders;
 import org.maestro.coordination.api.Recovery;
@@ -166,9 +166,9 @@ final class MemberAgents {
     signs.watch(pulse);
   }
 
-  /** Whether the containers give signs of life; empty on a stepped clock. */
-  SortedMap<String, Condition> containers() {
-    return signs.containers();
+  /** What is known by signs of life; of none on a stepped clock. */
+  Signs signs() {
+    return signs.signs();
   }
 
   /** Members whose agents need what no host that is there provides. */

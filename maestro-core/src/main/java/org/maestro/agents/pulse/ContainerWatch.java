@@ -199,7 +199,7 @@ final class ContainerWatch {
     return addressesByContainer.getOrDefault(container, List.of());
   }
 
-  SortedMap<String, Condition> containers() {
-    return containers.conditions();
+  synchronized Signs signs() {
+    return new Signs(containers.timing(), containers.signs(now()), conditionByAgent);
   }
 }

@@ -170,4 +170,17 @@ final class Heartbeats {
     heardByName.forEach((name, heard) -> conditions.put(name, heard.condition()));
     return conditions;
   }
+
+  /** The last sign of life of each. */
+  synchronized SortedMap<String, LifeSign> signs(Duration now) {
+    SortedMap<String, LifeSign> signs = new TreeMap<>();
+    heardByName.forEach(
+        (name, heard) -> signs.put(name, new LifeSign(heard.condition(), now.minus(heard.at()))));
+    return signs;
+  }
+
+  /** The timing that holds now. */
+  synchronized HeartbeatSettings timing() {
+    return new HeartbeatSettings(settings.period(), suspectedAfter(), lostAfter());
+  }
 }

@@ -2,7 +2,6 @@ package org.maestro.agents.pulse;
 
 import jade.core.ServiceHelper;
 import java.util.List;
-import java.util.SortedMap;
 import java.util.function.Consumer;
 import org.maestro.rats.time.Clock;
 
@@ -50,6 +49,6 @@ public interface Pulse extends ServiceHelper {
    */
   void end(String container, String agent);
 
-  /** What is known of each container; empty where nobody watches. */
-  SortedMap<String, Condition> containers();
+  /** What is known of containers and agents; of none where nobody watches. */
+  Signs signs();
 }

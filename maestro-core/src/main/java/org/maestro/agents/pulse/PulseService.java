@@ -22,12 +22,9 @@ import jade.core.VerticalCommand;
 import jade.core.management.AgentManagementSlice;
 import jade.mtp.TransportAddress;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.SortedMap;
-import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -249,10 +246,8 @@ public final class PulseService extends BaseService {
     }
 
     @Override
-    public SortedMap<String, Condition> containers() {
-      return watch
-          .map(ContainerWatch::containers)
-          .orElseGet(() -> Collections.unmodifiableSortedMap(new TreeMap<>()));
+    public Signs signs() {
+      return watch.map(ContainerWatch::signs).orElseGet(Signs::none);
     }
   }
 

@@ -2,13 +2,11 @@ package org.maestro.platform.failover;
 
 import java.util.Map;
 import java.util.Optional;
-import java.util.SortedMap;
-import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.maestro.agents.lives.AgentLives;
-import org.maestro.agents.pulse.Condition;
 import org.maestro.agents.pulse.HeartbeatSettings;
 import org.maestro.agents.pulse.Pulse;
+import org.maestro.agents.pulse.Signs;
 import org.maestro.platform.wires.Wires;
 import org.maestro.rats.time.Clock;
 
@@ -50,8 +48,8 @@ public final class SignsOfLife {
     heard.ifPresent(pulse -> pulse.end(container, agent));
   }
 
-  /** Empty on a stepped clock, on which nobody is watched. */
-  public SortedMap<String, Condition> containers() {
-    return heard.map(Pulse::containers).orElseGet(TreeMap::new);
+  /** Of none on a stepped clock, on which nobody is watched. */
+  public Signs signs() {
+    return heard.map(Pulse::signs).orElseGet(Signs::none);
   }
 }

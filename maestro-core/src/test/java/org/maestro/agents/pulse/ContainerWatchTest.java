@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -52,7 +53,7 @@ class ContainerWatchTest {
     assertThat(hear("lights", "second life", "")).isTrue();
     assertThat(hear("lights", "first life", "")).isFalse();
     beat("lights", "second life", 20);
-    assertThat(watch.containers()).containsEntry("lights", Condition.ALIVE);
+    assertThat(watch.signs().conditions()).containsEntry("lights", Condition.ALIVE);
   }
 
   /** JADE has noticed that its process was killed. */
@@ -94,13 +95,37 @@ class ContainerWatchTest {
     assertThat(told).hasSize(9).allMatch(line -> line.endsWith("SUSPECTED"));
   }
 
+  @Test
+  void howLongSomebodyIsSilentIsTold() {
+    hear("lights", "life", "");
+    pass(SETTINGS.period());
+    hear("robots", "other life", "");
+    pass(Duration.ofMillis(700));
+
+    Signs signs = watch.signs();
+    assertThat(signs.timing()).isEqualTo(SETTINGS);
+    assertThat(signs.containers())
+        .containsEntry("lights", new LifeSign(Condition.ALIVE, Duration.ofMillis(1_200)))
+        .containsEntry("robots", new LifeSign(Condition.ALIVE, Duration.ofMillis(700)));
+  }
+
+  @Test
+  void anAgentThatDoesNothingIsNamed() {
+    for (int beats = 0; beats < 8; beats++) {
+      hear("lights", "life", beats < 2 ? "" : beats * 500 + " lamp one");
+      pass(SETTINGS.period());
+    }
+
+    assertThat(watch.signs().agents()).containsExactly(Map.entry("lamp one", Condition.SUSPECTED));
+  }
+
   /** A platform that has taken over does not know it. */
   @Test
   void aContainerOfAnotherPlatformIsNotWelcome() {
     Beat beat = Beat.read("a-life - lights\nb-life - robots\n");
 
     assertThat(watch.heard(beat, Set.of("robots")).givenUp()).containsExactly("a-life");
-    assertThat(watch.containers()).containsOnlyKeys("robots");
+    assertThat(watch.signs().conditions()).containsOnlyKeys("robots");
   }
 
   /** They have been promised that nobody acts in their place before. */

@@ -23,6 +23,7 @@ import org.maestro.console.history.History;
 import org.maestro.console.members.MemberOperations;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.console.questions.RefusalException;
+import org.maestro.console.states.PlatformStates;
 import org.maestro.platform.MaestroPlatform;
 import org.maestro.rats.transport.Transport;
 
@@ -65,6 +66,7 @@ public final class Console implements AutoCloseable {
     Access access = serving.access();
     AclQuestions questions = new AclQuestions(platform.desk());
     Health health = new Health(questions, platform::containers, platform::impediments);
+    PlatformStates states = new PlatformStates(platform, EventHub.LOOK);
     History history =
         new History(
             data.map(directory -> directory.resolve("console")), platform::now, platform.speed());
@@ -72,7 +74,7 @@ public final class Console implements AutoCloseable {
         new EventHub(
             questions,
             platform.knowledge(),
-            health::document,
+            Map.of("health", health::document, "states", states::document),
             after -> history.answered(Answerer.AGENTS, after));
     Recording recording = new Recording(events, history, MEASURED);
     Traffic traffic =
@@ -93,6 +95,7 @@ public final class Console implements AutoCloseable {
                 .operations());
     operations.addAll(new SessionOperations(access).operations());
     operations.addAll(PlanOperations.of(questions, platform::now));
+    operations.addAll(states.operations());
     operations.addAll(traffic.operations());
     operations.addAll(new MemberOperations(platform, traffic.roundTrips()).operations());
     operations.addAll(new HistoryOperations(history, lookingBack::work).operations());

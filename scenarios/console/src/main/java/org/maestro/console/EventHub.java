@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -42,11 +43,14 @@ final class EventHub implements EventSource, AutoCloseable {
   private static final long GATHERED_MILLIS = 100;
 
   /** Agents come and go, and facts grow too old, without a word; so often it is looked for. */
-  private static final long LOOK_MILLIS = 1_000;
+  static final Duration LOOK = Duration.ofSeconds(1);
+
+  /** What goes on by itself is nothing new. */
+  private static final List<String> AGES = List.of("age_s", "silence_s");
 
   private final Questions questions;
   private final KnowledgeBase knowledge;
-  private final Supplier<JsonNode> health;
+  private final Map<String, Supplier<JsonNode>> looked;
   private final Consumer<Duration> answered;
   private final ScheduledExecutorService thread =
       Executors.newSingleThreadScheduledExecutor(
@@ -66,27 +70,27 @@ final class EventHub implements EventSource, AutoCloseable {
   private Optional<JsonNode> home = Optional.empty();
   private Optional<JsonNode> goals = Optional.empty();
   private Optional<JsonNode> agents = Optional.empty();
-  private Optional<JsonNode> condition = Optional.empty();
+  private final Map<String, JsonNode> seen = new HashMap<>();
 
   /**
-   * @param health how the platform does; quickly told
+   * @param looked what is looked at again and again, by the name of its event; quickly told
    * @param answered told how long agents take to answer
    */
   EventHub(
       Questions questions,
       KnowledgeBase knowledge,
-      Supplier<JsonNode> health,
+      Map<String, Supplier<JsonNode>> looked,
       Consumer<Duration> answered) {
     this.questions = questions;
     this.knowledge = knowledge;
-    this.health = health;
+    this.looked = looked;
     this.answered = answered;
   }
 
   void start() {
     knowledge.watch(change -> factsAreNew.set(true));
     rounds.add(everyMillis(GATHERED_MILLIS, this::tell));
-    rounds.add(everyMillis(LOOK_MILLIS, this::look));
+    rounds.add(everyMillis(LOOK.toMillis(), this::look));
   }
 
   private Future<?> everyMillis(long pause, Runnable work) {
@@ -113,7 +117,7 @@ final class EventHub implements EventSource, AutoCloseable {
     listener.add("facts", changes(facts, Set.of(), knowledge.snapshot(), true));
     goals.ifPresent(document -> listener.add("goals", document));
     agents.ifPresent(document -> listener.add("agents", document));
-    condition.ifPresent(document -> listener.add("health", document));
+    seen.forEach(listener::add);
   }
 
   @Override
@@ -141,7 +145,7 @@ final class EventHub implements EventSource, AutoCloseable {
     home = drawn.map(HomeDocument::of);
     facts = byFact(knowledge.snapshot());
     goalsAreNew.set(true);
-    condition = Optional.of(health.get());
+    looked.forEach((name, look) -> seen.put(name, look.get()));
     askForAgents();
   }
 
@@ -217,15 +221,14 @@ final class EventHub implements EventSource, AutoCloseable {
     factsAreNew.set(true);
     askForAgents();
     if (!listeners.isEmpty()) {
-      tellHealth();
+      looked.forEach((name, look) -> tellSeen(name, look.get()));
     }
   }
 
-  private void tellHealth() {
-    JsonNode now = health.get();
-    if (!Optional.of(now).equals(condition)) {
-      condition = Optional.of(now);
-      listeners.tell("health", now);
+  private void tellSeen(String name, JsonNode now) {
+    Optional<JsonNode> before = Optional.ofNullable(seen.put(name, now));
+    if (before.filter(then -> withoutAges(then).equals(withoutAges(now))).isEmpty()) {
+      listeners.tell(name, now);
     }
   }
 
@@ -252,7 +255,9 @@ final class EventHub implements EventSource, AutoCloseable {
 
   private static JsonNode withoutAges(JsonNode document) {
     JsonNode copy = document.deepCopy();
-    copy.path("agents").forEach(row -> ((ObjectNode) row).remove("age_s"));
+    for (String age : AGES) {
+      copy.findParents(age).forEach(row -> ((ObjectNode) row).remove(age));
+    }
     return copy;
   }
 

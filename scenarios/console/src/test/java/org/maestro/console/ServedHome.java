@@ -16,6 +16,7 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -24,6 +25,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import org.awaitility.Awaitility;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.console.api.Api;
@@ -38,6 +40,8 @@ import org.maestro.sim.scene.SceneLoader;
 /** Bob's home, simulated, with its console; and a client of that. */
 final class ServedHome implements AutoCloseable {
   private static final double SPEED = 20;
+  private static final String NAME = "served";
+  private static final Duration FORMER_ENDS_WITHIN = Duration.ofSeconds(60);
   private static final ObjectMapper MAPPER = new ObjectMapper();
 
   /** An answer of the console. */
@@ -58,17 +62,34 @@ final class ServedHome implements AutoCloseable {
   }
 
   static ServedHome start() {
-    return start(settings -> {}, Optional.empty());
+    return start(NAME, settings -> {}, Optional.empty());
   }
 
   /** The same on a broker of one's own. */
   static ServedHome startOn(URI broker) {
-    return start(settings -> settings.broker(broker), Optional.empty());
+    return start(NAME, settings -> settings.broker(broker), Optional.empty());
+  }
+
+  /**
+   * The same for containers of other processes: what JADE has for a whole process goes with its
+   * last platform, also while another begins, and platforms of one name get into each other's way.
+   */
+  static ServedHome startForOthers(URI broker) {
+    Awaitility.await()
+        .atMost(FORMER_ENDS_WITHIN)
+        .until(
+            () ->
+                Thread.getAllStackTraces().keySet().stream()
+                    .noneMatch(thread -> thread.getName().equals("maestro-container-end")));
+    return start(
+        NAME + "-" + Long.toString(System.nanoTime(), Character.MAX_RADIX),
+        settings -> settings.broker(broker),
+        Optional.empty());
   }
 
   /** The same with a directory in which its past is kept. */
   static ServedHome startWith(Path data) {
-    return start(settings -> {}, Optional.of(data));
+    return start(NAME, settings -> {}, Optional.of(data));
   }
 
   /**
@@ -82,7 +103,7 @@ final class ServedHome implements AutoCloseable {
     SecureSite.in(files)
         .make(
             new SiteUsers(
-                "served",
+                NAME,
                 List.of("127.0.0.1"),
                 new TreeSet<>(Set.of("maestro")),
                 new TreeSet<>(home.devices().keySet()),
@@ -95,6 +116,7 @@ final class ServedHome implements AutoCloseable {
             .sslContext(security.console(persons.keySet().iterator().next()).orElseThrow().tls())
             .build();
     return start(
+        NAME,
         home,
         settings -> settings.security(security),
         Optional.empty(),
@@ -102,8 +124,10 @@ final class ServedHome implements AutoCloseable {
         client);
   }
 
-  private static ServedHome start(Consumer<SiteSettings.Builder> more, Optional<Path> data) {
+  private static ServedHome start(
+      String name, Consumer<SiteSettings.Builder> more, Optional<Path> data) {
     return start(
+        name,
         new HomeLoader().load(resource("/homes/bob.ttl"), "bob.ttl"),
         more,
         data,
@@ -112,19 +136,20 @@ final class ServedHome implements AutoCloseable {
   }
 
   private static ServedHome start(
+      String name,
       Home home,
       Consumer<SiteSettings.Builder> more,
       Optional<Path> data,
       Serving serving,
       HttpClient client) {
     SiteSettings.Builder settings =
-        SiteSettings.of("served", home)
+        SiteSettings.of(name, home)
             .scene(SceneLoader.load("bob-dark", stream("/scenes/bob-dark.ttl"), home));
     more.accept(settings);
     LocalSite site = LocalSite.paced(settings.build(), SPEED);
     return new ServedHome(
         site,
-        Console.start(site.platform(), site.observer(), "served", serving, data, "1.2.3"),
+        Console.start(site.platform(), site.observer(), name, serving, data, "1.2.3"),
         client);
   }
 

@@ -9,10 +9,14 @@ const LATELY = 600;
 function alerts() {
   const members = state.agents.filter((agent) => agent.members.length > 0 && (agent.phase !== "ready" || agent.why));
   const failed = state.goals.filter((goal) => goal.state === "failed" && age(goal) < LATELY);
-  const silent = state.health.containers.filter(({ condition }) => condition !== "alive");
+  const silent = (state.states?.containers ?? []).filter((container) => container.state !== "well");
   return [
     ...state.health.reasons.map((reason) => ({ text: reason })),
-    ...silent.map(({ container, condition }) => ({ text: `The container ${container} is ${condition}.` })),
+    ...silent.map(({ container, state: standing, why }) => ({
+      name: container,
+      text: `is ${standing}: ${why}`,
+      choose: () => select({ view: "states" }),
+    })),
     ...members.map((agent) => ({
       name: agent.members.join(" "),
       text: agent.why ? `is refused: ${agent.why}` : `is ${agent.phase}, for ${seconds(age(agent))}`,

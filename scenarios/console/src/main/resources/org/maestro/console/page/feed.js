@@ -17,7 +17,7 @@ function nothing() {
   };
 }
 
-const now = { platform: null, words: [], health: { reasons: [], containers: [] }, live: "connecting", ...nothing() };
+const now = { platform: null, words: [], health: { reasons: [] }, states: null, live: "connecting", ...nothing() };
 
 /** What is shown: what is so now, or what was so at a time. */
 export let state = now;
@@ -120,6 +120,7 @@ export const ask = {
   state: (goal, priority = 0, deadline = null) => send("POST", "/goals", { goal, priority, deadline_s: deadline }),
   preview: (goal) => send("POST", "/previews", { goal }),
   containers: () => request("/containers"),
+  states: () => request("/states"),
   member: (name) => request(`/members/${encodeURIComponent(name)}`),
   call: (member, feature, parameters) => send("POST", `/members/${encodeURIComponent(member)}/calls`, { feature, parameters }),
   made: (id) => request(`/calls/${encodeURIComponent(id)}`),
@@ -198,6 +199,7 @@ const TAKEN = {
   },
   goals: (news) => { now.goals = news.goals.map(dated); },
   health: (news) => { now.health = news; },
+  states: (news) => { now.states = news; },
   agents: (news) => takeAgents(now, news.agents.map(dated)),
 };
 

@@ -1,5 +1,5 @@
 /** What is looked at: one view, and what is chosen in it; it stands in the address, to be sent on. */
-const VIEWS = ["goals", "members", "knowledge", "history", "bus", "conversations"];
+const VIEWS = ["goals", "members", "knowledge", "history", "states", "bus", "conversations"];
 /** What of a goal. */
 export const SHOWN = ["story", "plan", "time", "bids"];
 const listeners = new Set();
