@@ -79,6 +79,7 @@ public final class Console implements AutoCloseable {
     Recording recording = new Recording(events, history, MEASURED);
     Traffic traffic =
         new Traffic(platform, name, observer, after -> history.answered(Answerer.MEMBERS, after));
+    Talk talk = new Talk(platform, questions);
     Preview preview = new Preview(platform.knowledge(), platform::presentMembers);
     Queries queries = new Queries(platform.knowledge());
     OneByOne lookingBack =
@@ -97,6 +98,7 @@ public final class Console implements AutoCloseable {
     operations.addAll(PlanOperations.of(questions, platform::now));
     operations.addAll(states.operations());
     operations.addAll(traffic.operations());
+    operations.addAll(talk.operations());
     operations.addAll(new MemberOperations(platform, traffic.roundTrips()).operations());
     operations.addAll(new HistoryOperations(history, lookingBack::work).operations());
     ObjectNode document = OpenApiDocument.of(operations, version);
@@ -114,11 +116,13 @@ public final class Console implements AutoCloseable {
             Map.of(
                 "/events", events,
                 "/events/bus", traffic.busNews(),
+                "/events/chat", talk.news(),
                 "/events/conversations", traffic.mailNews()));
     platform.onStory(events::told);
     platform.onStory(metrics::told);
     events.start();
     traffic.begin();
+    talk.begin();
     recording.begin();
     return new Console(
         server,
@@ -130,6 +134,7 @@ public final class Console implements AutoCloseable {
             recording::close,
             events::close,
             traffic::close,
+            talk::close,
             metrics::close));
   }
 

@@ -62,6 +62,12 @@ public final class OpenApiDocument {
             + " of /bus: first all that are kept, then those that come.");
     events(
         paths,
+        "/events/chat",
+        "chatEvents",
+        "What is said in conversations with persons, as server-sent events of the name chat, each a"
+            + " document as that of /chat: first all that is kept, then what is said.");
+    events(
+        paths,
         "/events/conversations",
         "conversationEvents",
         "The conversations between agents, as server-sent events of the name conversations, each a"

@@ -10,9 +10,11 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.GoalReport;
 import org.maestro.agents.content.GoalWords;
 import org.maestro.agents.content.Words;
 import org.maestro.console.documents.AgentsDocument;
@@ -193,6 +195,20 @@ public final class AclQuestions implements Questions {
    */
   public CompletableFuture<String> state(
       String goal, int priority, OptionalDouble deadlineSeconds, Optional<String> person) {
+    return state(goal, priority, deadlineSeconds, person, report -> {});
+  }
+
+  /**
+   * The same.
+   *
+   * @param ended told once how a goal that was accepted has ended
+   */
+  public CompletableFuture<String> state(
+      String goal,
+      int priority,
+      OptionalDouble deadlineSeconds,
+      Optional<String> person,
+      Consumer<GoalReport> ended) {
     CompletableFuture<String> accepted = new CompletableFuture<>();
     desk.request(
         ACLMessage.REQUEST,
@@ -201,6 +217,8 @@ public final class AclQuestions implements Questions {
         reply -> {
           if (reply.getPerformative() == ACLMessage.AGREE) {
             accepted.complete(Reply.words(reply).get(0).string("goal").orElse(""));
+          } else if (DeskAgent.isEnd(reply) && accepted.isDone()) {
+            ended.accept(GoalReport.read(reply.getContent()));
           } else if (DeskAgent.isEnd(reply)) {
             accepted.completeExceptionally(refusal(reply));
           }

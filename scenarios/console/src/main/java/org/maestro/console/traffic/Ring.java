@@ -8,9 +8,9 @@ import java.util.Optional;
 /**
  * The latest of what went by, numbered from 1, up to a number and a weight. Any thread may use it.
  */
-final class Ring<T> {
+public final class Ring<T> {
   /** One that is kept. */
-  record Kept<T>(long number, T what, long weight) {}
+  public record Kept<T>(long number, T what, long weight) {}
 
   private final int most;
   private final long heaviest;
@@ -22,17 +22,19 @@ final class Ring<T> {
    * @param most that are kept
    * @param heaviest they are together; the latest one is kept in any case
    */
-  Ring(int most, long heaviest) {
+  public Ring(int most, long heaviest) {
     this.most = most;
     this.heaviest = heaviest;
   }
 
-  synchronized void add(T what, long its) {
+  /** Returns its number. */
+  public synchronized long add(T what, long its) {
     kept.addLast(new Kept<>(++latest, what, its));
     weight += its;
     while (kept.size() > most || weight > heaviest && kept.size() > 1) {
       weight -= kept.removeFirst().weight();
     }
+    return latest;
   }
 
   /** There is news, though nothing to keep. */
@@ -41,7 +43,7 @@ final class Ring<T> {
   }
 
   /** The number of the latest news; 0 before there is any. */
-  synchronized long latest() {
+  public synchronized long latest() {
     return latest;
   }
 
@@ -51,7 +53,7 @@ final class Ring<T> {
   }
 
   /** Those kept that came after one and not after the other, oldest first. */
-  synchronized List<Kept<T>> between(long after, long last) {
+  public synchronized List<Kept<T>> between(long after, long last) {
     return kept.stream().filter(one -> one.number() > after && one.number() <= last).toList();
   }
 

@@ -12,12 +12,13 @@ import { drawMembers, startMembers } from "./members.js";
 import { drawKnowledge, startKnowledge } from "./knowledge.js";
 import { drawPast, startPast } from "./past.js";
 import { drawHappened, drawHistory, startHistory } from "./history.js";
+import { drawChat, startChat } from "./chat.js";
 import { drawStates } from "./states.js";
 import { drawBus, drawBusMessage, startBus } from "./bus.js";
 import { drawConversations, drawConversation, startConversations } from "./conversations.js";
 
 const VIEWS = {
-  goals: drawGoals, members: drawMembers, knowledge: drawKnowledge, history: drawHistory, states: drawStates, bus: drawBus, conversations: drawConversations,
+  goals: drawGoals, chat: drawChat, members: drawMembers, knowledge: drawKnowledge, history: drawHistory, states: drawStates, bus: drawBus, conversations: drawConversations,
 };
 /** What stands beside a view that shows more than what is chosen on the map. */
 const DETAILS = { history: drawHappened, bus: drawBusMessage, conversations: drawConversation };
@@ -88,6 +89,7 @@ startKnowledge();
 startHistory();
 startBus();
 startConversations();
+startChat();
 onChange(drawAll);
 onSelect(drawAll);
 // Ages go on.

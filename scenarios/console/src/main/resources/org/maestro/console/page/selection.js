@@ -1,5 +1,5 @@
 /** What is looked at: one view, and what is chosen in it; it stands in the address, to be sent on. */
-const VIEWS = ["goals", "members", "knowledge", "history", "states", "bus", "conversations"];
+const VIEWS = ["goals", "chat", "members", "knowledge", "history", "states", "bus", "conversations"];
 /** What of a goal. */
 export const SHOWN = ["story", "plan", "time", "bids"];
 const listeners = new Set();
@@ -19,6 +19,9 @@ export function selection() {
     step: parameters.get("step"),
     /** The instant that is shown; null for now. */
     at: parameters.get("at"),
+    /** Who speaks in the chat, and where. */
+    person: parameters.get("person"),
+    room: parameters.get("room"),
   };
 }
 

@@ -1,0 +1,59 @@
+package org.maestro.console;
+
+import java.time.InstantSource;
+import java.util.List;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.ScheduledExecutorService;
+import org.maestro.console.api.Operation;
+import org.maestro.console.chat.Chat;
+import org.maestro.console.chat.GoalStories;
+import org.maestro.console.chat.WrittenInterlocutor;
+import org.maestro.console.questions.AclQuestions;
+import org.maestro.platform.MaestroPlatform;
+
+/** The conversations with persons of the home, for who takes part in them. */
+final class Talk implements AutoCloseable {
+  private final MaestroPlatform platform;
+  private final GoalStories stories = new GoalStories();
+  private final Chat chat;
+  private final ScheduledExecutorService thread =
+      Executors.newSingleThreadScheduledExecutor(
+          task -> {
+            Thread named = new Thread(task, "console-chat");
+            named.setDaemon(true);
+            return named;
+          });
+  private final Broadcast news;
+  private List<Future<?>> rounds = List.of();
+
+  Talk(MaestroPlatform platform, AclQuestions questions) {
+    this.platform = platform;
+    this.chat =
+        new Chat(
+            platform.knowledge()::home,
+            () -> new WrittenInterlocutor(platform.knowledge()::home, questions, stories),
+            InstantSource.system());
+    this.news = new Broadcast("chat", chat, thread);
+  }
+
+  List<Operation> operations() {
+    return chat.operations();
+  }
+
+  EventSource news() {
+    return news;
+  }
+
+  /** From now on it is told how goals fare. */
+  void begin() {
+    platform.onStory(stories);
+    rounds = List.of(news.begin());
+  }
+
+  @Override
+  public void close() {
+    rounds.forEach(round -> round.cancel(false));
+    thread.shutdownNow();
+  }
+}

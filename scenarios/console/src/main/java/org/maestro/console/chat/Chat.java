@@ -1,0 +1,139 @@
+package org.maestro.console.chat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Supplier;
+import org.maestro.console.api.Operation;
+import org.maestro.console.documents.JsonMembers;
+import org.maestro.console.documents.ShownText;
+import org.maestro.console.questions.RefusalException;
+import org.maestro.console.traffic.Ring;
+import org.maestro.console.traffic.Source;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Individual;
+import org.maestro.ontology.validation.Nearest;
+import org.maestro.rats.security.Role;
+
+/**
+ * The conversations, one for each person of the home: what is said is handed to who answers her,
+ * and all that is said by either is kept for who looks at it, the latest of it. Any thread may use
+ * it.
+ */
+public final class Chat implements Source {
+  private static final int CREATED = 201;
+  private static final int MOST = 2_000;
+  private static final long HEAVIEST = 2_000_000;
+  private static final String PERSON = "Person";
+  private static final String ROOM = "Room";
+
+  private final Supplier<Home> home;
+  private final Supplier<Interlocutor> partners;
+  private final InstantSource wall;
+  private final Ring<ChatEntry> entries = new Ring<>(MOST, HEAVIEST);
+  private final Map<String, Interlocutor> partnerByPerson = new TreeMap<>();
+
+  /**
+   * @param home as it is known at the time
+   * @param partners makes who answers a person
+   */
+  public Chat(Supplier<Home> home, Supplier<Interlocutor> partners, InstantSource wall) {
+    this.home = home;
+    this.partners = partners;
+    this.wall = wall;
+  }
+
+  public List<Operation> operations() {
+    return List.of(
+        Operation.asking(
+                Operation.Method.POST,
+                "/chat",
+                "say",
+                "Says something as a person of the home; what becomes of it is told as it happens.",
+                "chat-accepted",
+                request -> CompletableFuture.completedFuture(say(read(request))))
+            .by(Role.OPERATOR)
+            .taking("chat-request")
+            .answering(CREATED, "chat-accepted"),
+        Operation.get(
+            "/chat",
+            "chat",
+            "What was said lately, by whom in which room, and what became of it.",
+            "chat",
+            request -> CompletableFuture.completedFuture(all())));
+  }
+
+  private Utterance read(Operation.Request request) {
+    JsonNode body = request.body();
+    return new Utterance(
+        known(body.path("person").asText(), PERSON, "person"),
+        known(body.path("room").asText(), ROOM, "room"),
+        body.path("text").asText(),
+        request.visit().person());
+  }
+
+  private String known(String name, String className, String what) {
+    List<String> names =
+        home.get().individuals().values().stream()
+            .filter(one -> one.classes().contains(className))
+            .map(Individual::name)
+            .toList();
+    if (!names.contains(name)) {
+      throw RefusalException.badInput(
+          "This home has no %s %s; %s."
+              .formatted(
+                  what,
+                  name,
+                  Nearest.cure(
+                      name,
+                      names,
+                      names.isEmpty() ? "give it one" : "it has " + String.join(", ", names))));
+    }
+    return name;
+  }
+
+  /** Hands it over; returned is the number under which it is kept. */
+  private JsonNode say(Utterance utterance) {
+    long number = add(ChatEntry.said(utterance, wall.instant()));
+    partner(utterance.person())
+        .hear(utterance, event -> add(ChatEntry.of(event, utterance, wall.instant())));
+    return JsonNodeFactory.instance.objectNode().put("number", number);
+  }
+
+  private synchronized Interlocutor partner(String person) {
+    return partnerByPerson.computeIfAbsent(person, name -> partners.get());
+  }
+
+  private long add(ChatEntry entry) {
+    return entries.add(entry, entry.weight());
+  }
+
+  @Override
+  public long latest() {
+    return entries.latest();
+  }
+
+  @Override
+  public JsonNode between(long after, long last) {
+    JsonMembers document = JsonMembers.empty();
+    ArrayNode array = document.node().putArray("entries");
+    for (Ring.Kept<ChatEntry> kept : entries.between(after, last)) {
+      ChatEntry entry = kept.what();
+      JsonMembers row = JsonMembers.in(array);
+      row.node().put("number", kept.number());
+      row.text("at", entry.at().toString())
+          .text("person", entry.person())
+          .text("room", entry.room())
+          .text("kind", entry.kind())
+          .text("goal", entry.goal());
+      row.node().put("text", ShownText.of(entry.text()));
+      row.words("near", entry.near());
+    }
+    return document.node();
+  }
+}

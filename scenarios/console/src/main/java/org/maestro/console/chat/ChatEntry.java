@@ -1,0 +1,64 @@
+package org.maestro.console.chat;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Something that was said in a conversation.
+ *
+ * @param person whose conversation it is
+ * @param room in which she was when she said what it belongs to
+ * @param kind of it, in a word
+ * @param goal of which it tells
+ * @param near what could be said instead, or as an answer
+ */
+record ChatEntry(
+    Instant at,
+    String person,
+    String room,
+    String kind,
+    Optional<String> goal,
+    String text,
+    List<String> near) {
+  private static final int WEIGHT_OF_THE_REST = 100;
+
+  static ChatEntry said(Utterance utterance, Instant at) {
+    return entry(utterance, at, "said", Optional.empty(), utterance.text(), List.of());
+  }
+
+  static ChatEntry of(ChatEvent event, Utterance utterance, Instant at) {
+    if (event instanceof ChatEvent.Understood understood) {
+      Optional<String> goal = Optional.of(understood.goal());
+      return entry(utterance, at, "understood", goal, understood.text(), List.of());
+    }
+    if (event instanceof ChatEvent.Told told) {
+      Optional<String> goal = Optional.of(told.goal()).filter(id -> !id.isEmpty());
+      return entry(utterance, at, "told", goal, told.text(), List.of());
+    }
+    if (event instanceof ChatEvent.Asked asked) {
+      return entry(utterance, at, "asked", Optional.empty(), asked.text(), asked.choices());
+    }
+    if (event instanceof ChatEvent.Ended ended) {
+      String kind = ended.reached() ? "reached" : "ended";
+      return entry(utterance, at, kind, Optional.of(ended.goal()), ended.text(), List.of());
+    }
+    ChatEvent.Misunderstood wrong = (ChatEvent.Misunderstood) event;
+    return entry(utterance, at, "misunderstood", Optional.empty(), wrong.text(), wrong.near());
+  }
+
+  private static ChatEntry entry(
+      Utterance utterance,
+      Instant at,
+      String kind,
+      Optional<String> goal,
+      String text,
+      List<String> near) {
+    return new ChatEntry(at, utterance.person(), utterance.room(), kind, goal, text, near);
+  }
+
+  /** About as many characters as it takes. */
+  long weight() {
+    return WEIGHT_OF_THE_REST + text.length() + near.stream().mapToInt(String::length).sum();
+  }
+}

@@ -1,0 +1,159 @@
+package org.maestro.console.chat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.maestro.agents.content.GoalReport;
+import org.maestro.console.questions.AclQuestions;
+import org.maestro.coordination.api.StoryEntry;
+import org.maestro.ontology.home.Home;
+
+/**
+ * An interlocutor who reads goals and questions as they are written, states the goals, and tells
+ * how they fare in the sentences of their stories.
+ */
+public final class WrittenInterlocutor implements Interlocutor {
+  private static final int MOST_CHOICES = 12;
+  private static final Set<StoryEntry.Kind> TOLD =
+      EnumSet.of(
+          StoryEntry.Kind.PLAN,
+          StoryEntry.Kind.WAIT,
+          StoryEntry.Kind.STEP,
+          StoryEntry.Kind.FAILED,
+          StoryEntry.Kind.MISCONDUCT,
+          StoryEntry.Kind.REPLAN,
+          StoryEntry.Kind.CONFIRM,
+          StoryEntry.Kind.SEARCHED,
+          StoryEntry.Kind.HELD,
+          StoryEntry.Kind.LOST,
+          StoryEntry.Kind.RESTART);
+
+  private final Supplier<Home> home;
+  private final AclQuestions questions;
+  private final GoalStories stories;
+
+  /** What was said of a goal that lacks its last part; guarded by this. */
+  private Optional<String> unfinished = Optional.empty();
+
+  /**
+   * @param home as it is known at the time
+   */
+  public WrittenInterlocutor(Supplier<Home> home, AclQuestions questions, GoalStories stories) {
+    this.home = home;
+    this.questions = questions;
+    this.stories = stories;
+  }
+
+  @Override
+  public void hear(Utterance utterance, Consumer<ChatEvent> listener) {
+    WrittenWords words = new WrittenWords(home.get());
+    Reading reading = read(words, utterance);
+    if (reading instanceof Reading.Goal goal) {
+      state(goal.formula(), utterance.asker(), listener, words);
+    } else if (reading instanceof Reading.Question question) {
+      ask(question.formula(), listener, words);
+    } else if (reading instanceof Reading.Unfinished part) {
+      listener.accept(questionBack(part, words));
+    } else if (reading instanceof Reading.Unclear unclear) {
+      listener.accept(new ChatEvent.Misunderstood(unclear.why(), unclear.near()));
+    }
+  }
+
+  /** What answers the question that was asked last is read with what that was about. */
+  private synchronized Reading read(WrittenWords words, Utterance utterance) {
+    Optional<String> begun = unfinished;
+    unfinished = Optional.empty();
+    Reading alone = words.read(utterance);
+    Reading reading =
+        begun
+            .filter(before -> alone instanceof Reading.Unclear)
+            .map(before -> words.read(with(utterance, before + " " + utterance.text())))
+            .filter(together -> !(together instanceof Reading.Unclear))
+            .orElse(alone);
+    if (reading instanceof Reading.Unfinished part) {
+      unfinished = Optional.of(part.begin());
+    }
+    return reading;
+  }
+
+  private static Utterance with(Utterance utterance, String text) {
+    return new Utterance(utterance.person(), utterance.room(), text, utterance.asker());
+  }
+
+  private static ChatEvent questionBack(Reading.Unfinished part, WrittenWords words) {
+    List<String> choices = words.choices(part.wanted());
+    return new ChatEvent.Asked(
+        part.wanted().isEmpty()
+            ? "%s: at least how much? Say a number.".formatted(part.begin())
+            : "%s: which %s? Say its name.".formatted(part.begin(), inWords(part.wanted())),
+        choices.stream().limit(MOST_CHOICES).toList());
+  }
+
+  private static String inWords(String className) {
+    return className.replaceAll("(?<=[a-z])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
+  }
+
+  private void state(
+      String goal, Optional<String> asker, Consumer<ChatEvent> listener, WrittenWords words) {
+    CompletableFuture<GoalReport> report = new CompletableFuture<>();
+    questions
+        .state(goal, 0, OptionalDouble.empty(), asker, report::complete)
+        .whenComplete(
+            (id, refusal) -> {
+              if (refusal != null) {
+                listener.accept(misunderstood(goal, refusal, words));
+              } else {
+                listener.accept(new ChatEvent.Understood(id, goal));
+                follow(id, report, listener);
+              }
+            });
+  }
+
+  private void follow(
+      String id, CompletableFuture<GoalReport> report, Consumer<ChatEvent> listener) {
+    stories.follow(
+        id,
+        entry -> {
+          if (entry.kind() == StoryEntry.Kind.END) {
+            report.thenAccept(
+                ended -> listener.accept(new ChatEvent.Ended(id, ended.reached(), entry.text())));
+          } else if (TOLD.contains(entry.kind())) {
+            listener.accept(new ChatEvent.Told(id, entry.text()));
+          }
+        });
+  }
+
+  private void ask(String question, Consumer<ChatEvent> listener, WrittenWords words) {
+    questions
+        .know(question)
+        .whenComplete(
+            (answers, refusal) -> {
+              if (refusal != null) {
+                listener.accept(misunderstood(question, refusal, words));
+              } else {
+                tell(answers, listener);
+              }
+            });
+  }
+
+  private static void tell(JsonNode document, Consumer<ChatEvent> listener) {
+    AnswerSentences.of(document)
+        .forEach(sentence -> listener.accept(new ChatEvent.Told("", sentence)));
+  }
+
+  private static ChatEvent misunderstood(String said, Throwable refusal, WrittenWords words) {
+    Throwable cause =
+        refusal instanceof CompletionException && refusal.getCause() != null
+            ? refusal.getCause()
+            : refusal;
+    return new ChatEvent.Misunderstood(String.valueOf(cause.getMessage()), words.near(said));
+  }
+}

@@ -1,0 +1,152 @@
+package org.maestro.console;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.time.Duration;
+import java.util.List;
+import java.util.stream.StreamSupport;
+import org.awaitility.Awaitility;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.openqa.selenium.Keys;
+
+/** A person of the home says what is to be so, and hears what becomes of it. */
+@Isolated("its time is wall time, which others beside it would take")
+class ChatPageTest {
+  private static final Duration LIMIT = Duration.ofSeconds(60);
+  private static ServedHome home;
+
+  @BeforeAll
+  static void start() {
+    home = ServedHome.start();
+  }
+
+  @AfterAll
+  static void end() {
+    home.close();
+  }
+
+  private static ServedHome.Answer say(String person, String room, String text) throws Exception {
+    return home.post(
+        "/chat",
+        new ObjectMapper()
+            .createObjectNode()
+            .put("person", person)
+            .put("room", room)
+            .put("text", text)
+            .toString());
+  }
+
+  /** Waits for an entry of the kind that came after the number. */
+  private static JsonNode answer(long after, String kind) {
+    return Awaitility.await()
+        .atMost(LIMIT)
+        .until(() -> find(after, kind), found -> !found.isMissingNode());
+  }
+
+  private static JsonNode find(long after, String kind) throws Exception {
+    JsonNode entries = home.get("/chat").document().path("entries");
+    return StreamSupport.stream(entries.spliterator(), false)
+        .filter(entry -> entry.path("number").asLong() > after)
+        .filter(entry -> entry.path("kind").asText().equals(kind))
+        .findFirst()
+        .orElse(entries.path("none"));
+  }
+
+  @Test
+  void aGoalIsUnderstoodAtOnceAndFollowedToItsEnd() throws Exception {
+    ServedHome.Answer accepted = say("Bob", "room-a", "illuminance here 40");
+    assertThat(accepted.status()).isEqualTo(201);
+    home.assertValid(accepted.document(), "chat-accepted");
+    long number = accepted.document().path("number").asLong();
+
+    JsonNode understood = answer(number, "understood");
+    assertThat(understood.path("text").asText()).isEqualTo("(>= (illuminance zone-a) 40)");
+    String goal = understood.path("goal").asText();
+    JsonNode reached = answer(number, "reached");
+    assertThat(reached.path("goal").asText()).isEqualTo(goal);
+    assertThat(reached.path("text").asText()).startsWith("Reached");
+    home.assertValid(home.get("/chat").document(), "chat");
+
+    long impossible =
+        say("Bob", "room-a", "(>= (illuminance zone-a) 100000)").document().path("number").asLong();
+    assertThat(answer(impossible, "ended").path("text").asText()).startsWith("Not reached.");
+  }
+
+  @Test
+  void whatLacksAPartIsAskedForAndTheNextWordsAreTheAnswer() throws Exception {
+    long first = say("Bob", "room-a", "illuminance here").document().path("number").asLong();
+    assertThat(answer(first, "asked").path("text").asText()).contains("at least how much?");
+    long second = say("Bob", "room-b", "30").document().path("number").asLong();
+    assertThat(answer(second, "understood").path("text").asText())
+        .isEqualTo("(>= (illuminance zone-b) 30)");
+
+    long third = say("Bob", "room-a", "? in rose").document().path("number").asLong();
+    assertThat(answer(third, "told").path("text").asText()).matches("Yes: p is zone-[ab].*");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "Bobb | room-a | This home has no person Bobb; write Bob, if that is meant.",
+        "Cup | room-a | This home has no person Cup; it has Bob.",
+        "Bob | attic  | This home has no room attic; it has room-a, room-b."
+      })
+  void whoOrWhereNobodyIsIsASentence(String person, String room, String sentence) throws Exception {
+    ServedHome.Answer answer = say(person, room, "the cup next to me");
+
+    assertThat(answer.status()).isEqualTo(400);
+    assertThat(answer.problem()).isEqualTo(sentence);
+  }
+
+  @Test
+  void onThePageItIsTypedAndFollowedAndOthersAreTypedMeanwhile() throws Exception {
+    assumeTrue(
+        Browser.isThere(),
+        "The page is not tried: there is no chromium with its chromedriver; .ci/install installs them.");
+    try (Browser browser = Browser.open()) {
+      browser.size(1440, 900);
+      browser.complaints();
+      browser.go(home.uri() + "/#view=chat&room=room-b");
+      browser.waitForText("#chat-person", "Bob");
+
+      browser.waitFor("#chat-text").sendKeys("the cup next to me", Keys.ENTER);
+      browser.waitForText("#chat-log .answer.understood", "(nextTo Cup Bob)");
+      assertThat(browser.text("#chat-log .said-by-person")).contains("Bob, in room-b");
+      browser.waitFor("#chat-text").sendKeys("bring the cup", Keys.ENTER);
+      browser.waitForText("#chat-log .misunderstood", "I do not know the word \"bring\"");
+      browser.waitFor("#chat-text").sendKeys("nextTo Cup", Keys.ENTER);
+      browser.waitForText("#chat-log .asked", "which thing? Say its name.");
+      browser.waitForText("#chat-log .told", "Plan 1");
+      browser.waitForText("#chat-log .reached", "Reached");
+
+      browser.run(
+          "[...document.querySelectorAll('#chat-log .understood .row')].at(-1)"
+              + ".dispatchEvent(new MouseEvent('click', {bubbles: true}))");
+      browser.waitForText("#detail h2", "(nextTo Cup Bob)");
+      assertThat(browser.address()).contains("view=chat").contains("room=room-b");
+      browser.click("#chat-log .offer");
+      assertThat(browser.waitFor("#chat-text").getDomProperty("value")).isNotEmpty();
+      assertThat(browser.complaints()).isEmpty();
+      for (int width : List.of(1440, 390)) {
+        browser.size(width, 844);
+        for (String theme : List.of("light", "dark")) {
+          browser.go(home.uri() + "/#view=chat");
+          browser.theme(theme);
+          browser.waitForText("#chat-log", "Understood");
+          assertThat(Accessibility.faults(browser)).as("%s, %d", theme, width).isEmpty();
+          assertThat(browser.run("return document.documentElement.scrollWidth <= innerWidth"))
+              .isEqualTo(true);
+        }
+      }
+    }
+  }
+}
