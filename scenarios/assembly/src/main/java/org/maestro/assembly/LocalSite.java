@@ -18,6 +18,7 @@ import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.KnowledgeSettings;
 import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.DescriptionWriter;
+import org.maestro.ontology.home.Home;
 import org.maestro.planning.ObjectivePlanner;
 import org.maestro.planning.OptimalPlanner;
 import org.maestro.planning.ReplanningPlanner;
@@ -317,6 +318,16 @@ public final class LocalSite implements AutoCloseable {
   public InProcessBus bus() {
     return bus.orElseThrow(
         () -> new SiteException("The site %s is on a real bus.".formatted(settings.name())));
+  }
+
+  /** The home as it was described at the start. */
+  public Home home() {
+    return settings.home();
+  }
+
+  /** Whether devices and the world they live in are simulated here. */
+  public boolean isSimulated() {
+    return simulated.isPresent();
   }
 
   /** The simulated devices and the world they live in. */

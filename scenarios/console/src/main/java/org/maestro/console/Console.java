@@ -24,6 +24,8 @@ import org.maestro.console.members.MemberOperations;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.console.questions.RefusalException;
 import org.maestro.console.states.PlatformStates;
+import org.maestro.console.truth.Truth;
+import org.maestro.console.truth.TruthOperations;
 import org.maestro.platform.MaestroPlatform;
 import org.maestro.rats.transport.Transport;
 
@@ -52,6 +54,7 @@ public final class Console implements AutoCloseable {
    * @param name of the platform, and of its site on the bus
    * @param serving where, and to whom
    * @param data a directory in which the past is kept; empty: it ends with the process
+   * @param truth of the home, where this process simulates it
    * @param version of the software
    * @throws RefusalException when the port is taken
    */
@@ -61,6 +64,7 @@ public final class Console implements AutoCloseable {
       String name,
       Serving serving,
       Optional<Path> data,
+      Optional<Truth> truth,
       String version) {
     requireFree(serving);
     Access access = serving.access();
@@ -89,6 +93,7 @@ public final class Console implements AutoCloseable {
             new Api(
                     name,
                     platform.speed(),
+                    truth.isPresent(),
                     questions,
                     platform.knowledge(),
                     preview::of,
@@ -99,6 +104,7 @@ public final class Console implements AutoCloseable {
     operations.addAll(states.operations());
     operations.addAll(traffic.operations());
     operations.addAll(talk.operations());
+    operations.addAll(TruthOperations.of(truth));
     operations.addAll(new MemberOperations(platform, traffic.roundTrips()).operations());
     operations.addAll(new HistoryOperations(history, lookingBack::work).operations());
     ObjectNode document = OpenApiDocument.of(operations, version);

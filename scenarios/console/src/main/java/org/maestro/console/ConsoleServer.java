@@ -152,7 +152,12 @@ final class ConsoleServer implements AutoCloseable {
         Exception.class, (failure, context) -> Problems.answer(context, failure));
     config.routes.error(
         Problems.NOT_FOUND,
-        context -> Problems.answer(context, Problems.NOT_FOUND, nothing(context)));
+        context -> {
+          // What says by itself what is not there has been answered.
+          if (Optional.ofNullable(context.result()).filter(text -> !text.isEmpty()).isEmpty()) {
+            Problems.answer(context, Problems.NOT_FOUND, nothing(context));
+          }
+        });
   }
 
   private void stream(RoutesConfig routes, String path, EventSource source) {

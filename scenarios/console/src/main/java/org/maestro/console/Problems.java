@@ -66,10 +66,13 @@ final class Problems {
   static void answer(Context context, Throwable failure) {
     Throwable cause = cause(failure);
     if (cause instanceof RefusalException refusal) {
-      answer(
-          context,
-          refusal.kind() == RefusalException.Kind.BAD_INPUT ? BAD_INPUT : OUTSIDE,
-          String.valueOf(refusal.getMessage()));
+      int status =
+          switch (refusal.kind()) {
+            case BAD_INPUT -> BAD_INPUT;
+            case NOT_THERE -> NOT_FOUND;
+            case OUTSIDE -> OUTSIDE;
+          };
+      answer(context, status, String.valueOf(refusal.getMessage()));
     } else if (cause instanceof DeniedException denial) {
       answer(context, denial);
     } else {

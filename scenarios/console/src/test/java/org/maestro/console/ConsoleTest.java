@@ -336,6 +336,7 @@ class ConsoleTest {
                       "second",
                       Serving.onLoopback(taken.getLocalPort()),
                       Optional.empty(),
+                      Optional.empty(),
                       "1"))
           .isInstanceOf(RefusalException.class)
           .hasMessageContaining("cannot listen on port " + taken.getLocalPort());

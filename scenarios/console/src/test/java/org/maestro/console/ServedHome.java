@@ -21,14 +21,18 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.awaitility.Awaitility;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.console.api.Api;
+import org.maestro.console.truth.TrueThing;
+import org.maestro.console.truth.Truth;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.rats.security.Role;
@@ -36,6 +40,7 @@ import org.maestro.rats.security.SecureSite;
 import org.maestro.rats.security.SiteSecurity;
 import org.maestro.rats.security.SiteUsers;
 import org.maestro.sim.scene.SceneLoader;
+import org.maestro.sim.world.World;
 
 /** Bob's home, simulated, with its console; and a client of that. */
 final class ServedHome implements AutoCloseable {
@@ -87,6 +92,19 @@ final class ServedHome implements AutoCloseable {
         Optional.empty());
   }
 
+  /** The same, of which nobody tells what is true. */
+  static ServedHome startUntrue() {
+    Home home = new HomeLoader().load(resource("/homes/bob.ttl"), "bob.ttl");
+    return start(
+        NAME,
+        home,
+        settings -> {},
+        Optional.empty(),
+        Serving.onLoopback(0),
+        HttpClient.newHttpClient(),
+        site -> Optional.empty());
+  }
+
   /** The same with a directory in which its past is kept. */
   static ServedHome startWith(Path data) {
     return start(NAME, settings -> {}, Optional.of(data));
@@ -121,7 +139,8 @@ final class ServedHome implements AutoCloseable {
         settings -> settings.security(security),
         Optional.empty(),
         new Serving(Serving.LOOPBACK, 0, Optional.of(security)),
-        client);
+        client,
+        ServedHome::truth);
   }
 
   private static ServedHome start(
@@ -132,7 +151,8 @@ final class ServedHome implements AutoCloseable {
         more,
         data,
         Serving.onLoopback(0),
-        HttpClient.newHttpClient());
+        HttpClient.newHttpClient(),
+        ServedHome::truth);
   }
 
   private static ServedHome start(
@@ -141,7 +161,8 @@ final class ServedHome implements AutoCloseable {
       Consumer<SiteSettings.Builder> more,
       Optional<Path> data,
       Serving serving,
-      HttpClient client) {
+      HttpClient client,
+      Function<LocalSite, Optional<Truth>> truth) {
     SiteSettings.Builder settings =
         SiteSettings.of(name, home)
             .scene(SceneLoader.load("bob-dark", stream("/scenes/bob-dark.ttl"), home));
@@ -149,8 +170,41 @@ final class ServedHome implements AutoCloseable {
     LocalSite site = LocalSite.paced(settings.build(), SPEED);
     return new ServedHome(
         site,
-        Console.start(site.platform(), site.observer(), name, serving, data, "1.2.3"),
+        Console.start(
+            site.platform(), site.observer(), name, serving, data, truth.apply(site), "1.2.3"),
         client);
+  }
+
+  /** Where Bob and what he asks for truly are, and what the lamps and the door are at. */
+  private static Optional<Truth> truth(LocalSite site) {
+    World world = site.world();
+    return Optional.of(
+        () ->
+            List.of(
+                at(world, "Bob"),
+                at(world, "Cup"),
+                at(world, "rose"),
+                new TrueThing(
+                    "lamp-a1",
+                    Optional.empty(),
+                    Optional.empty(),
+                    OptionalDouble.of(world.lampLevel("lamp-a1")),
+                    Optional.empty()),
+                new TrueThing(
+                    "door-ab",
+                    Optional.empty(),
+                    Optional.empty(),
+                    OptionalDouble.empty(),
+                    Optional.of(world.isOpen("door-ab")))));
+  }
+
+  private static TrueThing at(World world, String name) {
+    return new TrueThing(
+        name,
+        world.position(name).map(place -> new TrueThing.Spot(place.x(), place.y())),
+        world.holder(name),
+        OptionalDouble.empty(),
+        Optional.empty());
   }
 
   private static InputStream stream(String name) {

@@ -109,6 +109,7 @@ final class ConsoleOptions {
         name,
         new Serving(at.host(), at.port(), security),
         data,
+        site.isSimulated() ? Optional.of(SimulatedTruth.of(site)) : Optional.empty(),
         Version.number());
   }
 

@@ -127,7 +127,13 @@ public final class ConsoleBench {
 
   private static Console console(LocalSite site) {
     return Console.start(
-        site.platform(), site.observer(), SITE, Serving.onLoopback(0), Optional.empty(), "bench");
+        site.platform(),
+        site.observer(),
+        SITE,
+        Serving.onLoopback(0),
+        Optional.empty(),
+        Optional.empty(),
+        "bench");
   }
 
   private void add(String name, double value, String unit) {

@@ -39,6 +39,7 @@ public final class Api {
 
   private final String platform;
   private final double speed;
+  private final boolean simulated;
   private final AclQuestions questions;
   private final KnowledgeBase knowledge;
   private final Function<String, CompletableFuture<JsonNode>> preview;
@@ -47,18 +48,21 @@ public final class Api {
   /**
    * @param platform its name
    * @param speed of its clock, simulated seconds in one of wall time
+   * @param simulated whether this process simulates the home
    * @param preview makes a plan for a goal that is not stated yet
    * @param queries answers SPARQL
    */
   public Api(
       String platform,
       double speed,
+      boolean simulated,
       AclQuestions questions,
       KnowledgeBase knowledge,
       Function<String, CompletableFuture<JsonNode>> preview,
       Function<String, CompletableFuture<JsonNode>> queries) {
     this.platform = platform;
     this.speed = speed;
+    this.simulated = simulated;
     this.questions = questions;
     this.knowledge = knowledge;
     this.preview = preview;
@@ -228,6 +232,7 @@ public final class Api {
         .text("platform", platform)
         .text("home", knowledge.home().label())
         .number("speed", speed)
+        .truth("simulated", simulated)
         .number("devices", OptionalInt.of(knowledge.home().devices().size()))
         .node();
   }

@@ -8,6 +8,8 @@ public final class RefusalException extends RuntimeException {
   public enum Kind {
     /** Who asked: the words are wrong, or speak of what is not there. */
     BAD_INPUT,
+    /** Who asked: here is nothing of the kind. */
+    NOT_THERE,
     /** Something outside failed, or is not there now; the same may be answered later. */
     OUTSIDE
   }
@@ -22,6 +24,11 @@ public final class RefusalException extends RuntimeException {
   /** A refusal of what was asked. */
   public static RefusalException badInput(String sentence) {
     return new RefusalException(Kind.BAD_INPUT, sentence);
+  }
+
+  /** A refusal since here is nothing of the kind. */
+  public static RefusalException notThere(String sentence) {
+    return new RefusalException(Kind.NOT_THERE, sentence);
   }
 
   /** A failure outside. */

@@ -12,6 +12,7 @@ import { drawMembers, startMembers } from "./members.js";
 import { drawKnowledge, startKnowledge } from "./knowledge.js";
 import { drawPast, startPast } from "./past.js";
 import { drawHappened, drawHistory, startHistory } from "./history.js";
+import { drawTruth, startTruth } from "./truth.js";
 import { drawChat, startChat } from "./chat.js";
 import { drawStates } from "./states.js";
 import { drawBus, drawBusMessage, startBus } from "./bus.js";
@@ -54,6 +55,7 @@ function drawAll() {
   drawFrame();
   drawAlerts();
   drawMap();
+  drawTruth();
   VIEWS[view]();
   (DETAILS[view] ?? drawDetail)();
   drawPast();
@@ -90,6 +92,7 @@ startHistory();
 startBus();
 startConversations();
 startChat();
+startTruth();
 onChange(drawAll);
 onSelect(drawAll);
 // Ages go on.

@@ -121,6 +121,7 @@ export const ask = {
   preview: (goal) => send("POST", "/previews", { goal }),
   containers: () => request("/containers"),
   states: () => request("/states"),
+  truth: () => request("/truth"),
   say: (person, room, text) => send("POST", "/chat", { person, room, text }),
   member: (name) => request(`/members/${encodeURIComponent(name)}`),
   call: (member, feature, parameters) => send("POST", `/members/${encodeURIComponent(member)}/calls`, { feature, parameters }),

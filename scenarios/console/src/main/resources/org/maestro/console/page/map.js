@@ -38,7 +38,7 @@ function bounds(things) {
 }
 
 /** Where it is, as far as is known: what somebody carries is where that one is. */
-function place(thing, isCarrier = false) {
+export function place(thing, isCarrier = false) {
   const inside = known("in", thing.name);
   const holder = inside?.value && !isCarrier ? state.thingByName.get(inside.arguments[1]) : null;
   const by = holder?.device ? place(holder, true) : null;
@@ -104,7 +104,7 @@ function floor(zone, { value, told }, unit) {
     }, text)));
 }
 
-function openness(door) {
+export function openness(door) {
   const open = known("open", door.name);
   const stands = open === null ? door.open : open.value;
   const kind = stands === null ? "unknown" : stands ? "open" : "shut";

@@ -22,6 +22,8 @@ export function selection() {
     /** Who speaks in the chat, and where. */
     person: parameters.get("person"),
     room: parameters.get("room"),
+    /** Whether simulated truth is drawn. */
+    truth: parameters.get("truth"),
   };
 }
 
